@@ -289,17 +289,17 @@ const std::vector<RecordKind>& record_kinds() {
          "free flight",
          "the record ends at the largest force",
          {"ONE_BASELINE", "NO_RETRACTION"}},
-        {"force_reversed", "columns", "tension is positive", {"refused:force looks reversed"}},
+        {"force_reversed", "columns", "tension is positive", {"refused:force seems to have the opposite sign"}},
         {"displacement_reversed",
          "columns",
          "the displacement falls on approach",
-         {"refused:displacement looks reversed"}},
-        {"both_reversed", "columns", "both", {"refused:force and displacement look reversed"}},
-        {"swapped", "columns", "force and displacement changed places", {"refused:look swapped"}},
+         {"refused:displacement seems to have the opposite sign"}},
+        {"both_reversed", "columns", "both", {"refused:force and displacement seem to have the opposite sign"}},
+        {"swapped", "columns", "force and displacement changed places", {"refused:seem to be exchanged"}},
         {"no_contact",
          "approach",
          "the sphere never touches",
-         {"refused:no contact", "refused:never leaves its noise"}}};
+         {"refused:no contact", "refused:never exceeds its noise"}}};
     return kinds;
 }
 

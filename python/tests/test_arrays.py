@@ -243,5 +243,5 @@ def test_a_channel_goes_by_number_or_name(tmp_path):
     assert np.array_equal(setae.read(tmp_path / "maps.npz", channel=0, **given).heights, first)
     assert np.array_equal(setae.read(tmp_path / "maps.npz", channel="oth", **given).heights, first)
     assert [channel["not_heights"] != "" for channel in setae.info(tmp_path / "maps.npz").channels] == [False, False, True]
-    with pytest.raises(setae.InvalidArgument, match="no channel 'x', it has 0 'other', 1 'Height', 2 'index'"):
+    with pytest.raises(setae.InvalidArgument, match="no channel 'x'; there are 0 'other', 1 'Height', 2 'index'"):
         setae.read(tmp_path / "maps.npz", channel="x", **given)

@@ -14,7 +14,7 @@ sources=$(find src apps -name '*.cpp' -not -path '*/tests/*' -not -name alert_ki
 said=$(cat $sources | tr '\n' ' ' |
   grep -oE '(alerts?_?\.(push_back|emplace_back)\( *\{|few\.push_back\( *\{|Finding\{ *\{|add_alert\([a-z_.]+, *|alert\( *([a-z]+, *)?|list\.add\( *|return \{ *\{? *|\? *|: *|\{\{) *"[A-Z_]{4,}" *[,:]' |
   grep -oE '"[A-Z_]+"' | tr -d '"' | grep -vx GWYP | sort -u)
-known=$(grep -oE '^\| [A-Z_]+ \|' "$2/alerts.md" | tr -d '| ' | sort)
+known=$(grep -oE '^### [A-Z_]+$' "$2/alerts.md" | tr -d '# ' | sort)
 [ -z "$(uniq -d <<< "$known")" ] || { echo "twice on the page: $(uniq -d <<< "$known")"; exit 1; }
 missing=0
 for code in $known; do

@@ -2,6 +2,7 @@
 #include "study/study_pages.hpp"
 
 #include <algorithm>
+#include <cctype>
 
 #include <fmt/format.h>
 
@@ -36,16 +37,18 @@ std::string keys_page() {
 std::string alerts_page() {
     const auto kinds = output::alert_kinds();
     std::string text = fmt::format(
-        "# Alerts\n\n{} {} kinds. Each alert says what it is about, how large it is, and what to do; a study's stand in "
-        "alerts.csv\nand its report.\n",
+        "# Warnings\n\n{} It describes {} kinds of warnings. Each warning has a code in capitals, a subject, a message "
+        "and an\naction. The warnings of a study are listed in alerts.csv and in its report.\n",
         origin, kinds.size());
     std::string about;
     for (const auto& kind : kinds) {
         if (kind.about != about) {
             about = kind.about;
-            text += fmt::format("\n## {}\n\n| code | said when | its threshold rests on |\n|---|---|---|\n", about);
+            text += fmt::format("\n## {}{}\n", static_cast<char>(std::toupper(about.front())), about.substr(1));
         }
-        text += fmt::format("| {} | {} | {} |\n", kind.code, kind.said, kind.rests_on);
+        text += fmt::format("\n### {}\n\n{}\n\n- Effect: {}\n- Action: {}\n", kind.code, kind.said, kind.effect,
+                            kind.action);
+        if (!kind.rests_on.empty()) text += fmt::format("- Threshold: {}\n", kind.rests_on);
     }
     return text;
 }

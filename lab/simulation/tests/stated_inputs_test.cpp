@@ -351,7 +351,7 @@ TEST(StatedInputs, ThatContradictThemselvesAreRefused) {
         for (const auto& word : words) EXPECT_NE(message.find(word), std::string::npos) << message;
         EXPECT_EQ(message.find('\n'), std::string::npos) << message;
     };
-    expect("force = \"1 ± 0.01\"", "force = \"1 ± -0.01\"", {"calibrations.force", "uncertainty of 0 or above"});
+    expect("force = \"1 ± 0.01\"", "force = \"1 ± -0.01\"", {"calibrations.force", "uncertainty >= 0"});
     expect("force = \"1 ± 0.01\"", "force = \"1 ± 0.01 N\"", {"calibrations.force", "N"});
     expect("force = \"1 ± 0.01\"", "force = -1", {"calibrations.force", "above 0"});
     expect("force = \"1 ± 0.01\"", "force = \"1 ± 1.5\"", {"calibrations.force", "larger than the value"});

@@ -19,8 +19,9 @@ public:
             const auto [at, fresh] = places_.try_emplace(name, Place{count_, component.directions.size()});
             if (fresh) count_ += component.directions.size();
             else if (at->second.size != component.directions.size())
-                throw InvalidArgument(fmt::format("input '{}' has {} directions in one value and {} in another", name,
-                                                  at->second.size, component.directions.size()));
+                throw InvalidArgument(
+                    fmt::format("input '{}' has {} directions in one value and {} in another; expected the same number",
+                                name, at->second.size, component.directions.size()));
         }
     }
     [[nodiscard]] Index count() const { return count_; }

@@ -23,9 +23,9 @@ FormatError::FormatError(const std::string& path, const FilePosition& position, 
 std::string reason_of(const std::exception& failure) {
     if (dynamic_cast<const Error*>(&failure)) return failure.what();
     if (dynamic_cast<const std::bad_alloc*>(&failure))
-        return "memory does not suffice; use smaller data, fewer --threads or a larger machine";
+        return "memory does not suffice; use smaller data, fewer threads or a machine with more memory";
     if (const auto* system = dynamic_cast<const std::system_error*>(&failure))
-        return fmt::format("the system refuses: {}", system->what());
+        return fmt::format("the operating system refuses: {}", system->what());
     return fmt::format("internal error: {}; please report it with the file and the command", failure.what());
 }
 

@@ -41,7 +41,8 @@ std::string numbered_names(std::span<const std::string> names) {
 std::size_t chosen_by_name(std::string_view wanted, std::span<const std::string> names, std::string_view thing) {
     const auto text = lower_case(wanted);
     const auto refuse = [&](const std::string& what) {
-        throw InvalidArgument(fmt::format("no {} {}, it has {}, counted from 0", thing, what, numbered_names(names)));
+        throw InvalidArgument(
+            fmt::format("no {} {}; there are {}, counted from 0", thing, what, numbered_names(names)));
     };
     const bool number =
         !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
@@ -66,7 +67,7 @@ std::size_t chosen_by_name(std::string_view wanted, std::span<const std::string>
     }
     std::vector<std::string> candidates;
     for (const auto place : found) candidates.push_back(shown_name(names, place));
-    throw InvalidArgument(fmt::format("{} '{}' may be {}; give the whole name or the number", thing, wanted,
+    throw InvalidArgument(fmt::format("{} '{}' is ambiguous: {}; give the whole name or the number", thing, wanted,
                                       fmt::join(candidates, ", ")));
 }
 

@@ -18,7 +18,8 @@ namespace {
 
 void require_probability(double probability) {
     if (!(probability > 0.0 && probability < 1.0))
-        throw InvalidArgument(fmt::format("probability {} of a quantile; expected one between 0 and 1", probability));
+        throw InvalidArgument(
+            fmt::format("probability {} of a quantile; expected a number between 0 and 1", probability));
 }
 
 }  // namespace
@@ -47,8 +48,10 @@ double student_t_probability(double t, double degrees_of_freedom) {
 
 double chi_squared_exceedance(double x, double degrees_of_freedom) {
     if (!(x >= 0.0 && degrees_of_freedom > 0.0))
-        throw InvalidArgument(fmt::format(
-            "chi-squared of {} at {} degrees of freedom; expected one >= 0 at more than 0", x, degrees_of_freedom));
+        throw InvalidArgument(
+            fmt::format("chi-squared of {} at {} degrees of freedom; expected a number >= 0 and more than 0 degrees of "
+                        "freedom",
+                        x, degrees_of_freedom));
     if (std::isinf(x)) return 0.0;
     return boost::math::cdf(boost::math::complement(boost::math::chi_squared(degrees_of_freedom), x));
 }
@@ -71,9 +74,9 @@ double satterthwaite_degrees_of_freedom(std::span<const VarianceTerm> terms) {
 }
 
 double sorted_quantile(std::span<const double> increasing, double probability) {
-    if (increasing.empty()) throw InvalidArgument("a quantile of no numbers");
+    if (increasing.empty()) throw InvalidArgument("a quantile needs at least one number");
     if (!(probability >= 0.0 && probability <= 1.0))
-        throw InvalidArgument(fmt::format("probability {} of a quantile; expected one from 0 to 1", probability));
+        throw InvalidArgument(fmt::format("probability {} of a quantile; expected a number from 0 to 1", probability));
     const double order = probability * static_cast<double>(increasing.size() - 1);
     const auto below = std::min(static_cast<std::size_t>(order), increasing.size() - 1);
     const auto above = std::min(below + 1, increasing.size() - 1);

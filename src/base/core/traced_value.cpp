@@ -41,8 +41,9 @@ double covariance(const Components& a, const Components& b) {
     for (const auto& [input, component] : a)
         if (const auto other = b.find(input); other != b.end()) {
             if (other->second.directions.size() != component.directions.size())
-                throw InvalidArgument(fmt::format("input '{}' has {} directions in one value and {} in another", input,
-                                                  component.directions.size(), other->second.directions.size()));
+                throw InvalidArgument(
+                    fmt::format("input '{}' has {} directions in one value and {} in another; expected the same number",
+                                input, component.directions.size(), other->second.directions.size()));
             sum += (component.directions * other->second.directions).sum();
         }
     return sum;
@@ -57,8 +58,9 @@ Components combined(std::span<const Dependence> parts) {
                 Component{part.derivative * component.directions, component.degrees_of_freedom, component.rectangular});
             if (fresh) continue;
             if (at->second.directions.size() != component.directions.size())
-                throw InvalidArgument(fmt::format("input '{}' has {} directions in one value and {} in another", input,
-                                                  at->second.directions.size(), component.directions.size()));
+                throw InvalidArgument(
+                    fmt::format("input '{}' has {} directions in one value and {} in another; expected the same number",
+                                input, at->second.directions.size(), component.directions.size()));
             at->second.directions += part.derivative * component.directions;
         }
     return sum;

@@ -207,7 +207,7 @@ Unit parse_factor(std::string_view factor, std::string_view whole) {
     const auto base = lookup(factor.substr(0, split));
     if (!base || std::abs(exponent) > 9)
         throw InvalidArgument(
-            fmt::format("'{}' is not a unit setae knows; write it as nm, um, mJ/m2, MPa, 1/m, m3", whole));
+            fmt::format("'{}' is not a known unit; write it like nm, um, mJ/m2, MPa, 1/m, m3", whole));
     Unit power;
     for (int i = 0; i < std::abs(exponent); ++i) {
         power.factor *= base->factor;
@@ -244,7 +244,8 @@ std::string usual_unit(const Dimension& dimension) {
 double in_si(double number, std::string_view unit, const Dimension& expected, std::string_view whole) {
     if (unit.empty()) {
         if (expected == dimension::none || number == 0.0) return number;
-        throw InvalidArgument(fmt::format("'{0}' has no unit, for instance \"{0} {1}\"", whole, usual_unit(expected)));
+        throw InvalidArgument(
+            fmt::format("'{0}' has no unit; write for instance \"{0} {1}\"", whole, usual_unit(expected)));
     }
     return number * unit_factor(unit, expected);
 }
@@ -327,7 +328,7 @@ Estimate value_and_error(std::string_view of_value, std::string_view of_error, c
                          std::string_view text) {
     const auto value = leading_number(of_value, text), error = leading_number(of_error, text);
     if (!(error.number >= 0.0 && std::isfinite(error.number)))
-        throw InvalidArgument(fmt::format("'{}', expected an uncertainty of 0 or above", text));
+        throw InvalidArgument(fmt::format("'{}', expected an uncertainty >= 0", text));
     const Estimate estimate{in_si(value.number, value.rest.empty() ? error.rest : value.rest, expected.dimension, text),
                             in_si(error.number, error.rest, expected.dimension, text), "given"};
     require_magnitude(estimate.standard_error, text);

@@ -38,8 +38,8 @@ Index stride_for(Index modes) {
 Index checked_side(Index points, Index period, const char* side) {
     if (points < 1 || period < points)
         throw InvalidArgument(
-            fmt::format("a filter of {} points along {} with a period of {}; expected at least 1 "
-                        "point and a period no shorter",
+            fmt::format("a filter of {} points along {} with a period of {}; expected at least 1 point and a period of "
+                        "at least as many",
                         points, side, period));
     return points;
 }
@@ -175,9 +175,11 @@ MultiplierOf<Real> MapFilterOf<Real>::kernel_multiplier(const std::function<doub
     const auto require_even = [](Index period, const char* axis) {
         if (period % 2 != 0)
             throw InvalidArgument(
-                fmt::format("a kernel along {} needs an even period, the filter has {} points", axis, period));
+                fmt::format("a kernel along {} needs an even period, but the filter has {} points", axis, period));
     };
-    if (!rows_.alone()) throw InvalidArgument("a kernel for a map that processes share; expected factors of modes");
+    if (!rows_.alone())
+        throw InvalidArgument(
+            "a kernel is given for a map that is divided between processes; expected factors of modes");
     MultiplierOf<Real> result = multiplier(kernel);
     if (along != KernelAxes::y) {
         require_even(period_x(), "x");

@@ -22,9 +22,10 @@ namespace {
 
 void check(const ArrayView1D& positions, const ArrayView1D& coefficients, const ArrayView1D& wavevectors) {
     if (positions.size() != coefficients.size())
-        throw InvalidArgument(fmt::format("{} positions for {} coefficients", positions.size(), coefficients.size()));
+        throw InvalidArgument(fmt::format("{} positions for {} coefficients; expected one per coefficient",
+                                          positions.size(), coefficients.size()));
     if (!positions.isFinite().all() || !coefficients.isFinite().all() || !wavevectors.isFinite().all())
-        throw InvalidArgument("non-uniform transform of values that are not finite");
+        throw InvalidArgument("values of a non-uniform transform are not finite");
 }
 
 Complex plain_sum(const ArrayView1D& positions, const ArrayView1D& coefficients, double wavevector) {

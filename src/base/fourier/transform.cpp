@@ -92,7 +92,7 @@ void require_points(Index n) {
 
 template <class Plan>
 Plan checked(Plan plan, Index n) {
-    if (plan == nullptr) throw InternalError(fmt::format("no transform plan for {} points", n));
+    if (plan == nullptr) throw InternalError(fmt::format("no plan of a transform exists for {} points", n));
     return plan;
 }
 

@@ -14,7 +14,7 @@ namespace setae::numerics {
 namespace {
 
 void require_count(Index count) {
-    if (count < 0) throw InvalidArgument(fmt::format("{} random numbers; expected none or more", count));
+    if (count < 0) throw InvalidArgument(fmt::format("{} random numbers; expected 0 or more", count));
 }
 
 std::complex<double> normal_pair(RandomKey key, std::uint64_t block) {

@@ -49,8 +49,9 @@ MarginalScatter::MarginalScatter(const std::vector<PairLabels>& pairs, double sc
       surface_levels_(quantiles(scale, nodes.surface)),
       elastomer_levels_(quantiles(scale, nodes.elastomer)) {
     if (pairs.empty() || !(scale > 0.0))
-        throw InvalidArgument(fmt::format(
-            "scatter of {} pairs with a prior of scale {}; expected pairs and a scale above 0", pairs.size(), scale));
+        throw InvalidArgument(
+            fmt::format("scatter of {} pairs with a prior of scale {}; expected one pair or more and a scale above 0",
+                        pairs.size(), scale));
 }
 
 MatrixXd MarginalScatter::with(const MatrixXd& covariance, const ModelScatter& scatter) const {

@@ -28,9 +28,9 @@ double pressure_to_close(double gained, double stored, double rms_height) {
 
 const char* name(Closing closing) {
     switch (closing) {
-        case Closing::by_itself: return "closes by itself";
-        case Closing::under_pressure: return "closes under pressure";
-        case Closing::opens: return "opens by itself";
+        case Closing::by_itself: return "spontaneous full contact";
+        case Closing::under_pressure: return "full contact only under pressure";
+        case Closing::opens: return "opens spontaneously";
     }
     return "";
 }

@@ -16,7 +16,7 @@ namespace {
 
 void require_modulus(double contact_modulus) {
     if (!(contact_modulus > 0.0))
-        throw InvalidArgument(fmt::format("contact modulus is {} Pa, expected > 0", contact_modulus));
+        throw InvalidArgument(fmt::format("contact modulus is {} Pa; expected > 0", contact_modulus));
 }
 
 }  // namespace

@@ -13,13 +13,13 @@ namespace {
 
 void require_not_negative(double value, const char* what) {
     if (!(value >= 0.0) || std::isinf(value))
-        throw InvalidArgument(fmt::format("{} is {} J/m2, expected a number >= 0", what, value));
+        throw InvalidArgument(fmt::format("{} is {} J/m2; expected a number >= 0", what, value));
 }
 
 void require_state(const ConformalState& state) {
     require_not_negative(state.stored_energy, "stored energy");
     if (!(state.area_ratio >= 1.0))
-        throw InvalidArgument(fmt::format("true over apparent area is {}, expected >= 1", state.area_ratio));
+        throw InvalidArgument(fmt::format("true over apparent area is {}; expected >= 1", state.area_ratio));
 }
 
 ApparentWork apparent(double raw) { return {raw, std::max(0.0, raw), raw > 0.0}; }

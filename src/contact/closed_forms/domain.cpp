@@ -15,7 +15,8 @@ namespace {
 void require_number(double value, const char* what) {
     if (std::isnan(value))
         throw InvalidArgument(fmt::format(
-            "{} cannot be computed; check radius, forces, displacements and their units, one of which is out of range",
+            "{} cannot be computed; check the radius, forces and displacements and their units: one of them "
+            "is out of range",
             what));
 }
 

@@ -22,7 +22,7 @@ double compliance(const ElasticSolid& solid) {
 double contact_modulus(const ElasticSolid& first, const ElasticSolid& second) {
     const double sum = compliance(first) + compliance(second);
     if (sum == 0.0)
-        throw InvalidArgument("two rigid bodies have no contact modulus; give one a finite young's modulus");
+        throw InvalidArgument("two rigid bodies have no contact modulus; give one of them a finite Young's modulus");
     return 1.0 / sum;
 }
 
@@ -33,8 +33,8 @@ double youngs_modulus_from(double contact_modulus, double poisson_ratio, const E
     const double remaining = 1.0 / contact_modulus - compliance(counter_body);
     if (!(remaining > 0.0))
         throw InvalidArgument(
-            fmt::format("contact modulus {} Pa is not below the counter-body's own {} Pa; check the counter-body's "
-                        "young's modulus and poisson ratio",
+            fmt::format("contact modulus {} Pa is not below the modulus {} Pa that the counter-body has by itself; "
+                        "check Young's modulus and Poisson ratio of the counter-body",
                         contact_modulus, 1.0 / compliance(counter_body)));
     return unit / remaining;
 }

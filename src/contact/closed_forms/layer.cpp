@@ -58,8 +58,8 @@ double fold(double Slopes::*slope, double half_space_fold, const AdhesiveContact
     const double upper = layer.largest_contact_radius();
     if (slope_at(upper) < 0.0)
         throw InvalidArgument(
-            fmt::format("this contact parts at a contact radius above {} layer thicknesses of {} m, where the "
-                        "layer's factors end: use a thicker layer",
+            fmt::format("this contact separates at a contact radius above {} layer thicknesses of {} m, where the "
+                        "factors of the layer end; use a thicker layer",
                         Layer::largest_ratio, layer.thickness()));
     return numerics::bracketed_root(slope_at, 1e-3 * std::min(half_space_fold, upper), upper);
 }
@@ -82,8 +82,8 @@ double radius_at(double value, double State::*member, double fold, const Adhesiv
     const double upper = layer.largest_contact_radius();
     if (excess(upper) < 0.0)
         throw InvalidArgument(
-            fmt::format("the contact radius would exceed {} layer thicknesses of {} m, where the layer's "
-                        "factors end: use a thicker layer or press less",
+            fmt::format("the contact radius would exceed {} layer thicknesses of {} m, where the factors of the layer "
+                        "end; use a thicker layer or press less",
                         Layer::largest_ratio, layer.thickness()));
     return numerics::bracketed_root(excess, fold, upper);
 }

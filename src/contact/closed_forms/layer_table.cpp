@@ -101,8 +101,8 @@ double checked_ratio(double contact_radius, double thickness) {
     const double ratio = contact_radius / thickness;
     if (ratio > Layer::largest_ratio * (1.0 + 1e-14))
         throw InvalidArgument(
-            fmt::format("contact radius {} m is more than {} layer thicknesses of {} m; the layer's factors end "
-                        "there: use a thicker layer or smaller contacts",
+            fmt::format("contact radius {} m is more than {} layer thicknesses of {} m, where the factors of the layer "
+                        "end; use a thicker layer or smaller contacts",
                         contact_radius, Layer::largest_ratio, thickness));
     return ratio;
 }
@@ -162,7 +162,7 @@ Factors Layer::factor_slopes(double contact_radius) const {
 
 double stiffness_ratio(double x, double poisson_ratio) {
     require_poisson_ratio(poisson_ratio);
-    if (!(x > 0.0)) throw InvalidArgument(fmt::format("wavevector times thickness is {}, expected > 0", x));
+    if (!(x > 0.0)) throw InvalidArgument(fmt::format("wavevector times thickness is {}; expected > 0", x));
     constexpr double half_space = 20.0;  // 2x² e^(−2x) is below 1e-14
     if (x > half_space) return 1.0;
     const double lead = 3.0 - 4.0 * poisson_ratio;

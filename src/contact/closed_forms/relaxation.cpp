@@ -19,11 +19,11 @@ void require_valid(const ContactHistory& history, double radius, double contact_
     for (const auto& term : terms)
         if (!(term.share >= 0.0 && std::isfinite(term.share)) || !(term.time > 0.0 && std::isfinite(term.time)))
             throw InvalidArgument(fmt::format(
-                "a share of {} that relaxes in {} s; expected a share from 0 and a time > 0", term.share, term.time));
+                "a share of {} that relaxes in {} s; expected a share >= 0 and a time > 0", term.share, term.time));
     for (Index i = 1; i < history.time.size(); ++i)
         if (!(history.time[i] > history.time[i - 1]))
-            throw InvalidArgument(
-                fmt::format("time must rise: sample {} at {} s follows {} s", i, history.time[i], history.time[i - 1]));
+            throw InvalidArgument(fmt::format("time must increase: sample {} at {} s follows {} s", i, history.time[i],
+                                              history.time[i - 1]));
 }
 
 /// (1 − e^−x)/x.

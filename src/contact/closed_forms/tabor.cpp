@@ -32,17 +32,20 @@ Regime regime_of(double force, double tabor_parameter, const AdhesiveContact& co
 std::string advice(Regime regime) {
     switch (regime) {
         case Regime::hertz:
-            return "the load outweighs adhesion: Hertz's model applies, and tells nothing of the work of adhesion";
+            return "adhesion is small against the load: Hertz's model applies and does not give the work of "
+                   "adhesion";
         case Regime::rigid:
-            return "the bodies hardly deform within the reach of their attraction: they act as rigid, with a pull-off of 2 pi R W";
+            return "the bodies deform little over the range of their attraction: they behave as rigid bodies, with "
+                   "a pull-off force of 2 pi R W";
         case Regime::dmt:
-            return "attraction reaches far beyond the deformation it causes: the DMT model applies, with a pull-off of 2 pi R W";
+            return "the range of attraction is much larger than the deformation: the DMT model applies, with a "
+                   "pull-off force of 2 pi R W";
         case Regime::maugis_dugdale:
-            return "attraction reaches about as far as the deformation it causes: neither JKR nor DMT applies; use Maugis-Dugdale, "
-                   "or the transition equation as a fit";
+            return "the range of attraction is similar to the deformation: neither JKR nor DMT applies; use "
+                   "Maugis-Dugdale, or the transition equation as a fit";
         case Regime::jkr:
-            return "attraction is short against the deformation it causes: the JKR model applies, with a pull-off of 3/2 pi R W "
-                   "under a dead load";
+            return "the range of attraction is much smaller than the deformation: the JKR model applies, with a "
+                   "pull-off force of 3/2 pi R W under a dead load";
     }
     throw InternalError("a regime of adhesion without advice");
 }

@@ -65,8 +65,8 @@ double transition_share(double transition_parameter) {
 double transition_parameter(double transition_share) {
     if (!(transition_share > 0.0 && relation_share * transition_share < 1.0))
         throw InvalidArgument(
-            fmt::format("transition share must lie in (0, {:.4f}) to give a transition parameter, got {}; above "
-                        "it the contact is JKR's, at 0 DMT's",
+            fmt::format("transition share must lie in (0, {:.4f}) to give a transition parameter, got {}; above this "
+                        "range the contact follows JKR, at 0 DMT",
                         1.0 / relation_share, transition_share));
     return -relation_scale * std::log1p(-relation_share * transition_share);
 }

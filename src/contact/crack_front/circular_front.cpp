@@ -47,8 +47,8 @@ public:
                                               sphere.radius, sphere.contact_modulus));
         if (options.method == EquilibriumMethod::rosso_krauth && options.model != FrontModel::constant_toughness)
             throw InvalidArgument(
-                "rosso_krauth moves points one way, which needs a front as stiff wherever it is; expected the model "
-                "constant_toughness, or trust_region");
+                "rosso_krauth moves points in one direction only, which needs a front of the same stiffness "
+                "everywhere; expected the model constant_toughness, or trust_region");
     }
 
     FrontState solve(const FrontControl& control) {
@@ -66,8 +66,7 @@ public:
         if (found.left) {
             if (edge.maxCoeff() >= pinning_.points().last())
                 throw InvalidArgument(
-                    fmt::format("the front came to {} m, where the field ends; press less, or make "
-                                "the field larger",
+                    fmt::format("the front reached {} m, where the field ends; press less, or make the field larger",
                                 pinning_.points().last()));
             edge.resize(0);
             auto state = parted(machine);
@@ -151,8 +150,8 @@ void CircularFront::begin_at(double radius) {
 
 void CircularFront::begin_with(const Array1D& edge) {
     if (edge.size() != 0 && edge.size() != work_->pinning_.lines())
-        throw InvalidArgument(
-            fmt::format("an edge of {} points in a field of {} rays", edge.size(), work_->pinning_.lines()));
+        throw InvalidArgument(fmt::format("an edge of {} points in a field of {} rays; expected as many of both",
+                                          edge.size(), work_->pinning_.lines()));
     work_->edge = edge;
 }
 

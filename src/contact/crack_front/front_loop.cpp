@@ -113,8 +113,9 @@ private:
 
 FrontLoop front_loop(CircularFront& front, const LoopPath& path) {
     if (!(path.furthest > 0.0 && path.steps >= 1))
-        throw InvalidArgument(fmt::format("a loop to {} in {} steps; expected a turn above 0 and at least one step",
-                                          path.furthest, path.steps));
+        throw InvalidArgument(
+            fmt::format("a loop to {} in {} steps; expected a turning point above 0 and at least one step",
+                        path.furthest, path.steps));
     return LoopWalk(front, path).run();
 }
 

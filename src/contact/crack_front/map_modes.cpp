@@ -69,8 +69,8 @@ void check(const topography::HeightMap& map, const MapOnFront& options, double l
     if (map.periodic) return;
     if (const double edge = distance_to_edge(map, options.centre); !(largest_radius <= 0.9 * edge))
         throw InvalidArgument(
-            fmt::format("a front as far as {} m in a map that ends {} m from its centre; expected at most {} m, or a "
-                        "map that is periodic",
+            fmt::format("a front up to {} m in a map that ends {} m from its centre; expected at most {} m, or a "
+                        "periodic map",
                         largest_radius, edge, 0.9 * edge));
 }
 

@@ -58,24 +58,24 @@ FrontValidity validity_of(const StressIntensity& intensity, double mean_work, do
     found.points_per_wave = intensity.shortest_wavelength / std::max(intensity.points.spacing, line_spacing);
     constexpr double first_order = 1.0 / 16.0, conformal = 0.3, fine = 8.0;
     if (found.energy_share > conformal)
-        found.cautions.push_back(fmt::format(
-            "U_el/(AW) = {:.2g} is above {}: full contact behind the front does not come of itself; take the works of "
-            "adhesive cells instead",
-            found.energy_share, conformal));
+        found.cautions.push_back(
+            fmt::format("U_el/(AW) = {:.2g} is above {}: the surfaces do not come into full contact spontaneously; use "
+                        "the works of adhesive cells instead",
+                        found.energy_share, conformal));
     else if (found.energy_share > first_order)
         found.cautions.push_back(
-            fmt::format("std w/W = {:.2g}: {:.1g} of the field has w < 0 and fronts of first order "
-                        "overestimate its scatter; expected U_el/(AW) up to {:.3g}, got {:.2g}",
+            fmt::format("std w/W = {:.2g}: {:.1g} of the field has w < 0, and first-order fronts overestimate its "
+                        "scatter; expected U_el/(AW) up to {:.3g}, got {:.2g}",
                         found.work_scatter, found.negative_share, first_order, found.energy_share));
     if (front_length < found.larkin_length)
         found.cautions.push_back(
-            fmt::format("a front of {:.3g} m is shorter than its Larkin length of {:.3g} m: it hardly "
-                        "jumps, and k of long fronts does not hold for it",
+            fmt::format("a front of {:.3g} m is shorter than its Larkin length of {:.3g} m: it makes few jumps, and k "
+                        "of long fronts does not apply",
                         front_length, found.larkin_length));
     if (found.points_per_wave < fine)
         found.cautions.push_back(fmt::format(
-            "{:.2g} points a wave of {:.3g} m; expected {} or more: put lines and points "
-            "{:.3g} m apart",
+            "{:.2g} points per wavelength of {:.3g} m; expected {} or more: use a spacing of lines and "
+            "points of {:.3g} m",
             found.points_per_wave, intensity.shortest_wavelength, fine, intensity.shortest_wavelength / fine));
     return found;
 }

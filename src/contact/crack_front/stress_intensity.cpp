@@ -17,8 +17,8 @@ namespace {
 void require_rays(Index angles, const LinePoints& radii, double shortest) {
     if (angles < 2 || angles % 2 != 0 || radii.count < 2 || !(radii.spacing > 0.0 && radii.first >= 0.0))
         throw InvalidArgument(
-            fmt::format("{} rays with {} radii from {} m, {} m apart; expected an even number of rays, "
-                        "2 radii or more, in rising order",
+            fmt::format("{} rays with {} radii from {} m on, {} m apart; expected an even number of rays and 2 or more "
+                        "radii that increase",
                         angles, radii.count, radii.first, radii.spacing));
     if (!(radii.spacing <= 0.25 * shortest))
         throw InvalidArgument(fmt::format("radii {} m apart are too coarse for waves of {} m; expected at most {} m",
@@ -66,8 +66,7 @@ StressIntensity stress_intensity_on_rays(const topography::HeightMap& map, const
 
 StressIntensity stress_intensity_on_parallels(const topography::HeightMap& map, const MapOnFront& options,
                                               parallel::Threads threads) {
-    if (!map.periodic)
-        throw InvalidArgument("a straight front goes round a map without end; expected a map that is periodic");
+    if (!map.periodic) throw InvalidArgument("a straight front travels around an endless map; expected a periodic map");
     const Index nx = map.heights.rows(), ny = map.heights.cols();
     const auto modes = modes_of(map, {options.contact_modulus, options.shortest_wavelength, {}}, 0.0, threads);
     auto found = of_modes(modes, options, {nx, 0.0, map.size[0] / static_cast<double>(nx)});
@@ -91,7 +90,7 @@ StressIntensity stress_intensity_on_parallels(const topography::HeightMap& map, 
 
 WorkField works_on_rays(const topography::HeightMap& map, const MapOnFront& options, Index angles,
                         const LinePoints& radii, parallel::Threads threads) {
-    if (!map.periodic) throw InvalidArgument("works on rays are read from waves; expected a map that is periodic");
+    if (!map.periodic) throw InvalidArgument("works on rays are computed from waves; expected a periodic map");
     require_rays(angles, radii, options.shortest_wavelength);
     const auto modes = modes_of(map, {1.0, options.shortest_wavelength, options.centre}, radii.last(), threads);
     WorkField field{.works = sums_on_rays(modes, RaySums::Factor::none, angles, radii, threads) + modes.mean,
@@ -103,8 +102,8 @@ WorkField works_on_rays(const topography::HeightMap& map, const MapOnFront& opti
 
 RayGrid ray_grid(double largest_radius, double shortest_wavelength) {
     if (!(largest_radius > 0.0 && shortest_wavelength > 0.0))
-        throw InvalidArgument(fmt::format("rays of {} m for waves of {} m; expected both more than 0", largest_radius,
-                                          shortest_wavelength));
+        throw InvalidArgument(
+            fmt::format("rays of {} m for waves of {} m; expected both above 0", largest_radius, shortest_wavelength));
     const double spacing = shortest_wavelength / 16.0;
     const LinePoints radii{static_cast<Index>(std::ceil(largest_radius / spacing)) + 1, 0.0, spacing};
     const auto half = static_cast<Index>(std::ceil(8.0 * pi * radii.last() / shortest_wavelength));

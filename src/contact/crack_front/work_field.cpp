@@ -13,15 +13,15 @@ namespace setae::crack_front {
 void require(const WorkField& field) {
     if (field.lines() < 2 || field.points.count < 2 || field.works.cols() != field.points.count)
         throw InvalidArgument(
-            fmt::format("a field of {} x {} works for {} points a line; expected 2 or more lines and "
-                        "points, a work for each",
+            fmt::format("a field of {} x {} works for {} points per line; expected 2 or more lines and points, and one "
+                        "work per point",
                         field.works.rows(), field.works.cols(), field.points.count));
     if (!(field.points.spacing > 0.0 && field.points.first >= 0.0))
-        throw InvalidArgument(fmt::format("points from {} m, {} m apart; expected 0 or more, in rising order",
+        throw InvalidArgument(fmt::format("points from {} m on, {} m apart; expected 0 or more, increasing",
                                           field.points.first, field.points.spacing));
     if (!(field.mean_work > 0.0 && std::isfinite(field.mean_work)))
         throw InvalidArgument(fmt::format("a mean work of adhesion of {} J/m2; expected more than 0", field.mean_work));
-    if (!field.works.isFinite().all()) throw InvalidArgument("a field with works that are not finite");
+    if (!field.works.isFinite().all()) throw InvalidArgument("some works of the field are not finite");
 }
 
 WorkField equivalent_work(const ArrayView2D& stress_intensities, const LinePoints& points, double mean_work,

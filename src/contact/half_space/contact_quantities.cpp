@@ -64,13 +64,13 @@ std::string contact_sentence(const HardWall& problem, const HardWallContact& con
     if (area.patches == 0)
         return fmt::format("The surface does not touch the {}: the mean gap is {}.", body,
                            format_value(contact.mean_gap, "m"));
-    const std::string stiffness =
-        std::isinf(contact_stiffness)
-            ? "it gives way no further"
-            : fmt::format("{} more bring it 1 nm closer", format_value(contact_stiffness * 1e-9, "Pa"));
+    const std::string stiffness = std::isinf(contact_stiffness)
+                                      ? "no further approach is possible"
+                                      : fmt::format("an additional pressure of {} brings the surface 1 nm closer",
+                                                    format_value(contact_stiffness * 1e-9, "Pa"));
     return fmt::format(
-        "The surface touches the {} on {:.4g} % of the map ({:.4g} % with the perimeter's correction) in {} {}, at a "
-        "mean pressure of {}. The mean gap is {}; {}.",
+        "The surface touches the {} on {:.4g} % of the map ({:.4g} % with the correction for the "
+        "perimeter) in {} {}, at a mean pressure of {}. The mean gap is {}; {}.",
         body, 100.0 * area.fraction, 100.0 * area.corrected_fraction, area.patches,
         area.patches == 1 ? "patch" : "patches", format_value(contact.mean_pressure, "Pa"),
         format_value(contact.mean_gap, "m"), stiffness);

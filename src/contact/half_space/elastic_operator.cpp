@@ -57,7 +57,7 @@ ElasticOperator::ElasticOperator(const Grid& grid, const Body& body, Edges edges
       filter_(slab_, grid.ny, period(grid.nx, repeats_along_x(edges)), period(grid.ny, repeats_along_y(edges)),
               threads) {
     if (!slab_.alone() && edges != Edges::periodic)
-        throw InvalidArgument("free edges of a map that processes share; expected periodic edges");
+        throw InvalidArgument("a map with free edges is divided between processes; expected periodic edges");
     const double x = grid.nx > 1 ? 2.0 * pi / grid.size_x : 0.0, y = grid.ny > 1 ? 2.0 * pi / grid.size_y : 0.0;
     const double longest = x > 0.0 && y > 0.0 ? std::min(x, y) : std::max(x, y);
     const Index half_x = grid.nx / 2, half_y = grid.ny / 2;
@@ -116,7 +116,9 @@ const fourier::Multiplier& ElasticOperator::compliance() {
 
 const fourier::Multiplier& ElasticOperator::stiffness() {
     if (edges_ != Edges::periodic)
-        throw InvalidArgument("pressures of displacements with free edges; expected periodic edges");
+        throw InvalidArgument(
+            "pressures follow from displacements only with periodic edges, and these are free; expected "
+            "periodic edges");
     if (!stiffness_) stiffness_ = multiplier([](double k) { return std::isinf(k) ? 0.0 : k; });
     return *stiffness_;
 }

@@ -27,11 +27,11 @@ void require_shape(const ArrayView2D& map, const Grid& grid, const parallel::Sla
     const bool differs = map.rows() != slab.rows() || map.cols() != grid.ny;
     if (!slab.anywhere(differs)) return;
     if (slab.alone())
-        throw InvalidArgument(fmt::format("{} have {} x {} points, the grid has {} x {}", what, map.rows(), map.cols(),
-                                          grid.nx, grid.ny));
-    throw InvalidArgument(fmt::format("{} have {} x {} points here, where this process has rows {} to {} of {} x {}{}",
+        throw InvalidArgument(fmt::format("{} have {} x {} points, but the grid has {} x {}", what, map.rows(),
+                                          map.cols(), grid.nx, grid.ny));
+    throw InvalidArgument(fmt::format("{} have {} x {} points here, but this process has rows {} to {} of {} x {}{}",
                                       what, map.rows(), map.cols(), slab.first(), slab.first() + slab.rows() - 1,
-                                      grid.nx, grid.ny, differs ? "" : "; another one's do not fit"));
+                                      grid.nx, grid.ny, differs ? "" : "; those of another process do not fit"));
 }
 
 parallel::Slab slab_of(const Grid& grid, const parallel::Ranks* ranks) {

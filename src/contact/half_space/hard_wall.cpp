@@ -36,9 +36,8 @@ void require_heights(const Array2D& heights, const RowPasses& rows) {
     for (Index i = 0; i < found.rows(); ++i)
         if (const double column = found.at(i); column != none)
             throw InvalidArgument(
-                fmt::format("the height at pixel ({}, {}) is {}; expected finite heights, fill "
-                            "undefined ones first",
-                            i, column, found.at(i, 1)));
+                fmt::format("the height at pixel ({}, {}) is {}; expected finite heights: fill undefined ones first", i,
+                            column, found.at(i, 1)));
 }
 
 void require_positive(double value, const char* what, const char* unit) {
@@ -47,9 +46,9 @@ void require_positive(double value, const char* what, const char* unit) {
 }
 
 void require_start(const Array2D& start, const Grid& grid, const parallel::Slab& slab) {
-    require_shape(start, grid, slab, "pressures to start from");
+    require_shape(start, grid, slab, "initial pressures");
     if (slab.anywhere(!start.allFinite()) || !slab.anywhere(start.maxCoeff() > 0.0))
-        throw InvalidArgument("pressures to start from are not finite or nowhere > 0; expected those of another load");
+        throw InvalidArgument("the initial pressures are not finite or nowhere > 0; expected those of another load");
 }
 
 /// What the grids aim at, and whether the mean of the displacements is left out: as in MeanGap, which fixes it.
@@ -76,7 +75,7 @@ Aim aim_of(const HardWall& problem, double highest, double mean, MeanDisplacemen
     } else if (const auto* gap = std::get_if<MeanGap>(&problem.control)) {
         require_positive(gap->value, "mean gap", "m");
         if (problem.edges != Edges::periodic)
-            throw InvalidArgument("a mean gap with free edges; expected a pressure or a displacement");
+            throw InvalidArgument("a mean gap is given for free edges; expected a pressure or a displacement");
         aim.target.level = gap->value + mean;
         aim.without_mean = true;
     } else {
@@ -86,8 +85,8 @@ Aim aim_of(const HardWall& problem, double highest, double mean, MeanDisplacemen
         if (problem.edges == Edges::periodic && mean_displacement != MeanDisplacement::finite &&
             displacement >= highest - mean && highest > mean)
             throw InvalidArgument(
-                fmt::format("a displacement of {} m: full contact is reached below {} m, where the "
-                            "pressure grows without limit; prescribe the pressure",
+                fmt::format("a displacement of {} m: full contact is reached below {} m, where the pressure increases "
+                            "without limit; give the pressure instead",
                             displacement, highest - mean));
         aim.target.level = highest - displacement;
     }
@@ -176,8 +175,8 @@ void require_free_rim(const Array2D& pressures, Edges edges) {
     const double largest = std::max(along_x ? x : 0.0, along_y ? y : 0.0);
     if (largest > 0.0)
         throw InvalidArgument(
-            fmt::format("the rim of the map touches with {} Pa although its edges are free; expected "
-                        "a map larger than the contact, a lower load or periodic edges",
+            fmt::format("the rim of the map touches with {} Pa although its edges are free; expected a map larger than "
+                        "the contact, a lower load or periodic edges",
                         largest));
 }
 

@@ -40,7 +40,9 @@ RecedingEdge receding_edge(const LoopAnalysis& analysis, const AnalysisOptions& 
     const Selection selection = without_ignored(range_selection(range, "unloading"), analysis.segments);
     if (loop.time.size() == 0) throw UndefinedDataError("the record has no time");
     if (loop.contact_radius.size() == 0)
-        throw UndefinedDataError("the contact radius was not measured: its implied value has no speed of its own");
+        throw UndefinedDataError(
+            "the contact radius was not measured; the radius computed from force and displacement gives no "
+            "independent speed");
     const BranchSamples frames = branch_samples(analysis, LoopBranch::unloading, options);
     return {.time = loop.time(selection.samples),
             .force = loop.force(selection.samples),

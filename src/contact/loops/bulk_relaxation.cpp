@@ -35,7 +35,9 @@ Array1D radii_between_frames(const Loop& record, Index first, Index count, doubl
         radii[i] = here;
         before = i;
     }
-    if (before < 0) throw UndefinedDataError("no frame shows the contact whose bulk relaxes");
+    if (before < 0)
+        throw UndefinedDataError(
+            "the relaxation of the bulk cannot be computed: no frame of the camera shows the contact");
     for (Index k = before + 1; k < count; ++k) radii[k] = radii[before];
     return radii;
 }
@@ -53,8 +55,11 @@ BulkForce bulk_force(const LoopAnalysis& analysis, const LensAndCounterBody& bod
     const auto& record = analysis.corrected;
     const auto& contact = analysis.segments.contacts.front();
     if (record.time.size() == 0 || record.displacement.size() == 0)
-        throw UndefinedDataError("a bulk that relaxes needs time and displacement of the record");
-    if (!contact.unloading) throw UndefinedDataError("a bulk that relaxes needs a contact that parts");
+        throw UndefinedDataError(
+            "the relaxation of the bulk needs time and displacement of the record, which were not measured");
+    if (!contact.unloading)
+        throw UndefinedDataError(
+            "the relaxation of the bulk needs a record that continues until the contact separates");
     const double modulus = analysis.loading.primary().contact_modulus.value;
     const contact::SphereOnFlat sphere{bodies.radius, modulus};
     const double contact_point = analysis.contact_points ? analysis.contact_points->contact_point.value : 0.0;

@@ -51,9 +51,9 @@ Outcome<BranchAnalysis> analyse_unloading(const PreparedRecord& record, const Co
     if (!contact.unloading) return Outcome<BranchAnalysis>::missing("the record has no retraction");
     IndexRange range = *contact.unloading;
     if (pinned) range.first = pinned->last + 1;
-    const std::string name =
-        fmt::format("unloading, from {} to the {}", pinned ? "where the contact edge lets go" : "the last press",
-                    contact.pull_off ? "pull-off minimum" : "last sample in contact");
+    const std::string name = fmt::format(
+        "unloading, from {} to the {}", pinned ? "the point where the contact edge starts to recede" : "the last press",
+        contact.pull_off ? "pull-off minimum" : "last sample in contact");
     return attempt([&] {
         return analyse_branch(record.levelled(), without_ignored(range_selection(range, name), record.segments), bodies,
                               options, loading.primary().contact_modulus);
@@ -111,10 +111,11 @@ Outcome<PullOff> find_pull_off(const PreparedRecord& record, const ContactSegmen
         contact::jkr::pull_off_at_fixed_grips({radius, contact_modulus, result.work_of_adhesion.value}).contact_radius;
     if (!(result.machine_stiffness >= stiff * contact_stiffness))
         result.work_of_adhesion_fixed_grips = Outcome<Estimate>::missing(fmt::format(
-            "the machine, {}, is not {:.0f} times stiffer than the contact that parts, {}",
+            "the testing machine ({}) is not {:.0f} times stiffer than the contact at pull-off ({})",
             format_value(result.machine_stiffness, "N/m", 3), stiff, format_value(contact_stiffness, "N/m", 3)));
     else if (!(result.last_force.value < 0.0))
-        result.work_of_adhesion_fixed_grips = Outcome<Estimate>::missing("no sample shows the force before the jump");
+        result.work_of_adhesion_fixed_grips =
+            Outcome<Estimate>::missing("the record has no sample with a tension just before the jump");
     else result.work_of_adhesion_fixed_grips = {work(result.last_force, contact::jkr::Control::fixed_grips)};
     return result;
 }
@@ -153,19 +154,21 @@ void require_resolved_radii(const BranchData& points, const ContactAnalysis& ana
         largest = std::max(largest, points.displacement_noise / std::abs(depth - a * a / radius));
     }
     if (largest > most)
-        throw UndefinedDataError(fmt::format(
-            "noise of the displacement moves the contact radii that force and displacement imply by {:.0f} %",
-            100.0 * largest));
+        throw UndefinedDataError(
+            fmt::format("noise of the displacement changes the contact radii computed from force and displacement by "
+                        "{:.0f} %",
+                        100.0 * largest));
 }
 
 /// (S2) takes E* from loading. @throws UndefinedDataError where loading does not tell it.
 void require_known_modulus(const JkrFit& loading) {
     constexpr double most = 0.3;
     const Estimate& modulus = loading.contact_modulus;
-    if (!loading.converged) throw UndefinedDataError("the fit of loading, which gives E*, did not converge");
+    if (!loading.converged)
+        throw UndefinedDataError("E* is taken from loading, and the fit of loading did not converge");
     if (modulus.standard_error > most * modulus.value)
-        throw UndefinedDataError(
-            fmt::format("E* of loading is known to {:.0f} % only", 100.0 * modulus.standard_error / modulus.value));
+        throw UndefinedDataError(fmt::format("E* of loading has a standard error of {:.0f} %",
+                                             100.0 * modulus.standard_error / modulus.value));
 }
 
 Outcome<RetractionFit> analyse_retraction(const PreparedRecord& record, const ContactSegments& contact,
@@ -188,7 +191,9 @@ Outcome<RetractionFit> analyse_retraction(const PreparedRecord& record, const Co
                            analysis.unloading->force_displacement->converged;
         const double contact_point = known ? analysis.unloading->force_displacement->contact_point.value : undefined;
         if (points.contact_radius.size() == 0 && !known)
-            throw UndefinedDataError("the contact point is not known: no fit of the retraction in depth converged");
+            throw UndefinedDataError(
+                "the contact point of the retraction is not known: the fit of force against displacement did "
+                "not converge");
         require_resolved_radii(points, analysis, contact_point, bodies.radius);
         const auto fitted = [&](const BranchData& samples) {
             return fit_retraction(samples, bodies.radius, analysis.loading.primary().contact_modulus, contact_point,
@@ -225,7 +230,8 @@ Outcome<WorkAlongRetraction> analyse_work_along(const PreparedRecord& record, co
     using Course = Outcome<WorkAlongRetraction>;
     if (!analysis.unloading) return Course::missing(analysis.unloading.reason);
     if (record.level.contact_radius.size() == 0)
-        return Course::missing("undetermined: the contact radius was not measured, only the pull-off is known");
+        return Course::missing(
+            "undetermined: the contact radius was not measured, so that only W_ret at pull-off is known");
     return attempt([&] {
         const JkrFit& loading = analysis.loading.primary();
         require_known_modulus(loading);

@@ -34,7 +34,7 @@ void add_energy(CycleAnalysis& result, const PreparedRecord& record, Index index
                 outer.value -= inner->value;
         keep(outer);
     } else {
-        result.energy = Outcome<double>::missing("the release is not followed by a press that closes it");
+        result.energy = Outcome<double>::missing("no further loading follows this unloading and closes the loop");
     }
 }
 
@@ -51,9 +51,10 @@ Outcome<BranchAnalysis> analyse_partial(const PreparedRecord& record, const Cont
     const double ratio = branch->primary().contact_modulus.value / first;
     const double limit = options.limits.pinned_modulus_ratio;
     if (ratio < limit && ratio > 1.0 / limit) return branch;
-    return Outcome<BranchAnalysis>::missing(fmt::format(
-        "{}: E* would be {:.2g} times that of first loading: the contact edge is pinned, this is no jkr branch", name,
-        ratio));
+    return Outcome<BranchAnalysis>::missing(
+        fmt::format("{}: E* would be {:.2g} times that of first loading: the contact edge is pinned, and JKR does "
+                    "not describe this branch",
+                    name, ratio));
 }
 
 }  // namespace

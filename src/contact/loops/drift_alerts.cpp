@@ -28,17 +28,15 @@ void check_curve(AlertList& list, const ForceDrift& drift, double tension) {
     if (drift.degree > 1)
         list.add(
             "DRIFT_NOT_LINEAR",
-            fmt::format(
-                "the zero of force does not drift along a line: a curve of degree {} was removed, which leaves the line by up "
-                "to {} within contact; the ± include what the choice of the curve leaves open",
-                drift.degree, beside_tension(drift.bend, tension)),
-            "let the sensor settle before the record, or record faster");
+            fmt::format("the zero of force does not drift linearly: a polynomial of degree {} was removed, which "
+                        "differs from a line by up to {} within contact; the ± include the uncertainty of this choice",
+                        drift.degree, beside_tension(drift.bend, tension)),
+            "let the sensor settle before the record starts, or record faster");
     if (drift.irregular)
-        list.add(
-            "DRIFT_IRREGULAR",
-            "the zero of force changed between the free flight before and after contact in a way that no curve describes; the line "
-            "between them was removed",
-            "look for a step of the sensor; the forces may be off by as much as the ± says");
+        list.add("DRIFT_IRREGULAR",
+                 "the drift of the zero of force between the free flight before and after contact follows no "
+                 "polynomial of degree 3 or less; a line between both was removed",
+                 "look for a step of the sensor; forces may be off by up to the ± that is reported");
 }
 
 void check_stretches(AlertList& list, const LoopAnalysis& analysis, double tension) {
@@ -47,12 +45,12 @@ void check_stretches(AlertList& list, const LoopAnalysis& analysis, double tensi
     const bool before = analysis.segments.before.range.has_value();
     const Index far = before ? analysis.loading.range.last : analysis.loading.range.first;
     const double error = zero.modes.row(far).matrix().norm();
-    list.add(
-        "ONE_BASELINE",
-        fmt::format(
-            "free flight is recorded only {} contact: the line through it gives the zero of force at sample {} within {}",
-            before ? "before" : "after", far, beside_tension(error, tension)),
-        "record free flight before and after contact; give --drift none where the sensor is known not to drift");
+    list.add("ONE_BASELINE",
+             fmt::format("free flight is recorded only {} contact: a line extrapolated from there gives the zero of "
+                         "force at sample {} within {}",
+                         before ? "before" : "after", far, beside_tension(error, tension)),
+             "record free flight before and after contact; set drift to none if the sensor is known not to "
+             "drift");
 }
 
 void check_steps(AlertList& list, const LoopAnalysis& analysis, const Loop& loop, double tension) {
@@ -62,7 +60,8 @@ void check_steps(AlertList& list, const LoopAnalysis& analysis, const Loop& loop
             list.add(
                 "STEP_IN_FREE_FLIGHT",
                 fmt::format(
-                    "the force steps by {} in free flight, at {}; only the part next to contact gives the zero of force",
+                    "the force steps by {} in free flight, at {}; only the free flight between the step and contact "
+                    "gives the zero of force",
                     beside_tension(step.size, tension), place_of(step.sample, loop)),
                 "check the sensor; look for other steps within contact");
     constexpr std::size_t most = 5;
@@ -70,10 +69,10 @@ void check_steps(AlertList& list, const LoopAnalysis& analysis, const Loop& loop
         const ForceStep& step = analysis.steps_in_contact[i];
         list.add(
             "STEP_IN_CONTACT",
-            fmt::format(
-                "the force changes by {} at once within contact, at {}: a slip of the contact or a step of the sensor",
-                beside_tension(step.size, tension), place_of(step.sample, loop)),
-            "do not use E*, W and the energy of this loop before the step is explained");
+            fmt::format("the force changes by {} at once within contact, at {}: the contact slipped, or the sensor "
+                        "stepped",
+                        beside_tension(step.size, tension), place_of(step.sample, loop)),
+            "do not use E*, W and the energy of this loop until the step is explained");
     }
 }
 
@@ -83,22 +82,25 @@ void check_drift(AlertList& list, const LoopAnalysis& analysis, const Loop& loop
     const ForceDrift& drift = analysis.force_zero.drift;
     const double tension = std::max(-loop.force.minCoeff(), 0.0);
     if (drift.stretches == 0)
-        list.add("NO_BASELINE", "no free flight before or after contact: the zero of force is taken as given",
-                 "record free flight, or be sure of the zero");
+        list.add("NO_BASELINE",
+                 "the record has no free flight before or after contact: the forces are used without a "
+                 "correction of their zero",
+                 "record free flight before or after contact, or check that the zero of force is right");
     if (drift.stretches > 0 && drift.degree == 0)
-        list.add("DRIFT_UNKNOWN", "no drift of the force was looked for: forces may be off by it",
-                 "leave out --drift none");
+        list.add("DRIFT_UNKNOWN", "no drift of the force was removed: forces may be off by the drift",
+                 "leave the drift setting at its default, so that the drift is found and removed");
     if (drift.degree > 0 && drift.largest_in_contact > limits.drift_share * tension)
         list.add(
             "FORCE_DRIFT",
-            fmt::format(
-                "the zero of force drifts by up to {} within contact; {} was removed, known from the free flight {} contact",
-                beside_tension(drift.largest_in_contact, tension),
-                drift.degree == 1 ? "a line in time" : "a curve in time",
-                drift.stretches > 1              ? "before and after"
-                : analysis.segments.before.range ? "before"
-                                                 : "after"),
-            "the ± of all results include what is not known of it; let the sensor settle before the record");
+            fmt::format("the zero of force drifts by up to {} within contact; {} was removed, which follows from the "
+                        "free flight {} contact",
+                        beside_tension(drift.largest_in_contact, tension),
+                        drift.degree == 1 ? "a line in time" : "a polynomial in time",
+                        drift.stretches > 1              ? "before and after"
+                        : analysis.segments.before.range ? "before"
+                                                         : "after"),
+            "the ± of all results include the uncertainty of the drift; let the sensor settle before the "
+            "record starts");
     check_curve(list, drift, tension);
     check_stretches(list, analysis, tension);
     check_steps(list, analysis, loop, tension);

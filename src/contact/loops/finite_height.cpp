@@ -93,7 +93,7 @@ BranchData as_half_space(const BranchData& data, const LensAndCounterBody& bodie
         contact.work_of_adhesion += share * (next.work_of_adhesion - contact.work_of_adhesion);
     }
     throw UndefinedDataError(
-        fmt::format("E* of a soft body {:.3g} m high does not settle in {} rounds", *height, most_rounds));
+        fmt::format("E* of a soft body {:.3g} m high did not converge in {} rounds", *height, most_rounds));
 }
 
 double modulus_excess(double contact_radius, double thickness, double poisson_ratio) {

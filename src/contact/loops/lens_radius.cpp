@@ -15,7 +15,8 @@ namespace setae::loops {
 namespace {
 
 void require_points(const ArrayView1D& x, const ArrayView1D& y) {
-    if (x.size() != y.size()) throw InvalidArgument(fmt::format("{} x and {} y coordinates", x.size(), y.size()));
+    if (x.size() != y.size())
+        throw InvalidArgument(fmt::format("{} x and {} y coordinates; expected the same number", x.size(), y.size()));
     if (!x.allFinite() || !y.allFinite()) throw InvalidArgument("a point of the outline is undefined; remove it");
 }
 
@@ -69,7 +70,8 @@ Sagitta sagitta(double r, double curvature, double constant) {
 Circle circle_through(const ArrayView1D& x, const ArrayView1D& y) {
     require_points(x, y);
     if (x.size() != 3)
-        throw InvalidArgument(fmt::format("{} points, a circle goes through three; use fit_circle", x.size()));
+        throw InvalidArgument(fmt::format(
+            "{} points, expected three: a circle goes through three points; use fit_circle for more", x.size()));
     const Scaled points = scaled(x, y);
     return unscaled(points, algebraic_circle(points));
 }
@@ -122,7 +124,7 @@ Conic fit_conic(const ArrayView1D& x, const ArrayView1D& z) {
     const double curvature = solution.parameters[2], constant = solution.parameters[3];
     const auto [least, most] = std::minmax_element(points.x.begin(), points.x.end());
     if (!(curvature > 0.0) || !(solution.parameters[0] > *least && solution.parameters[0] < *most))
-        throw UndefinedDataError("no conic with an apex among the points of the outline");
+        throw UndefinedDataError("no conic has its apex among the points of the outline");
     const auto& covariance = solution.uncertainty.covariance;
     Conic conic{.apex_x = points.centre_x + points.unit * solution.parameters[0],
                 .apex_z = points.centre_y + points.unit * solution.parameters[1],

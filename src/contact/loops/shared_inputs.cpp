@@ -157,7 +157,8 @@ InputDerivative::InputDerivative(const Loop& recorded, const LensAndCounterBody&
         } else {
             double* constant = constant_of(there, input);
             if (!constant)
-                throw InvalidArgument(fmt::format("{}: the loop was analysed without it", shared_input_name(input)));
+                throw InvalidArgument(
+                    fmt::format("{}: the loop was analysed without this input", shared_input_name(input)));
             value = *constant;
             *constant *= factor;
         }

@@ -19,8 +19,8 @@ ConditionedValues::ConditionedValues(const std::vector<TracedValue>& residuals) 
             const auto [place, is_new] = places_.try_emplace(name, width, component.directions.size());
             if (is_new) width += component.directions.size();
             if (component.directions.size() != place->second.second)
-                throw InternalError(fmt::format("input '{}' with {} and {} directions", name, place->second.second,
-                                                component.directions.size()));
+                throw InternalError(fmt::format("input '{}' has {} and {} directions; expected the same number", name,
+                                                place->second.second, component.directions.size()));
         }
     const auto n = static_cast<Index>(residuals.size());
     Eigen::MatrixXd sensitivities = Eigen::MatrixXd::Zero(n, width);
@@ -33,11 +33,12 @@ ConditionedValues::ConditionedValues(const std::vector<TracedValue>& residuals) 
     }
     // in units of each residual's own error, so that rounding does not see that one is in J and another in J/m²
     const Eigen::VectorXd scale = sensitivities.rowwise().norm();
-    if (!(scale.minCoeff() > 0.0)) throw UndefinedDataError("a residual without any standard error fixes its inputs");
+    if (!(scale.minCoeff() > 0.0))
+        throw UndefinedDataError("a residual without any standard error fixes its inputs; give the residual an error");
     const Eigen::MatrixXd scaled = scale.cwiseInverse().asDiagonal() * sensitivities;
     const Eigen::VectorXd scaled_values = values.cwiseQuotient(scale);
     const auto root = numerics::cholesky(numerics::product(scaled, scaled.transpose()));
-    if (!root) throw UndefinedDataError("residuals that say the same twice cannot be fitted together");
+    if (!root) throw UndefinedDataError("residuals that are linearly dependent cannot be fitted together");
     // Cᵀ = Q R: P = 1 − Q Qᵀ keeps what S⁻¹ would lose where an input is known far better afterwards
     basis_ = numerics::orthonormal(scaled.transpose());
     const Eigen::VectorXd along = numerics::solved(numerics::product(scaled, basis_), scaled_values);
@@ -54,8 +55,8 @@ Eigen::VectorXd ConditionedValues::directions_of(const TracedValue& value) const
         const auto place = places_.find(name);
         if (place == places_.end()) continue;
         if (component.directions.size() != place->second.second)
-            throw InternalError(fmt::format("input '{}' with {} and {} directions", name, place->second.second,
-                                            component.directions.size()));
+            throw InternalError(fmt::format("input '{}' has {} and {} directions; expected the same number", name,
+                                            place->second.second, component.directions.size()));
         directions.segment(place->second.first, place->second.second) = component.directions.matrix();
     }
     return directions;

@@ -42,16 +42,17 @@ void check(const ReplicateData& data) {
                                               row.groups.size(), data.levels.size(), fmt::join(data.levels, ", ")));
         for (std::size_t k = 0; k < data.levels.size(); ++k)
             if (row.groups[k].empty() && (k == 0 || !level_missing(data, k)))
-                throw InvalidArgument(fmt::format("{}: no {}, which other rows name; name it or leave the row out",
-                                                  where, data.levels[k]));
+                throw InvalidArgument(
+                    fmt::format("{}: no {} is named, but other rows name one; name it or leave out the row", where,
+                                data.levels[k]));
     }
     std::set<std::size_t> seen;
     for (const auto& exclusion : data.exclusions) {
         if (exclusion.row >= data.rows.size())
             throw InvalidArgument(
-                fmt::format("row {} is excluded; there are {}, the first is 0", exclusion.row, data.rows.size()));
+                fmt::format("row {} is excluded, but there are {}, counted from 0", exclusion.row, data.rows.size()));
         if (exclusion.reason.empty())
-            throw InvalidArgument(fmt::format("row {} is excluded without a reason; give one", exclusion.row));
+            throw InvalidArgument(fmt::format("row {} is excluded without a reason; give the reason", exclusion.row));
         if (!seen.insert(exclusion.row).second)
             throw InvalidArgument(fmt::format("row {} is excluded twice", exclusion.row));
     }
@@ -285,15 +286,18 @@ std::vector<std::string> notes_of(const ReplicateData& data, const Fitted& fit, 
         std::count_if(own.begin(), own.end(), [&](std::size_t i) { return std::isnan(data.rows[i].standard_error); });
     if (own.size() == 1)
         notes.push_back(
-            fit.information ? "one measurement: replicates are missing, its variances are those of the other surfaces"
+            fit.information
+                ? "one measurement: replicates are missing, and the variances are those of the other surfaces"
             : without == 0
-                ? "one measurement: replicates are missing, its error is that of its own fit alone"
-                : "one measurement without a standard error: replicates are missing, nothing is known of its error");
+                ? "one measurement: replicates are missing, and the error is only that of its own fit"
+                : "one measurement without a standard error: replicates are missing, and nothing is known about "
+                  "the error");
     else if (!fit.information)
-        notes.emplace_back("all values are the same and have no standard error: nothing is known of the mean's error");
+        notes.emplace_back("all values are equal and have no standard error, so that the error of the mean is unknown");
     else if (without > 0)
         notes.push_back(
-            fmt::format("{} of {} rows have no standard error: their fits' errors are part of the variance of repeats",
+            fmt::format("{} of {} rows have no standard error: the errors of their fits are part of the variance of "
+                        "repeats",
                         without, own.size()));
     return notes;
 }
@@ -342,7 +346,7 @@ MixedModel mixed_model(const ReplicateData& data, const MixedModelOptions& optio
     for (const auto& exclusion : data.exclusions) excluded.insert(exclusion.row);
     const auto used = rows_that(data, [&](std::size_t i) { return !excluded.contains(i); });
     if (used.empty())
-        throw UndefinedDataError(fmt::format("all {} rows are excluded; a mean needs one", data.rows.size()));
+        throw UndefinedDataError(fmt::format("all {} rows are excluded; a mean needs at least one", data.rows.size()));
     const Fits fits(data, used, options.pooling);
     std::optional<Fits> with_excluded;
     if (!excluded.empty())
@@ -379,8 +383,8 @@ MixedModel mixed_model(const ReplicateData& data, const MixedModelOptions& optio
     }
     if (const auto shared = label_on_two_surfaces(data, used); shared && data.crossed.empty())
         model.notes.push_back(
-            fmt::format("{0} {1} is on several surfaces and taken as another on each; where it is the "
-                        "same one, say that {0} is crossed",
+            fmt::format("{0} {1} is on several surfaces and treated as a different one on each; if it is the same, set "
+                        "{0} as crossed",
                         data.levels[1], *shared));
     for (std::size_t later = 1; later < model.surfaces.size(); ++later)
         for (std::size_t earlier = 0; earlier < later; ++earlier)

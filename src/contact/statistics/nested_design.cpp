@@ -86,7 +86,7 @@ private:
 };
 
 std::string one_a_surface(const std::string& level) {
-    return fmt::format("one {} a surface: what another would give is not in the standard error", level);
+    return fmt::format("one {} per surface: the variation between several is not in the standard error", level);
 }
 
 /// Adds the levels across surfaces whose variances can be told.
@@ -117,7 +117,7 @@ NestedDesign nested_design(const ReplicateData& data, const std::vector<std::siz
     std::vector<std::string> names;
     for (std::size_t level = 1; level < data.levels.size(); ++level) {
         if (level_missing(data, level)) {
-            design.not_estimable.push_back(fmt::format("no row names its {}", data.levels[level]));
+            design.not_estimable.push_back(fmt::format("no row names a {}", data.levels[level]));
             continue;
         }
         levels.push_back(level);
@@ -162,7 +162,8 @@ NestedDesign nested_design(const ReplicateData& data, const std::vector<std::siz
     nested.crossed.clear();
     design = nested_design(nested, rows);
     design.not_estimable.push_back(
-        fmt::format("{}: too few rows to tell them from repeats; their groups are taken as others on each surface",
+        fmt::format("{}: too few rows to distinguish them from repeats; groups with the same name on different "
+                    "surfaces are treated as different",
                     fmt::join(data.crossed, ", ")));
     return design;
 }

@@ -124,12 +124,16 @@ public:
         std::set<std::string> known;
         for (auto& name : names()) {
             if (!stays_inside(name))
-                broken(source_, fmt::format("member '{:.80}' leads out of the archive; it is refused", name));
-            if (!known.insert(name).second)
                 broken(source_,
-                       fmt::format("two members are named '{:.80}', and programs differ in which one they read; "
-                                   "remove one of them",
-                                   name));
+                       fmt::format(
+                           "member '{:.80}' would be written outside the folder of the archive, so that it is refused",
+                           name));
+            if (!known.insert(name).second)
+                broken(
+                    source_,
+                    fmt::format(
+                        "two members are named '{:.80}', and programs differ in which one they read; remove one of them",
+                        name));
         }
     }
 
@@ -164,7 +168,8 @@ private:
     [[nodiscard]] std::uint64_t index_of(const std::string& name) const {
         const auto index = zip_name_locate(zip_.get(), name.c_str(), 0);
         if (index < 0)
-            broken(source_, fmt::format("no member '{}', it holds: {}", name, fmt::join(locked_names(), ", ")));
+            broken(source_,
+                   fmt::format("no member '{}'; the archive contains: {}", name, fmt::join(locked_names(), ", ")));
         return static_cast<std::uint64_t>(index);
     }
 
@@ -243,11 +248,11 @@ std::string Archive::Opened::head(const std::string& name, std::uint64_t count) 
         if (got == 0) break;
         content.append(chunk.data(), static_cast<std::size_t>(got));
         if (content.size() > most_expanded(compressed))
-            broken(
-                source_,
-                fmt::format(
-                    "member '{}' expands from {} bytes to more than {}; if it is honest, unpack the archive with another program first",
-                    name, compressed, most_expanded(compressed)));
+            broken(source_,
+                   fmt::format(
+                       "member '{}' expands from {} bytes to more than {}; if you trust the archive, unpack it with "
+                       "another program first",
+                       name, compressed, most_expanded(compressed)));
     }
     return content;
 }
@@ -258,9 +263,9 @@ Source Archive::member(const std::string& name) const {
     if (const auto compressed = std::min<std::uint64_t>(stat.comp_size, archive.size);
         stat.size > most_expanded(compressed))
         broken(archive,
-               fmt::format(
-                   "member '{}' announces {} bytes, {} compressed ones become no more than {}; the archive is damaged",
-                   name, stat.size, compressed, most_expanded(compressed)));
+               fmt::format("member '{}' announces {} bytes, but {} compressed bytes cannot expand to more than {}; the "
+                           "archive is damaged",
+                           name, stat.size, compressed, most_expanded(compressed)));
     auto lazy = std::make_shared<LazyMember>(*this, archive, name);
     lazy->head = std::make_shared<const std::string>(head(name, head_bytes));
     Source source{fmt::format("{}: {}", archive.name, name), stat.size, {}, {}};
@@ -273,7 +278,7 @@ Source Archive::member(const std::string& name) const {
         const auto held = lazy->holding(offset + count);
         if (offset + count > held->size())
             throw FormatError(label, {.offset = held->size()},
-                              "ZIP: the member is shorter than the archive's directory says");
+                              "ZIP: the member is shorter than the directory of the archive states");
         std::copy_n(held->data() + offset, count, target);
     };
     return source;

@@ -45,9 +45,10 @@ bool is_archive(const std::string& path) {
 std::vector<std::string> files_of_archive(const std::string& path) {
     const auto names = Archive(file_source(path)).names();
     if (names.size() > most_members)
-        throw FormatError(path, {},
-                          fmt::format("an archive of {} members, at most {} are read as a folder; unpack it first",
-                                      names.size(), most_members));
+        throw FormatError(
+            path, {},
+            fmt::format("an archive of {} members; a folder may have at most {}; unpack the archive first",
+                        names.size(), most_members));
     std::vector<fs::path> members;
     for (const auto& name : names)
         if (!name.empty() && !name.ends_with('/') && !is_hidden(name)) members.emplace_back(name);

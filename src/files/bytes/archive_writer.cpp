@@ -106,7 +106,7 @@ void check_names(const std::string& path, const std::vector<ArchiveMember>& memb
     for (const auto& member : members) {
         if (member.name.empty() || !stays_inside(member.name))
             throw InvalidArgument(fmt::format(
-                "{}: '{}' is no name of a member; expected one that stays inside the archive", path, member.name));
+                "{}: '{}' is not a valid name of a member; expected a path inside the archive", path, member.name));
         if (!names.insert(member.name).second)
             throw InvalidArgument(fmt::format("{}: two members named '{}'", path, member.name));
     }

@@ -64,10 +64,9 @@ void Cursor::skip(std::uint64_t count) {
 
 void Cursor::seek(std::uint64_t offset) {
     if (offset > source_.size)
-        throw FormatError(
-            source_.name, {.offset = source_.size},
-            fmt::format("{}: the file ends here, expected something at byte {}; it is truncated or damaged", format_,
-                        offset));
+        throw FormatError(source_.name, {.offset = source_.size},
+                          fmt::format("{}: the file ends here, expected more at byte {}; it is truncated or damaged",
+                                      format_, offset));
     position_ = last_ = offset;
 }
 

@@ -25,11 +25,10 @@ constexpr std::size_t piece = 1 << 17;
 void require_bounded(std::size_t expanded, std::size_t compressed, std::uint64_t most, const Source& source,
                      std::uint64_t offset, const std::string& format) {
     if (expanded > most)
-        broken(
-            source, offset, format,
-            fmt::format(
-                "{} compressed bytes become more than {}; if the file is honest, expand it with another program first",
-                compressed, most));
+        broken(source, offset, format,
+               fmt::format("{} compressed bytes expand to more than {}; if you trust the file, expand it with another "
+                           "program first",
+                           compressed, most));
 }
 
 /// zlib's stream that frees itself.
@@ -53,7 +52,7 @@ std::string inflated_within(std::uint64_t most, std::string_view stream, const S
                             const std::string& format, std::uint64_t enough) {
     constexpr int zlib_or_gzip = 15 + 32;
     Inflation inflation(zlib_or_gzip);
-    if (!inflation.good) throw InternalError("zlib does not start");
+    if (!inflation.good) throw InternalError("zlib cannot be started");
     auto& z = inflation.stream;
     std::string content;
     for (std::size_t used = 0;;) {

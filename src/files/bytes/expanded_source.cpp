@@ -26,9 +26,10 @@ struct Expansion {
         if (!done) {
             content = expand();
             if (content.size() != size)
-                throw FormatError(name, {.offset = content.size()},
-                                  fmt::format("compressed data hold {} bytes, the header says {}; the file is damaged",
-                                              content.size(), size));
+                throw FormatError(
+                    name, {.offset = content.size()},
+                    fmt::format("compressed data contain {} bytes, but the header states {}; the file is damaged",
+                                content.size(), size));
             done = true;
         }
         return content;
@@ -45,7 +46,7 @@ Source expanded_source(std::string name, std::uint64_t size, std::function<std::
     return {std::move(name), size, {}, [expansion](std::uint64_t offset, std::uint64_t count, char* target) {
                 if (offset > expansion->size || count > expansion->size - offset)
                     throw FormatError(expansion->name, {.offset = expansion->size},
-                                      fmt::format("ends here, expected {} bytes from byte {}", count, offset));
+                                      fmt::format("the data end here, expected {} bytes from byte {}", count, offset));
                 std::copy_n(expansion->expanded().data() + offset, count, target);
             }};
 }

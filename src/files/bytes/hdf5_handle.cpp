@@ -50,8 +50,9 @@ void require_whole(const Source& source, std::uint64_t start) {
     const auto end = address(cursor, bytes);
     if (end > source.size)
         throw FormatError(source.name, {.offset = source.size},
-                          fmt::format("HDF5: the file ends here, it should end at byte {}; it is truncated", end));
-    if (end <= start) cursor.fail(fmt::format("the file should end at byte {}, before it begins; it is damaged", end));
+                          fmt::format("HDF5: the file ends here, expected its end at byte {}; it is truncated", end));
+    if (end <= start)
+        cursor.fail(fmt::format("the stated end of the file at byte {} lies before its beginning; it is damaged", end));
 }
 
 }  // namespace
@@ -100,7 +101,7 @@ Hdf5Handle opened_hdf5(const Source& source) {
                     &H5Fclose);
     if (!file)
         throw FormatError(source.name, {.offset = *start},
-                          "HDF5: the library cannot open it; it is damaged, or another program is writing it");
+                          "HDF5: the library cannot open the file; it is damaged, or another program is writing it");
     require_unchanged(source);
     return file;
 }

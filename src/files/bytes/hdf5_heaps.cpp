@@ -18,14 +18,15 @@ constexpr std::uint64_t header_bytes = 16, object_header_bytes = 16, alignment =
 std::string fault(std::string_view bytes) {
     if (bytes.size() < header_bytes) return "ends early";
     const auto size = bytes::load<std::uint64_t>(bytes.data() + heap_signature.size(), std::endian::little);
-    if (size < header_bytes || size > bytes.size()) return fmt::format("of {} bytes, {} are there", size, bytes.size());
+    if (size < header_bytes || size > bytes.size())
+        return fmt::format("states {} bytes, but {} are present", size, bytes.size());
     for (auto at = header_bytes; at + object_header_bytes <= size;) {
         const auto index = bytes::load<std::uint16_t>(bytes.data() + at, std::endian::little);
         const auto length = bytes::load<std::uint64_t>(bytes.data() + at + 8, std::endian::little);
-        if (length > size - at) return fmt::format("holds {} bytes at {} of {}", length, at, size);
-        if (index == 0) return length == size - at ? "" : "has space free before its end";
+        if (length > size - at) return fmt::format("states {} bytes at {} of {}", length, at, size);
+        if (index == 0) return length == size - at ? "" : "has free space before its end";
         at += object_header_bytes + (length + alignment - 1) / alignment * alignment;
-        if (at > size) return fmt::format("holds something that ends at {} of {}", at, size);
+        if (at > size) return fmt::format("has an object that ends at {} of {}", at, size);
     }
     return {};
 }

@@ -35,7 +35,7 @@ void OleFile::fail(std::uint64_t offset, const std::string& what) const {
 
 OleFile::OleFile(const Source& source, std::string format) : source_(source), format_(std::move(format)) {
     Cursor header(source, format_);
-    if (header.bytes(ole_signature.size()) != ole_signature) fail(0, "it does not begin as one");
+    if (header.bytes(ole_signature.size()) != ole_signature) fail(0, "the file does not begin like a compound file");
     const auto shift = header.number_at<std::uint16_t>(30), small_shift = header.number_at<std::uint16_t>(32);
     if ((shift != 9 && shift != 12) || small_shift != 6)
         fail(30, fmt::format("sectors of 2^{} and 2^{} bytes, expected 2^9 or 2^12, and 2^6", shift, small_shift));
@@ -53,7 +53,7 @@ void OleFile::read_table() {
     const auto count = cursor.number<std::uint32_t>();
     if (count > sectors_)
         fail(source_.size,
-             fmt::format("the file ends here, its table alone has {} sectors; it is truncated or damaged", count));
+             fmt::format("the file ends here, but its table has {} sectors; it is truncated or damaged", count));
     std::vector<std::uint32_t> sectors;
     cursor.seek(76);
     for (std::size_t i = 0; i < sectors_in_header && sectors.size() < count; ++i)
@@ -61,7 +61,7 @@ void OleFile::read_table() {
     auto next = cursor.number_at<std::uint32_t>(68);
     for (std::uint64_t steps = 0; sectors.size() < count; ++steps) {
         if (next > last_sector || steps > sectors_)
-            fail(68, "the list of the table's sectors ends early or runs in circles");
+            fail(68, "the list of the sectors of the table ends early or forms a loop");
         cursor.seek(offset_of(next));
         for (std::uint64_t i = 0; i + 1 < sector_bytes_ / sizeof(next); ++i) {
             const auto sector = cursor.number<std::uint32_t>();
@@ -90,7 +90,7 @@ std::vector<std::uint32_t> OleFile::chain(const std::vector<std::uint32_t>& tabl
     for (auto sector = first; count == 0 ? sector != end_of_chain : sectors.size() < count; sector = table[sector]) {
         if (sector >= table.size() || sectors.size() > table.size())
             fail(source_.size,
-                 fmt::format("after {} sectors a chain leads to sector {}, the table has {}; the file is damaged",
+                 fmt::format("after {} sectors a chain leads to sector {}, but the table has {}; the file is damaged",
                              sectors.size(), sector, table.size()));
         sectors.push_back(sector);
     }
@@ -119,7 +119,7 @@ void OleFile::read_directory(std::uint32_t first, std::uint32_t first_of_small_t
             if (type != stream_entry) continue;
             if (stream.size > source_.size - total)
                 fail(source_.size,
-                     fmt::format("the file ends here, stream '{}' alone has {} bytes; it is truncated or damaged",
+                     fmt::format("the file ends here, but stream '{}' has {} bytes; it is truncated or damaged",
                                  stream.name, stream.size));
             total += stream.size;
             streams_.push_back(std::move(stream));
@@ -140,7 +140,8 @@ bool OleFile::has(const std::string& name) const {
 Source OleFile::stream(const std::string& name) const {
     const auto found =
         std::find_if(streams_.begin(), streams_.end(), [&](const Stream& stream) { return stream.name == name; });
-    if (found == streams_.end()) fail(0, fmt::format("no stream '{}', it holds: {}", name, fmt::join(names(), ", ")));
+    if (found == streams_.end())
+        fail(0, fmt::format("no stream '{}'; the file contains: {}", name, fmt::join(names(), ", ")));
     const bool small = found->size < least_large_;
     const auto part = small ? small_sector_bytes_ : sector_bytes_;
     std::vector<Piece> pieces;

@@ -27,7 +27,7 @@ Source joined(const Source& source, std::string name, const std::vector<Piece>& 
     for (const auto& piece : pieces) {
         if (piece.offset > source.size || piece.size > source.size - piece.offset)
             throw FormatError(source.name, {.offset = source.size},
-                              fmt::format("the file ends here, '{}' goes on to byte {}; it is truncated or damaged",
+                              fmt::format("the file ends here, but '{}' extends to byte {}; it is truncated or damaged",
                                           name, piece.offset + piece.size));
         if (!parts.empty() && parts.back().piece.offset + parts.back().piece.size == piece.offset)
             parts.back().piece.size += piece.size;
@@ -41,7 +41,8 @@ Source joined(const Source& source, std::string name, const std::vector<Piece>& 
         if (offset > total || count > total - offset)
             throw FormatError(
                 label, {.offset = total},
-                fmt::format("it ends here, expected {} bytes from byte {}; it is truncated or damaged", count, offset));
+                fmt::format("the data end here, expected {} bytes from byte {}; they are truncated or damaged", count,
+                            offset));
         auto next = std::upper_bound(shared->begin(), shared->end(), offset,
                                      [](std::uint64_t place, const Part& part) { return place < part.at; });
         for (; count > 0; ++next) {

@@ -59,8 +59,9 @@ void require_no_input(const std::string& path) {
     // numbers of files that were removed are given to others
     if (regular_file(input->second) != identity) return;
     throw FileError(
-        fmt::format("{}: is an input of this run{}, which would be lost; choose another name for the output", path,
-                    input->second == path ? "" : " (" + input->second + ")"));
+        fmt::format("{}: this file is an input of this run{} and would be overwritten; choose another name for the "
+                    "output",
+                    path, input->second == path ? "" : " (" + input->second + ")"));
 }
 
 }  // namespace setae::bytes

@@ -17,9 +17,9 @@ constexpr unsigned most_seconds = 60;
 
 /// Why a child that did not end well ended, in words.
 std::string end_of_child(const platform::ProcessEnd& end) {
-    if (end.out_of_time) return fmt::format("the library does not end within {} s", most_seconds);
-    if (!end.signal.empty()) return fmt::format("the library fails on it ({})", end.signal);
-    return fmt::format("the library ends the program that reads it (exit code {})", end.exit_code);
+    if (end.out_of_time) return fmt::format("the library did not finish within {} s", most_seconds);
+    if (!end.signal.empty()) return fmt::format("the library failed while reading it ({})", end.signal);
+    return fmt::format("the library ended the process that reads it (exit code {})", end.exit_code);
 }
 
 }  // namespace
@@ -27,9 +27,10 @@ std::string end_of_child(const platform::ProcessEnd& end) {
 void rehearse(const std::string& name, const std::string& library, const std::function<void()>& use) {
     if (left_out) return;
     const auto end = platform::run_in_child(use, most_seconds);
-    if (!end) throw FileError(fmt::format("{}: lost the process that reads it", name));
+    if (!end) throw FileError(fmt::format("{}: the process that reads the file was lost", name));
     if (end->start)
-        throw FileError(fmt::format("{}: no process can be had to read it in ({})", name, end->start.message()));
+        throw FileError(
+            fmt::format("{}: no process could be started to read the file ({})", name, end->start.message()));
     if (!end->well())
         throw FormatError(name, {}, fmt::format("{}: {}; the file is damaged", library, end_of_child(*end)));
 }

@@ -34,8 +34,8 @@ TemporaryFolder::TemporaryFolder(const std::string& name) {
         if (!first_failure) first_failure = failure;
     }
     throw FileError(
-        fmt::format("{}: no folder for temporary files can be made in it ({}), nor in /tmp, /var/tmp or here; "
-                    "set TMPDIR to a folder that is writable and has space",
+        fmt::format("{}: no folder for temporary files can be created in it ({}), nor in /tmp, /var/tmp or the "
+                    "current folder; set TMPDIR to a folder that is writable and has space",
                     places.front(), first_failure.message()));
 }
 

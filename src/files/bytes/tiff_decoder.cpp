@@ -113,7 +113,7 @@ private:
     [[noreturn]] void fail(std::uint64_t offset) const {
         throw FormatError(stream_.source.name, {.offset = offset},
                           fmt::format("{}: pixels cannot be expanded: {}", format_,
-                                      stream_.complaint.empty() ? "they are damaged" : stream_.complaint));
+                                      stream_.complaint.empty() ? "the pixels are damaged" : stream_.complaint));
     }
 
     /// Rows and columns of a tile that lie within the picture, to their place.

@@ -174,9 +174,8 @@ std::vector<std::uint64_t> TiffFile::integers(const TiffPage& page, std::uint16_
     const auto* tag = page.find(id);
     if (!tag) return {};
     if (tag->count > most)
-        throw FormatError(
-            source.name, {.offset = tag->offset},
-            fmt::format("{}: tag {} holds {} numbers, expected at most {}", format, id, tag->count, most));
+        throw FormatError(source.name, {.offset = tag->offset},
+                          fmt::format("{}: tag {} has {} numbers, expected at most {}", format, id, tag->count, most));
     const bool integral = tag->type == 3 || tag->type == 4 || tag->type == 13 || tag->type == 16 || tag->type == 18;
     if (!integral)
         throw FormatError(source.name, {.offset = tag->offset},
@@ -200,7 +199,7 @@ TiffPage TiffFile::directory_of(const TiffPage& page, std::uint16_t id) const {
     const auto* tag = page.find(id);
     if (!tag)
         throw FormatError(source.name, {.offset = page.offset},
-                          fmt::format("{}: no tag {} in the directory here", format, id));
+                          fmt::format("{}: this directory has no tag {}", format, id));
     const auto at = integers(page, id, 1);
     if (at.empty())
         throw FormatError(source.name, {.offset = tag->offset},
@@ -237,7 +236,8 @@ TiffFile open_tiff(const Source& source, const std::string& format, std::size_t 
             file.pages.push_back({.offset = next, .tags = {}, .fault = said(error, source)});
             break;
         }
-    if (file.pages.empty()) throw FormatError(source.name, {.offset = 0}, format + ": a TIFF file without a directory");
+    if (file.pages.empty())
+        throw FormatError(source.name, {.offset = 0}, format + ": a TIFF file without a directory; it is damaged");
     return file;
 }
 

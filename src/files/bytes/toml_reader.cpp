@@ -26,7 +26,7 @@ toml::table parse_toml_file(const std::string& path) {
     if (const auto at = toml_too_deep(text))
         throw FormatError(path,
                           {.line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(*at), '\n')},
-                          fmt::format("TOML: more than {} levels inside each other", most_levels));
+                          fmt::format("TOML: more than {} levels of nesting", most_levels));
     try {
         return toml::parse(text, path);
     } catch (const toml::parse_error& error) {
@@ -59,7 +59,7 @@ void TomlReader::remark(const char* key, std::string text) {
 }
 
 std::string TomlReader::without_zero_byte(const char* key, const std::string& text) const {
-    if (text.find('\0') != std::string::npos) fail(key, "a text with a zero byte (\\u0000), which no name may hold");
+    if (text.find('\0') != std::string::npos) fail(key, "a text contains a zero byte (\\u0000); remove it");
     return text;
 }
 
@@ -133,7 +133,7 @@ Estimate TomlReader::parse_text(const char* key, const toml::node& node, const E
         for (const auto& [name, input] : named_->inputs) names.push_back(name);
         const auto nearest = nearest_match(text, names);
         if (nearest.empty()) throw;
-        throw InvalidArgument(fmt::format("{}; or did you mean the input '{}'?", error.what(), nearest));
+        throw InvalidArgument(fmt::format("{}; did you mean the input '{}'?", error.what(), nearest));
     }
 }
 
@@ -151,8 +151,9 @@ Estimate TomlReader::named(const std::string& name, const std::string& value, co
             return std::abs(a - b) <= rounding * std::abs(a);
         };
         if (!alike(estimate.value, again.value) || !alike(estimate.standard_error, again.standard_error))
-            throw InvalidArgument(fmt::format("input '{}' is '{}' here and '{}' in line {}; one name is one input",
-                                              name, value, input.text, input.place.line));
+            throw InvalidArgument(
+                fmt::format("input '{}' is '{}' here and '{}' in line {}; expected one value per name", name, value,
+                            input.text, input.place.line));
     }
     estimate.input = name;
     return estimate;
@@ -177,9 +178,10 @@ void TomlReader::require_inputs_used() const {
         if (!input.used)
             throw FormatError(
                 path_, position_at(input.place),
-                fmt::format("no key mentions the input '{}'; write its name where its value is meant, such "
-                            "as surface_energy = \"{}\"",
-                            name, name));
+                fmt::format(
+                    "no key uses the input '{}'; write its name in place of its value, such as surface_energy = "
+                    "\"{}\"",
+                    name, name));
 }
 
 TomlReader TomlReader::inner(const toml::table& table, std::string where) const {
@@ -294,7 +296,7 @@ std::vector<std::string> TomlReader::keys() const {
     for (const auto& [key, node] : *table_) {
         if (key.str().find('\0') != std::string_view::npos)
             throw FormatError(path_, position_at(key.source().begin),
-                              "a key with a zero byte (\\u0000), which no name may hold");
+                              "a key contains a zero byte (\\u0000); remove it");
         found.emplace_back(key.source().begin, std::string(key.str()));
     }
     std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });

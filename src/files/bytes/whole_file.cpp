@@ -34,10 +34,10 @@ namespace {
 std::string refusal(const std::error_code& error) {
     switch (static_cast<std::errc>(error.value())) {
         case std::errc::no_such_file_or_directory: return "no such file";
-        case std::errc::not_a_directory: return "no such file: a part of its path is no folder";
+        case std::errc::not_a_directory: return "no such file: a part of its path is not a folder";
         case std::errc::permission_denied:
         case std::errc::operation_not_permitted: return "no permission to read it, or to enter a folder of its path";
-        case std::errc::too_many_symbolic_link_levels: return "its symbolic links lead in a circle";
+        case std::errc::too_many_symbolic_link_levels: return "its symbolic links form a loop";
         case std::errc::filename_too_long: return "its name is too long";
         case std::errc::too_many_files_open:
         case std::errc::too_many_files_open_in_system: return "too many files are open; see `ulimit -n`";
@@ -70,7 +70,9 @@ bool is_same_content(const platform::FileFacts& a, const platform::FileFacts& b)
 }
 
 [[noreturn]] void refuse_changed(const std::string& path) {
-    throw FileError(path + ": another program changed it while it was read; wait until it is complete, or read a copy");
+    throw FileError(path +
+                    ": another program changed the file while it was read; wait until the file is complete, or read "
+                    "a copy");
 }
 
 std::string state_of(const platform::FileFacts& facts) {
@@ -218,7 +220,7 @@ namespace {
 Source source_of(const std::string& path) {
     const auto file = std::make_shared<const platform::ReadableFile>(path);
     require_file(path, *file);
-    if (!file->facts()) throw FileError(path + ": its size cannot be told");
+    if (!file->facts()) throw FileError(path + ": its size cannot be determined");
     Source source{path, file->facts()->size, path, {}};
     source.read_into = [file = std::make_shared<HeldFile>(path, *file->facts(), file), path, size = source.size](
                            std::uint64_t offset, std::uint64_t count, char* target) {

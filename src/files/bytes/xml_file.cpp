@@ -15,12 +15,12 @@ namespace setae::bytes {
 pugi::xml_document parsed_xml(std::string_view text, const Source& source, const std::string& format) {
     for (const auto* declaration : {"<!DOCTYPE", "<!ENTITY"})
         if (const auto at = text.find(declaration); at != std::string_view::npos)
-            throw FormatError(
-                source.name, {.offset = at},
-                fmt::format("{}: XML that declares types or entities is not read; remove '{}'", format, declaration));
+            throw FormatError(source.name, {.offset = at},
+                              fmt::format("{}: XML with declarations of types or entities is not read; remove '{}'",
+                                          format, declaration));
     if (const auto at = xml_too_deep(text))
         throw FormatError(source.name, {.offset = *at},
-                          fmt::format("{}: XML of more than {} levels is not read", format, most_levels));
+                          fmt::format("{}: XML with more than {} levels is not read", format, most_levels));
     pugi::xml_document document;
     const auto result = document.load_buffer(text.data(), text.size());
     if (!result)
@@ -34,7 +34,8 @@ double xml_number(const pugi::xml_node& node, double fallback, const Source& sou
     if (text.empty()) return fallback;
     double value = 0.0;
     if (!parse_cell(text, '.', value) || !std::isfinite(value))
-        throw FormatError(source.name, {}, fmt::format("{}: '{:.40}' in {} is no number", format, text, node.path()));
+        throw FormatError(source.name, {},
+                          fmt::format("{}: '{:.40}' in {} is not a number", format, text, node.path()));
     return value;
 }
 

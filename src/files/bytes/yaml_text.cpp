@@ -34,7 +34,7 @@ public:
     }
     void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
         const auto known = extents_.find(anchor);
-        if (known == extents_.end()) fail(mark, "an alias of a node that it is part of");
+        if (known == extents_.end()) fail(mark, "an alias of a node that contains this alias");
         add(mark, known->second);
     }
     void OnSequenceStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t anchor,
@@ -59,20 +59,20 @@ private:
     }
     void add(const YAML::Mark& mark, const Extent& extent) {
         if (open_.size() + extent.levels > most_levels)
-            fail(mark, fmt::format("more than {} levels inside each other", most_levels));
+            fail(mark, fmt::format("more than {} levels of nesting", most_levels));
         if (open_.empty()) return;
         auto& around = open_.back().extent;
         around.nodes += extent.nodes;
         around.bytes += extent.bytes;
         around.levels = std::max(around.levels, extent.levels + 1);
-        if (around.nodes > most_.nodes || around.bytes > most_.bytes) fail(mark, "its aliases repeat too much");
+        if (around.nodes > most_.nodes || around.bytes > most_.bytes) fail(mark, "its aliases repeat too much text");
     }
     void leaf(const YAML::Mark& mark, YAML::anchor_t anchor, std::size_t bytes) {
         add(mark, {.bytes = bytes});
         if (anchor != YAML::NullAnchor) extents_[anchor] = {.bytes = bytes};
     }
     void begin(const YAML::Mark& mark, YAML::anchor_t anchor) {
-        if (open_.size() >= most_levels) fail(mark, fmt::format("more than {} levels inside each other", most_levels));
+        if (open_.size() >= most_levels) fail(mark, fmt::format("more than {} levels of nesting", most_levels));
         open_.push_back({anchor, {}});
         mark_ = mark;
     }

@@ -30,9 +30,7 @@ std::vector<double> size_of(const Profile& profile) {
     return {std::abs(profile.positions[profile.positions.size() - 1] - profile.positions[0])};
 }
 
-const char* size_example(const ChannelInfo& info) {
-    return info.shape.size() == 2 ? "--size \"1 mm x 1 mm\"" : "--size \"1 mm\"";
-}
+const char* size_example(const ChannelInfo& info) { return info.shape.size() == 2 ? "\"1 mm x 1 mm\"" : "\"1 mm\""; }
 
 void make_infinite_undefined(double* heights, Index count) {
     for (Index i = 0; i < count; ++i)
@@ -77,7 +75,7 @@ void read_as_a_whole(Channel& channel, std::function<topography::Measurement()> 
 Channel non_height_channel(ChannelInfo info, const std::string& reason) {
     info.is_height = false;
     info.not_heights = reason;
-    auto message = fmt::format("{}: channel '{}' holds no heights{}", info.metadata.file, info.name,
+    auto message = fmt::format("{}: channel '{}' is not heights{}", info.metadata.file, info.name,
                                reason.empty() ? "" : ": " + reason);
     return {std::move(info), [message]() -> Measurement { throw InvalidArgument(message); }};
 }
@@ -168,19 +166,19 @@ double complete(ChannelInfo& info, const ReadOptions& options, const bytes::Sour
     if (stated && std::any_of(info.size.begin(), info.size.end(), [](double size) { return !is_extent(size); })) {
         info.alerts.push_back(
             {"SIZE_NOT_STATED", source.name,
-             fmt::format("the file states a size of {} m, which is no extent", fmt::join(info.size, " × ")),
-             fmt::format("give it, as in {}", size_example(info))});
+             fmt::format("the file states a size of {} m, which is not a possible extent", fmt::join(info.size, " × ")),
+             fmt::format("give `size`, such as {}", size_example(info))});
         info.size.clear();
     }
     for (const double size : options.size.value_or(std::vector<double>()))
         if (!is_extent(size))
-            throw InvalidArgument(fmt::format("{}: a size of {} m was given, expected a length above 0, as in {}",
+            throw InvalidArgument(fmt::format("{}: a size of {} m was given, expected a length above 0, such as {}",
                                               source.name, size, size_example(info)));
     if (info.size.empty() && options.size) {
         if (options.size->size() != info.shape.size())
-            throw InvalidArgument(fmt::format("{}: {} sizes given for data of {} dimensions; give them as in {}",
-                                              source.name, options.size->size(), info.shape.size(),
-                                              size_example(info)));
+            throw InvalidArgument(
+                fmt::format("{}: {} sizes were given for data of {} dimensions; give `size`, such as {}", source.name,
+                            options.size->size(), info.shape.size(), size_example(info)));
         info.size = *options.size;
     }
     for (const double size : info.size)
@@ -195,7 +193,8 @@ double complete(ChannelInfo& info, const ReadOptions& options, const bytes::Sour
 
 Channel channel_without_unit(ChannelInfo info, const bytes::Source& source) {
     const auto message = fmt::format(
-        "{}: the file states no unit; give it, as in --unit um, or of x and of heights, as in --unit \"mm, um\"",
+        "{}: the file states no unit; give `unit`, such as \"um\", or one of x and one of heights, such "
+        "as \"mm, um\"",
         source.name);
     return {std::move(info), [message]() -> Measurement { throw InvalidArgument(message); }};
 }
@@ -203,11 +202,12 @@ Channel channel_without_unit(ChannelInfo info, const bytes::Source& source) {
 Channel incomplete_channel(ChannelInfo info, const bytes::Source& source) {
     const auto message =
         info.unit.empty() && info.size.empty()
-            ? fmt::format("{}: the file states neither size nor unit; give them, as in {} --unit {}", source.name,
-                          size_example(info), info.format == "npy" ? "m" : "um")
+            ? fmt::format(
+                  "{}: the file states neither size nor unit; give `size`, such as {}, and `unit`, such as \"{}\"",
+                  source.name, size_example(info), info.format == "npy" ? "m" : "um")
         : info.unit.empty()
-            ? fmt::format("{}: the file states no unit; give it, as in --unit um", source.name)
-            : fmt::format("{}: the file states no size; give it, as in {}", source.name, size_example(info));
+            ? fmt::format("{}: the file states no unit; give `unit`, such as \"um\"", source.name)
+            : fmt::format("{}: the file states no size; give `size`, such as {}", source.name, size_example(info));
     return {std::move(info), [message]() -> Measurement { throw InvalidArgument(message); }};
 }
 

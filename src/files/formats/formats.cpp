@@ -119,7 +119,8 @@ std::string expected_by_name(const std::string& name) {
     return names.empty()
                ? ""
                : fmt::format(
-                     "; its name is that of {}, whose files begin otherwise: it may be damaged or of another version",
+                     "; its name is that of {}, whose files begin differently: the file may be damaged or of another "
+                     "version",
                      names);
 }
 
@@ -173,12 +174,14 @@ std::string first_member(const bytes::Source& source) {
     if (bytes::is_zip(head))
         throw FormatError(
             source.name, {.offset = 0},
-            fmt::format("{}, which is none of the formats setae reads{}; `setae info` lists its members, and "
-                        "each of them is a file, such as {}/{}",
-                        kind, expected_by_name(source.name), source.name, first_member(source)));
+            fmt::format(
+                "{} is not one of the supported formats{}; `setae info` lists its members, and each of them can "
+                "be given as a file, such as {}/{}",
+                kind, expected_by_name(source.name), source.name, first_member(source)));
     throw FormatError(
         source.name, {.offset = 0},
-        fmt::format("begins with '{}'{}, which no format setae reads does{}; `setae formats` lists them",
+        fmt::format("begins with '{}'{}, which no supported format does{}; `setae formats` lists the supported "
+                    "formats",
                     first_bytes(head), kind.empty() ? "" : ", as " + kind, expected_by_name(source.name)));
 }
 
@@ -191,10 +194,11 @@ void compare_sizes(std::vector<Channel>& channels, const ReadOptions& options, c
         for (std::size_t i = 0; same && i < size.size(); ++i)
             same = std::abs(size[i] / (*options.size)[i] - 1.0) < 1e-4;
         if (!same && !size.empty())
-            channel.info.alerts.push_back({"SIZE_MISMATCH", source.name,
-                                           fmt::format("a size of {} m was given, the file says {} m, which was used",
-                                                       options.size->front(), size.front()),
-                                           "check which of the two is right"});
+            channel.info.alerts.push_back(
+                {"SIZE_MISMATCH", source.name,
+                 fmt::format("a size of {} m was given, but the file states {} m, which was used",
+                             options.size->front(), size.front()),
+                 "check which of the two sizes is right"});
     }
 }
 
@@ -281,7 +285,7 @@ void require_no_force_curve(const bytes::Source& source, const Format& format) {
     if (!may_be_curve || format.is_container) return;
     if (const auto curve = tables::stated_force_curve_format(source))
         throw FormatError(source.name, {.offset = 0},
-                          fmt::format("a force curve ({}), no heights; `setae jkr fit` reads it", *curve));
+                          fmt::format("a force curve ({}) contains no heights; `setae jkr fit` reads it", *curve));
 }
 
 }  // namespace

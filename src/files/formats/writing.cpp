@@ -19,7 +19,7 @@ const topography::HeightMap& required_map(const topography::Measurement& measure
                                           const std::string& format) {
     if (const auto* map = std::get_if<topography::HeightMap>(&measurement)) return *map;
     const bool line = std::holds_alternative<topography::LineScan>(measurement);
-    throw InvalidArgument(fmt::format("{}: {} holds maps alone, this is a {}; write it as {}", path, format,
+    throw InvalidArgument(fmt::format("{}: {} can hold only maps, and this is a {}; write it as {}", path, format,
                                       line ? "line" : "profile",
                                       line ? ".x3p, .sdf, .nc, .npy or .csv" : ".x3p, .nc or .csv"));
 }
@@ -27,9 +27,10 @@ const topography::HeightMap& required_map(const topography::Measurement& measure
 void refuse_trace(const topography::Measurement& measurement, const std::string& path) {
     const auto* profile = std::get_if<topography::Profile>(&measurement);
     if (profile && (profile->response || profile->standard_error.size() > 0))
-        throw InvalidArgument(fmt::format(
-            "{}: the profile knows the errors or the response of its trace, which such files cannot hold; write it as .csv",
-            path));
+        throw InvalidArgument(
+            fmt::format("{}: the profile has standard errors or the response of its trace, which this format cannot "
+                        "hold; write it as .csv",
+                        path));
 }
 
 void write_measurement_as_netcdf(const std::string& path, const topography::Measurement& measurement) {
@@ -41,13 +42,14 @@ void write_measurement_as_npy(const std::string& path, const topography::Measure
     refuse_trace(measurement, path);
     if (std::holds_alternative<topography::Profile>(measurement))
         throw InvalidArgument(fmt::format(
-            "{}: NPY holds heights alone, this is a profile with positions of its own; write it as .x3p, .nc or .csv",
+            "{}: NPY can hold only heights, and this is a profile with its own positions; write it as .x3p, "
+            ".nc or .csv",
             path));
     std::visit([&](const auto& m) { write_npy(path, m.heights); }, measurement);
 }
 
 std::string row_bytes(const Array2D& heights, double undefined_as) {
-    static_assert(std::endian::native == std::endian::little, "heights are written as the memory holds them");
+    static_assert(std::endian::native == std::endian::little, "heights are written in the byte order of the memory");
     constexpr Index tile = 64;  // rows whose strides through memory share cache lines
     const Index nx = heights.rows(), ny = heights.cols();
     std::string bytes(static_cast<std::size_t>(nx * ny) * sizeof(double), '\0');

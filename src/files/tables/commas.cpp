@@ -67,10 +67,9 @@ void require_separating_commas(const std::vector<std::string>& header, std::stri
     if (cells.size() < 2 || 2 * cells.size() != layout.columns || first_row.find('.') != std::string_view::npos) return;
     throw FormatError(
         name, {.line = line},
-        fmt::format(
-            "{} numbers between commas below {} names: the comma seems to separate columns and to begin decimals; "
-            "export with semicolons or tabs, or with decimal points",
-            layout.columns, cells.size()));
+        fmt::format("{} numbers between commas below {} names: the comma seems to separate columns and also to mark "
+                    "decimals; export with semicolons or tabs, or with decimal points",
+                    layout.columns, cells.size()));
 }
 
 }  // namespace setae::tables

@@ -371,7 +371,8 @@ std::optional<BrokenCell> broken_row_of(const std::vector<std::string_view>& lin
 
 std::string described(const BrokenCell& broken) {
     return fmt::format(
-        "'{:.40}' in column {} is no number; expected one, or nothing, NaN, N/A or another word for a missing value",
+        "'{:.40}' in column {} is not a number; expected a number, or nothing, NaN, N/A or another word "
+        "for a missing value",
         broken.cell, broken.column);
 }
 

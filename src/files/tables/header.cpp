@@ -162,9 +162,10 @@ std::vector<HeaderCell> parse_header(const std::vector<std::string>& header, cha
     auto names = above.empty() ? std::vector<HeaderCell>(units.size()) : name_row(above);
     for (std::size_t i = 0; i < units.size(); ++i) {
         if (!names[i].unit.empty() && names[i].unit != units[i])
-            throw InvalidArgument(fmt::format(
-                "mixed units: column '{}' is in {} by its name and in {} by the row of units; correct one of them",
-                names[i].name, names[i].unit, units[i].empty() ? "no unit" : units[i]));
+            throw InvalidArgument(
+                fmt::format("mixed units: column '{}' is in {} according to its name and in {} according to the row of "
+                            "units; correct one of them",
+                            names[i].name, names[i].unit, units[i].empty() ? "no unit" : units[i]));
         names[i].unit = units[i];
     }
     return names;

@@ -71,10 +71,12 @@ void refuse_logarithms(const std::vector<RawTable::RawColumn>& columns, const st
     for (std::size_t k = 0; k < 2; ++k) {
         const auto name = folded(columns[k].name);
         if (name.starts_with("log") || name.starts_with("ln ") || name.starts_with("ln(") || name.starts_with("lg"))
-            throw FormatError(path, {},
-                              fmt::format("column '{}' holds logarithms, expected the numbers themselves; write the "
-                                          "powers of them into the table",
-                                          columns[k].name));
+            throw FormatError(
+                path, {},
+                fmt::format(
+                    "column '{}' contains logarithms, expected the numbers themselves; convert the logarithms in "
+                    "the table",
+                    columns[k].name));
     }
 }
 
@@ -89,14 +91,13 @@ SpectrumConvention convention_of(const RawTable& raw, const SpectrumUnits& units
     if (possible.size() == 1) return possible.front();
     std::vector<std::string> readings;
     for (const auto& reading : possible)
-        readings.push_back(fmt::format("--unit \"{}\": {}, {}", as_option(reading, units), normalisation(reading),
+        readings.push_back(fmt::format("\"{}\": {}, {}", as_option(reading, units), normalisation(reading),
                                        format_value(rms_height_of(reading, columns, path), "m", 3)));
-    throw FormatError(
-        path, {},
-        fmt::format(
-            "the header leaves open how {} against {} is normalised; say it (in a study as power_spectrum_unit), "
-            "h_rms is then: {}",
-            shown(columns[1], "the density"), shown(columns[0], "the first column"), fmt::join(readings, "; ")));
+    throw FormatError(path, {},
+                      fmt::format("the header does not state how {} against {} is normalised; give `unit` (in a study: "
+                                  "power_spectrum_unit), for which h_rms is then: {}",
+                                  shown(columns[1], "the density"), shown(columns[0], "the first column"),
+                                  fmt::join(readings, "; ")));
 }
 
 /// Says what was made of the columns where they are not wavevectors and C1D or C_iso by their names.
@@ -106,14 +107,14 @@ void describe_convention(Table& table, const SpectrumConvention& convention, con
     if (convention.own()) return;
     const auto& columns = raw.columns;
     const auto first = shown(columns[0], "the first column"), second = shown(columns[1], "the density");
-    const std::string quantity = convention.quantity == "frequency"    ? first + " holds frequencies, q = 2π f; "
-                                 : convention.quantity == "wavelength" ? first + " holds wavelengths, q = 2π/λ; "
+    const std::string quantity = convention.quantity == "frequency"    ? first + " contains frequencies, q = 2π f; "
+                                 : convention.quantity == "wavelength" ? first + " contains wavelengths, q = 2π/λ; "
                                                                        : "";
     const std::string name = convention.density.empty() ? (convention.areal() ? "C_iso" : "C1D") : convention.density;
     const bool same = !convention.one_sided && convention.density.empty() && quantity.empty();
-    table.metadata[same ? "assumed" : "converted"] =
-        fmt::format("{}{} counts as {}{}, {}: h_rms is {}", quantity, second, convention.one_sided ? "one-sided " : "",
-                    name, normalisation(convention), format_value(rms_height_of(convention, columns, path), "m", 3));
+    table.metadata[same ? "assumed" : "converted"] = fmt::format(
+        "{}{} is taken as {}{}, {}: h_rms is {}", quantity, second, convention.one_sided ? "one-sided " : "", name,
+        normalisation(convention), format_value(rms_height_of(convention, columns, path), "m", 3));
 }
 
 /// Rows by rising wavevector.
@@ -126,7 +127,7 @@ void sort_rows(Table& table, const std::string& path) {
     const auto& sorted = table.columns[0].values;
     for (Index i = 1; i < sorted.size(); ++i)
         if (sorted[i] == sorted[i - 1])
-            throw FormatError(path, {}, fmt::format("wavevector {:.6g} 1/m stands in two rows", sorted[i]));
+            throw FormatError(path, {}, fmt::format("wavevector {:.6g} 1/m is in two rows", sorted[i]));
 }
 
 void keep_positive(Table& table) {
@@ -154,8 +155,9 @@ bool same_unit(const std::string& a, const std::string& b) {
 void give_unit(RawTable::RawColumn& column, const std::string& unit, const std::string& path) {
     if (unit.empty() || (!column.unit.empty() && same_unit(column.unit, unit))) return;
     if (!column.unit.empty())
-        throw InvalidArgument(fmt::format("{}: column '{}' is in {} by its header, {} was given; leave the unit out",
-                                          path, column.name, column.unit, unit));
+        throw InvalidArgument(
+            fmt::format("{}: column '{}' is in {} according to its header, but {} was given; leave out the unit", path,
+                        column.name, column.unit, unit));
     column.unit = unit;
 }
 
@@ -193,10 +195,10 @@ std::string first_lines(const bytes::Source& source) {
 SpectrumUnits SpectrumUnits::from_text(const std::string& text) {
     const auto comma = text.find(',');
     if (comma == std::string::npos || text.find(',', comma + 1) != std::string::npos)
-        throw InvalidArgument(fmt::format(
-            "'{}' are no two columns; expected what wavevector and density are, as in \"1/um, nm3\", \"frequency 1/um, "
-            "one-sided nm3\" or \"wavevector, W1\"",
-            text));
+        throw InvalidArgument(
+            fmt::format("'{}' does not describe two columns; expected the kinds of wavevector and density, as in "
+                        "\"1/um, nm3\", \"frequency 1/um, one-sided nm3\" or \"wavevector, W1\"",
+                        text));
     const std::string_view all = text;
     SpectrumUnits units{.quantity = {},
                         .wavevector = std::string(trimmed(all.substr(0, comma))),
@@ -250,7 +252,7 @@ Table read_power_spectrum_table(const std::string& path, const SpectrumUnits& un
         if (columns.size() != 2)
             throw FormatError(
                 path, {},
-                fmt::format("{} columns without units; write them in the header, as 'q [1/m]', 'C1D [m3]'",
+                fmt::format("{} columns without units; write the units in the header, as 'q [1/m]', 'C1D [m3]'",
                             columns.size()));
         columns[0].unit = "1/m";
         columns[1].unit = "m3";
@@ -277,17 +279,18 @@ std::vector<Alert> alerts_of(const Table& power_spectrum, const std::string& sub
     std::vector<Alert> alerts;
     const auto& said = power_spectrum.metadata;
     if (const auto units = said.find("units"); units != said.end())
-        alerts.push_back({"UNIT_GUESSED", subject, fmt::format("{}: units {}", said.at("file"), units->second),
-                          "write them in the header as q [1/m], C1D [m3]"});
+        alerts.push_back({"UNIT_GUESSED", subject,
+                          fmt::format("{}: the table states no units ({})", said.at("file"), units->second),
+                          "write the units in the header as q [1/m], C1D [m3]"});
     if (const auto converted = said.find("converted"); converted != said.end())
         alerts.push_back({"SPECTRUM_CONVERTED", subject, fmt::format("{}: {}", said.at("file"), converted->second),
-                          "name the columns q and C1D where they are these, or say what they are by --unit "
-                          "(power_spectrum_unit in a study)"});
+                          "name the columns q and C1D if that is what they contain, or describe them in `unit` (in a "
+                          "study: power_spectrum_unit)"});
     if (const auto assumed = said.find("assumed"); assumed != said.end())
         alerts.push_back(
             {"SPECTRUM_CONVENTION", subject, fmt::format("{}: {}", said.at("file"), assumed->second),
-             "name the columns q and C1D, or say what they are by --unit (power_spectrum_unit in a study), "
-             "such as \"wavevector, W1\""});
+             "name the columns q and C1D, or describe them in `unit` (in a study: power_spectrum_unit), such "
+             "as \"wavevector, W1\""});
     return alerts;
 }
 

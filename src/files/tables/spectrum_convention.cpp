@@ -187,8 +187,8 @@ std::vector<SpectrumConvention> possible_conventions(const RawTable& table, cons
     auto quantity = stated.quantity.empty() ? quantity_of(table.columns[0]) : stated.quantity;
     auto density = density_among(name, areal);
     if (!density && !stated.kind.empty())
-        throw InvalidArgument(fmt::format("'{}' is no density in {}; expected {}", stated.kind, table.columns[1].unit,
-                                          areal ? "C_iso or W2" : "C1D, W1 or Wr"));
+        throw InvalidArgument(fmt::format("'{}' is not a density in {}; expected {}", stated.kind,
+                                          table.columns[1].unit, areal ? "C_iso or W2" : "C1D, W1 or Wr"));
     if (!density && stated.empty()) density = density_of_program(words, bare(name), areal);
     const bool of_wavevector =
         density && density->kind != DensityKind::per_cycle && density->kind != DensityKind::areal;

@@ -29,7 +29,7 @@ std::size_t after_header_end(const std::vector<std::string_view>& lines, const T
         if (trimmed(lines[i]) == *options.header_end) return i + 1;
     throw FormatError(
         name, {.line = lines.size()},
-        fmt::format("no line '{}' that ends the header; check header_end of the mapping", *options.header_end));
+        fmt::format("no line '{}' ends the header; check header_end of the mapping", *options.header_end));
 }
 
 /// Numbers column by column, with what is known of the columns' cells.
@@ -131,8 +131,8 @@ void require_decided_signs(const std::vector<std::string_view>& lines, const Lay
     if (doubtful)
         throw FormatError(
             name, {.line = doubtful->line},
-            fmt::format("'{:.40}' is ambiguous, and so is every number with a {} here: decimals or grouped thousands; "
-                        "say decimal = \"comma\" or decimal = \"point\" in [file] of a mapping",
+            fmt::format("'{:.40}' is ambiguous, as is every number with a {} here: it may separate decimals or "
+                        "thousands; set decimal = \"comma\" or decimal = \"point\" in [file] of a mapping",
                         doubtful->cell, layout.dialect.decimal_point == ',' ? "comma" : "point"));
 }
 
@@ -163,7 +163,7 @@ RawTable read_raw_table(const bytes::Source& source, const TableOptions& options
     if (is_spreadsheet(source)) return read_spreadsheet(source, options.sheet);
     if (options.sheet)
         throw FormatError(source.name, {.offset = 0},
-                          fmt::format("is no workbook, but its sheet '{}' was asked for", *options.sheet));
+                          fmt::format("the file is not a workbook, but its sheet '{}' was given", *options.sheet));
     if (source.size == 0) throw FormatError(source.name, {.offset = 0}, "the file is empty; expected rows of numbers");
     const auto text = bytes::decoded(source.all(), options.encoding);
     auto lines = bytes::split_lines(text);
@@ -173,7 +173,7 @@ RawTable read_raw_table(const bytes::Source& source, const TableOptions& options
     if (!layout) layout = find_layout_with_words(body, options);
     if (!layout)
         throw FormatError(source.name, {.line = begin + 1},
-                          "no row of numbers; expected columns of numbers below a header");
+                          "the file has no row of numbers; expected columns of numbers below a header");
     layout->first_row += begin;
     if (const auto broken = broken_row_above(lines, *layout); broken && broken->line > begin && layout->text.empty())
         throw FormatError(source.name, {.line = broken->line}, described(*broken));
@@ -225,7 +225,7 @@ std::string as_csv(const Table& table) {
             throw InvalidArgument(
                 fmt::format("column '{}' has {} rows, expected {}", column.name, column.values.size(), table.rows()));
         if ((column.name + column.unit).find_first_of(",\"\r\n") != std::string::npos)
-            throw InvalidArgument(fmt::format("column name '{}' holds a comma, quote or line break", column.name));
+            throw InvalidArgument(fmt::format("column name '{}' contains a comma, quote or line break", column.name));
         if (&column != &table.columns.front()) text += ',';
         text += column.unit.empty() ? column.name : fmt::format("{} [{}]", column.name, column.unit);
     }

@@ -273,7 +273,7 @@ Array2D read_numbers(const NumberLines& lines, const NumberPlaces& places) {
         characters / static_cast<std::uint64_t>(std::max<Index>(lines.columns, 1)))
         throw FormatError(
             lines.source.name, {.line = lines.lines},
-            fmt::format("{} lines are too short for {} columns in each; some have fewer", lines.rows, lines.columns));
+            fmt::format("{} lines are too short for {} columns each; some have fewer", lines.rows, lines.columns));
     Array2D target(places.lines_are_columns ? rows : lines.columns, places.lines_are_columns ? lines.columns : rows);
     parallel::for_each_index(lines.blocks.size(), {}, [&](std::size_t i) {
         const auto& block = lines.blocks[i];

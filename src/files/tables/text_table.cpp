@@ -94,14 +94,14 @@ TextTable read_text_table(const std::string& path) {
         }
     table.rows = rows_of(text, table.separator, line);
     if (table.rows.empty())
-        throw FormatError(path, {},
-                          "an empty table; expected a header line with names, such as \"surface,lens,spot,W [mJ/m2]\"");
+        throw FormatError(
+            path, {}, "the table is empty; expected a header line with names, such as \"surface,lens,spot,W [mJ/m2]\"");
     for (const auto& heading : table.rows.front().cells) table.columns.push_back(column_of(heading));
     table.rows.erase(table.rows.begin());
     for (const auto& row : table.rows)
         if (row.cells.size() != table.columns.size())
             throw FormatError(path, {.line = row.line},
-                              fmt::format("{} cells; the header has {}", row.cells.size(), table.columns.size()));
+                              fmt::format("{} cells, but the header has {}", row.cells.size(), table.columns.size()));
     return table;
 }
 

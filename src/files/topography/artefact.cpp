@@ -11,7 +11,7 @@
 namespace setae::topography {
 
 LineScan average_reference(std::span<const LineScan> references) {
-    if (references.empty()) throw InvalidArgument("no reference scan to average");
+    if (references.empty()) throw InvalidArgument("no reference scan is given; averaging needs at least one");
     LineScan average = references.front();
     const double step = average.pixel_size();
     Array1D sum = Array1D::Zero(average.heights.size());

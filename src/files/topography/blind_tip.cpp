@@ -31,7 +31,8 @@ void require(const HeightMap& image, const BlindTipOptions& options) {
             "fewer points",
             label(image.metadata), px, py, nx, ny, 2 * px - 1, 2 * py - 1));
     if (!(options.noise_threshold >= 0.0) || !std::isfinite(options.noise_threshold))
-        throw InvalidArgument(fmt::format("noise threshold {} m; expected a finite one >= 0", options.noise_threshold));
+        throw InvalidArgument(
+            fmt::format("noise threshold {} m; expected a finite number >= 0", options.noise_threshold));
     if (options.rounds < 1) throw InvalidArgument(fmt::format("{} rounds; expected at least one", options.rounds));
 }
 
@@ -134,10 +135,10 @@ BlindTip blind_tip(const HeightMap& image, const BlindTipOptions& options) {
     const HeightMap whole{continued(image, 2 * reach_x, 2 * reach_y), {}, false, image.metadata};
     const auto points = usable_points(whole.heights, 2 * reach_x, 2 * reach_y);
     if (points.empty())
-        throw UndefinedDataError(fmt::format(
-            "{}: undefined heights within {} by {} points of every point; expected larger defined parts, or "
-            "a tip estimate of fewer points",
-            label(image.metadata), 2 * reach_x, 2 * reach_y));
+        throw UndefinedDataError(
+            fmt::format("{}: every point has undefined heights within {} by {} points around it; expected larger "
+                        "defined parts, or a tip estimate of fewer points",
+                        label(image.metadata), 2 * reach_x, 2 * reach_y));
     const double threshold = options.noise_threshold + 1e-12 * height_range(whole, {.threads = options.threads});
     Estimate estimate(whole.heights, threshold, options);
     BlindTip result;

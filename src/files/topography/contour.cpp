@@ -38,10 +38,10 @@ Profile defined_points(Profile contour) {
 
 CleanedContour clean_contour(Profile contour, double tolerance) {
     if (contour.positions.size() != contour.heights.size())
-        throw InvalidArgument(
-            fmt::format("contour has {} positions for {} heights", contour.positions.size(), contour.heights.size()));
+        throw InvalidArgument(fmt::format("contour has {} positions for {} heights; expected one height per position",
+                                          contour.positions.size(), contour.heights.size()));
     if (contour.standard_error.size() != 0 && contour.standard_error.size() != contour.heights.size())
-        throw InvalidArgument(fmt::format("contour has {} standard errors for {} heights",
+        throw InvalidArgument(fmt::format("contour has {} standard errors for {} heights; expected one per height",
                                           contour.standard_error.size(), contour.heights.size()));
     CleanedContour result;
     contour = defined_points(std::move(contour));
@@ -78,9 +78,9 @@ CleanedContour clean_contour(Profile contour, double tolerance) {
     if (result.reentrant_points > 0)
         result.alerts.push_back(
             {"REENTRANT", contour.metadata.file,
-             fmt::format("{} points on re-entrant stretches, {:.2g} % of the contour's length, were cut",
+             fmt::format("{} points on re-entrant stretches, {:.2g} % of the length of the contour, were removed",
                          result.reentrant_points, 100.0 * result.reentrant_share),
-             "look at the contour; a share above a few per cent makes slope and curvature lower bounds"});
+             "look at the contour; if the share exceeds a few per cent, slope and curvature are lower bounds"});
     return result;
 }
 

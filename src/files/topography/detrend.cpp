@@ -26,8 +26,9 @@ PolynomialDegrees degrees_of(Trend trend) {
 /// Coefficients of the best trend of heights less their origin, or of one of them where the points do not determine it.
 Array2D best(const Terms& terms, const NormalEquations& equations) {
     if (equations.points < terms.count())
-        throw UndefinedDataError(fmt::format("{} defined heights, a trend with {} coefficients needs more",
-                                             equations.points, terms.count()));
+        throw UndefinedDataError(
+            fmt::format("{} defined heights are too few for a trend with {} coefficients; expected at least as many",
+                        equations.points, terms.count()));
     const auto determined = numerics::solved_normal_equations(equations.gram, equations.moments);
     const Eigen::MatrixXd gram = equations.gram.matrix();
     return arranged(terms, determined ? *determined : Array1D(gram.ldlt().solve(equations.moments.matrix()).array()),
@@ -50,7 +51,7 @@ HeightMap detrended(HeightMap&& map, Trend trend, parallel::Threads threads) {
 }
 
 MapTrend::MapTrend(const ArrayView2D& heights, Trend trend, parallel::Threads threads) {
-    if (trend == Trend::none) throw InvalidArgument("a map's trend 'none'; expected mean, tilt or parabola");
+    if (trend == Trend::none) throw InvalidArgument("a map has the trend 'none'; expected mean, tilt or parabola");
     const auto terms = terms_of(degrees_of(trend), false);
     PolynomialFit fit(terms, heights.cols());
     fit.add(heights, 0, nullptr, threads);

@@ -26,10 +26,10 @@ HeightMap as_map(const LineScan& line, const Tip& tip, const DilationOptions& op
     HeightMap map{line.heights.transpose(), {line.size, line.size}, line.periodic, line.metadata};
     const double reach = contact_reach(tip, height_range(map, options));
     if (!line.periodic && reach > line.size)
-        throw InvalidArgument(fmt::format(
-            "{}: the tip reaches {:.4g} m from its axis, the line measures {:.4g} m; expected a tip smaller "
-            "than the line, a periodic line or a lower height_range",
-            label(line.metadata), reach, line.size));
+        throw InvalidArgument(
+            fmt::format("{}: the tip extends {:.4g} m from its axis, but the line is {:.4g} m long; expected a tip "
+                        "smaller than the line, a periodic line or a lower height_range",
+                        label(line.metadata), reach, line.size));
     map.size[0] = 2.0 * reach + line.size;
     return map;
 }
@@ -82,8 +82,8 @@ double Dilator::reading(Index x, Index y) const {
     const auto& [surface, options, search] = *state_;
     const auto [nx, ny] = surface->shape();
     if (!surface->periodic && (x < 0 || y < 0 || x >= nx || y >= ny))
-        throw InvalidArgument(
-            fmt::format("grid point ({}, {}) of {} by {}; expected one inside, or a periodic surface", x, y, nx, ny));
+        throw InvalidArgument(fmt::format(
+            "grid point ({}, {}) of {} by {}; expected a point of the grid, or a periodic surface", x, y, nx, ny));
     Contact none;
     return state_->read(wrapped(x, nx), wrapped(y, ny), none);
 }
@@ -91,7 +91,7 @@ double Dilator::reading(Index x, Index y) const {
 Array1D Dilator::readings(const ArrayView1D& x, const ArrayView1D& y) const {
     const auto& surface = *state_->surface;
     if (x.size() != y.size())
-        throw InvalidArgument(fmt::format("{} positions x and {} y; expected as many", x.size(), y.size()));
+        throw InvalidArgument(fmt::format("{} positions x and {} y; expected as many of both", x.size(), y.size()));
     const auto pixel = surface.pixel_size();
     const auto [nx, ny] = surface.shape();
     Array1D result(x.size());
@@ -104,8 +104,8 @@ Array1D Dilator::readings(const ArrayView1D& x, const ArrayView1D& y) const {
                 at_x >= 0.0 && at_y >= 0.0 && at_x < static_cast<double>(nx) && at_y < static_cast<double>(ny);
             if (!(inside || (surface.periodic && std::abs(at_x) < 1e15 && std::abs(at_y) < 1e15)))
                 throw InvalidArgument(fmt::format(
-                    "point {} at ({} m, {} m), the surface's last point at ({} m, {} m); expected points on "
-                    "it, or a periodic surface",
+                    "point {} at ({} m, {} m) lies beyond the last point of the surface at ({} m, {} m); expected "
+                    "points on the surface, or a periodic surface",
                     k, x[k], y[k], static_cast<double>(nx - 1) * pixel[0], static_cast<double>(ny - 1) * pixel[1]));
             result[k] =
                 state_->read(wrapped(static_cast<Index>(at_x), nx), wrapped(static_cast<Index>(at_y), ny), contact);

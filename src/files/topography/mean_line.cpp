@@ -22,7 +22,7 @@ MeanLine mean_line(const Array1D& x, const Array1D& y) {
     MeanLine line;
     line.length = length.sum();
     if (!(line.length > 0.0))
-        throw UndefinedDataError("a curve without length has no mean line; expected points apart from each other");
+        throw UndefinedDataError("a curve of length 0 has no mean line; expected points at different places");
     const Array1D middle_x = 0.5 * (x.tail(segments) + x.head(segments)),
                   middle_y = 0.5 * (y.tail(segments) + y.head(segments));
     line.centre = {(length * middle_x).sum() / line.length, (length * middle_y).sum() / line.length};

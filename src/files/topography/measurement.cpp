@@ -92,8 +92,8 @@ void check(const TraceResponse& response, const Metadata& metadata) {
 void check(const Profile& profile) {
     const auto& x = profile.positions;
     if (x.size() != profile.heights.size())
-        throw InvalidArgument(
-            fmt::format("{}: {} positions for {} heights", label(profile.metadata), x.size(), profile.heights.size()));
+        throw InvalidArgument(fmt::format("{}: {} positions for {} heights; expected as many of both",
+                                          label(profile.metadata), x.size(), profile.heights.size()));
     require_extent(x.size() > 1 ? profile.size() : 0.0, x.size(), "x", profile.metadata);
     for (Index i = 1; i < x.size(); ++i)
         if (!(x[i] > x[i - 1]))
@@ -103,8 +103,8 @@ void check(const Profile& profile) {
     require_heights(profile.heights, profile.metadata);
     const auto& error = profile.standard_error;
     if (error.size() != 0 && error.size() != x.size())
-        throw InvalidArgument(
-            fmt::format("{}: {} standard errors for {} heights", label(profile.metadata), error.size(), x.size()));
+        throw InvalidArgument(fmt::format("{}: {} standard errors for {} heights; expected one per height",
+                                          label(profile.metadata), error.size(), x.size()));
     for (Index i = 0; i < error.size(); ++i)
         if (!(error[i] >= 0.0) || !std::isfinite(error[i]))
             throw InvalidArgument(fmt::format("{}: standard error of point {} is {} m; expected >= 0",

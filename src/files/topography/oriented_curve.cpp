@@ -15,9 +15,10 @@ namespace {
 void require_sizes(const TracedCurve& traced) {
     const auto n = traced.x.size();
     if (traced.y.size() != n || (traced.standard_error.size() != 0 && traced.standard_error.size() != n))
-        throw InvalidArgument(fmt::format(
-            "{}: traced curve of {} x, {} y and {} standard errors; expected one of each a point, or no errors",
-            label(traced.metadata), n, traced.y.size(), traced.standard_error.size()));
+        throw InvalidArgument(
+            fmt::format("{}: traced curve of {} x, {} y and {} standard errors; expected one of each per point, or no "
+                        "errors",
+                        label(traced.metadata), n, traced.y.size(), traced.standard_error.size()));
 }
 
 /// Points from the leftmost to the rightmost, the higher one where several are.
@@ -81,7 +82,8 @@ Orientation oriented_curve(const TracedCurve& traced) {
     auto kept = distinct_points(traced);
     if (traced.closed) kept = over_the_top(traced, kept);
     if (kept.size() < 2)
-        throw UndefinedDataError(fmt::format("{}: the closed outline has no width", label(traced.metadata)));
+        throw UndefinedDataError(
+            fmt::format("{}: the closed outline has no width; expected points at different x", label(traced.metadata)));
     const Array1D x = traced.x(kept), y = traced.y(kept);
     const auto line = mean_line(x, y);
     const double angle = traced.closed ? 0.0 : line.angle, c = std::cos(angle), s = std::sin(angle);
@@ -99,12 +101,12 @@ Alert closed_outline_alert(const TracedCurve& traced, double length) {
     const auto n = traced.x.size();
     const double closing = std::hypot(traced.x[n - 1] - traced.x[0], traced.y[n - 1] - traced.y[0]);
     const double whole = lengths_along(traced.x, traced.y)[n - 1] + closing;
-    return {
-        "CLOSED_OUTLINE", label(traced.metadata),
-        fmt::format(
-            "the outline is closed: it was not turned, and the {:.0f} % of its length from its leftmost to its rightmost point were taken",
-            100.0 * length / whole),
-        "trace a straight part of the surface for a spectrum; take the parametric statistics of the whole"};
+    return {"CLOSED_OUTLINE", label(traced.metadata),
+            fmt::format("the outline is closed: it was not rotated, and {:.0f} % of its length, from the leftmost to "
+                        "the rightmost point, was used",
+                        100.0 * length / whole),
+            "for a spectrum, trace a straight part of the surface; for the whole outline, use the "
+            "parametric statistics"};
 }
 
 }  // namespace setae::topography

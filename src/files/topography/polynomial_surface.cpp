@@ -13,8 +13,9 @@ namespace {
 using numerics::legendre_values;
 
 [[noreturn]] void throw_undetermined(const Metadata& metadata, Index terms, const std::string& why) {
-    throw UndefinedDataError(fmt::format(
-        "{}: {} a polynomial with {} coefficients; lower its degree or widen the region", label(metadata), why, terms));
+    throw UndefinedDataError(
+        fmt::format("{}: {} a polynomial with {} coefficients; reduce its degree or enlarge the region",
+                    label(metadata), why, terms));
 }
 
 Array2D solved(const Terms& terms, const NormalEquations& equations, const Metadata& metadata) {
@@ -48,7 +49,8 @@ void require_function(const Profile& profile) {
     for (Index i = 1; i < profile.positions.size(); ++i)
         if (!(profile.positions[i] > profile.positions[i - 1]))
             throw InvalidArgument(fmt::format(
-                "{}: x does not increase at point {}; expected a function h(x): clean_contour makes one of a traced curve",
+                "{}: x does not increase at point {}; expected a function h(x); clean_contour makes one from a "
+                "traced curve",
                 label(profile.metadata), i));
 }
 
@@ -104,7 +106,8 @@ PolynomialSurface fitted_polynomial(const Profile& profile, const PolynomialDegr
     const PolylinePlaces places(profile);
     const auto equations = polyline_equations(profile, places, terms, chosen);
     if (!(equations.gram(0, 0) > 0.0))
-        throw_undetermined(profile.metadata, terms.count(), "no segment has two points that count; it has no");
+        throw_undetermined(profile.metadata, terms.count(),
+                           "the region has no segment with two defined points, which is too little for");
     return {solved(terms, equations, profile.metadata), {places.middle, 0.0}, {places.half, 1.0}};
 }
 

@@ -40,15 +40,16 @@ void require_domain(const ArrayTip& tip) {
     const bool inside = tip.centre_x >= 0 && tip.centre_y >= 0 && tip.centre_x < tip.heights.rows() &&
                         tip.centre_y < tip.heights.cols();
     if (!inside)
-        throw InvalidArgument(fmt::format("apex of the tip at ({}, {}) of {} by {} points; expected a grid point of it",
-                                          tip.centre_x, tip.centre_y, tip.heights.rows(), tip.heights.cols()));
+        throw InvalidArgument(
+            fmt::format("apex of the tip at ({}, {}) of {} by {} points; expected a point of this grid", tip.centre_x,
+                        tip.centre_y, tip.heights.rows(), tip.heights.cols()));
     if (!(tip.heights >= 0.0).all())
         throw InvalidArgument(
-            "a height of the tip is negative or undefined; expected heights above the apex, infinite where there "
-            "is no tip");
+            "a height of the tip is negative or undefined; expected heights above the apex, infinite "
+            "outside the tip");
     if (tip.heights(tip.centre_x, tip.centre_y) != 0.0)
         throw InvalidArgument(
-            fmt::format("the tip's height at its apex is {} m; expected 0, subtract its lowest height",
+            fmt::format("the height of the tip at its apex is {} m; expected 0: subtract the lowest height",
                         tip.heights(tip.centre_x, tip.centre_y)));
 }
 
@@ -80,7 +81,7 @@ double height_of(const ConeTip& tip, double distance) {
 double height_of(const ParabolicTip& tip, double distance) { return distance * distance / (2.0 * tip.radius); }
 
 double height_of(const ArrayTip&, double) {
-    throw InvalidArgument("a tip given as an array has no profile t(r); ask tip_image for its heights");
+    throw InvalidArgument("a tip given as an array has no profile t(r); use tip_image for its heights");
 }
 
 /// √(R² − (R − t)²), the radius of a ball's cap of height t.
@@ -151,7 +152,7 @@ void validate(const Tip& tip) {
 double tip_height(const Tip& tip, double distance) {
     validate(tip);
     if (!(distance >= 0.0))
-        throw InvalidArgument(fmt::format("distance {} m from the tip's axis; expected >= 0", distance));
+        throw InvalidArgument(fmt::format("distance {} m from the axis of the tip; expected >= 0", distance));
     return std::visit([distance](const auto& shape) { return height_of(shape, distance); }, tip);
 }
 
@@ -191,7 +192,7 @@ TipImage tip_image(const Tip& tip, double pixel_x, double pixel_y, double reach)
     validate(tip);
     if (!is_positive_length(pixel_x) || !is_positive_length(pixel_y) || !(reach >= 0.0) || !std::isfinite(reach))
         throw InvalidArgument(
-            fmt::format("tip on pixels of {} m by {} m up to {} m; expected positive pixels and a finite reach >= 0",
+            fmt::format("tip on pixels of {} m by {} m up to {} m; expected positive pixels and a finite extent >= 0",
                         pixel_x, pixel_y, reach));
     TipImage image;
     image.centre_x = pixels_within(reach, pixel_x);

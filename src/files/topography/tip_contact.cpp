@@ -61,7 +61,7 @@ double height_range(const HeightMap& surface, const DilationOptions& options) {
                                           label(surface.metadata), lowest, highest));
     if (!options.height_range) return highest - lowest;
     if (!(*options.height_range >= 0.0) || !std::isfinite(*options.height_range))
-        throw InvalidArgument(fmt::format("height range {} m; expected a finite one >= 0", *options.height_range));
+        throw InvalidArgument(fmt::format("height range {} m; expected a finite number >= 0", *options.height_range));
     return *options.height_range;
 }
 
@@ -75,10 +75,10 @@ TipImage touching_tip(const HeightMap& surface, const Tip& tip, const DilationOp
                                           label(surface.metadata), surface.size[0], surface.size[1]));
     const double reach = contact_reach(tip, height_range(surface, options));
     if (!surface.periodic && (reach > surface.size[0] || reach > surface.size[1]))
-        throw InvalidArgument(fmt::format(
-            "{}: the tip reaches {:.4g} m from its axis, the surface measures {:.4g} m by {:.4g} m; expected "
-            "a tip smaller than the surface, a periodic surface or a lower height_range",
-            label(surface.metadata), reach, surface.size[0], surface.size[1]));
+        throw InvalidArgument(
+            fmt::format("{}: the tip extends {:.4g} m from its axis, but the surface measures {:.4g} m by {:.4g} m; "
+                        "expected a tip smaller than the surface, a periodic surface or a lower height_range",
+                        label(surface.metadata), reach, surface.size[0], surface.size[1]));
     const auto pixel = surface.pixel_size();
     return tip_image(tip, pixel[0], pixel[1], reach);
 }

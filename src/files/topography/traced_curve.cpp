@@ -113,10 +113,10 @@ Alert reentrant_alert(const LevelledCurve& result, Reentrance reentrance) {
     for (const auto& stretch : result.reentrant) deepest = std::max(deepest, stretch.depth);
     return {
         "REENTRANT", label(result.profile.metadata),
-        fmt::format("{} re-entrant stretches, {:.2g} % of the curve's length, turn back by up to {:.3g} m; {}",
+        fmt::format("{} re-entrant stretches, {:.2g} % of the length of the curve, turn back by up to {:.3g} m; {}",
                     result.reentrant.size(), 100.0 * result.reentrant_share, deepest,
-                    reentrance == Reentrance::envelope ? "the highest point over each x was taken" : "they were cut"),
-        "look at the curve; a share above a few per cent makes slope and curvature lower bounds"};
+                    reentrance == Reentrance::envelope ? "the highest point at each x was used" : "they were removed"),
+        "look at the curve; if the share exceeds a few per cent, slope and curvature are lower bounds"};
 }
 
 double total(const std::vector<ReentrantStretch>& stretches) {

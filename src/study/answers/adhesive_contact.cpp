@@ -50,7 +50,7 @@ AdhesiveContactAnswer adhesive_contact(const std::string& file, const topography
     if (!state.converged)
         alerts.push_back(
             {"CONTACT_NOT_CONVERGED", file,
-             fmt::format("gaps may be off: stresses depart from equilibrium by {:.1e} of the greatest tension",
+             fmt::format("gaps may be wrong: stresses depart from equilibrium by {:.1e} of the largest tension",
                          state.residual),
              "resolve the range of the attraction with more points"});
     auto quantities = half_space::adhesive_quantities(cell, state);

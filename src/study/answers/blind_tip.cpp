@@ -50,9 +50,9 @@ BlindTipAnswer blind_tip(const std::string& file, const topography::Measurement&
     if (radius < pixel)
         answer.alerts.push_back(
             {"TIP_BELOW_PIXEL", topography::label(map->metadata),
-             fmt::format("the apex radius of {} is below the pixel of {}: a map with such pixels cannot show it",
+             fmt::format("the apex radius of {} is below the pixel size of {}: a map with such pixels cannot show it",
                          format_value(radius, "m", 3), format_value(pixel, "m", 3)),
-             "take the pixel as an upper limit of the radius, or scan with smaller pixels"});
+             "use the pixel size as an upper limit of the radius, or scan with smaller pixels"});
     return answer;
 }
 

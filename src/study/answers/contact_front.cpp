@@ -265,21 +265,22 @@ std::vector<Alert> alerts_of(const FrontAnswer& answer, const HeightMap& map) {
     const auto& file = answer.file;
     const auto& first = answer.runs.front();
     for (const auto& caution : first.validity.cautions)
-        alerts.push_back({"FRONT_THEORY", file, caution, "docs/concepts/crack-front.md says what a front rests on"});
+        alerts.push_back(
+            {"FRONT_THEORY", file, caution, "read docs/concepts/crack-front.md for the conditions of the theory"});
     if (const double across = 2.0 * first.contact_radius; map.periodic && across > std::min(map.size[0], map.size[1]))
         alerts.push_back(
             {"FRONT_THEORY", file,
-             fmt::format("the contact is {} wide, the surface repeats itself every {}", format_value(across, "m", 3),
+             fmt::format("the contact is {} wide, but the surface repeats after {}", format_value(across, "m", 3),
                          format_value(std::min(map.size[0], map.size[1]), "m", 3)),
-             "the same places hold the edge again and again; take a larger cell"});
+             "use a larger cell: the same places pin the edge repeatedly"});
     for (const auto& run : answer.runs) {
         if (!run.loop.complete)
             alerts.push_back({"CONTACT_NOT_CONVERGED", file,
                               "a loop of the front has steps that did not converge, or did not part",
                               "take more steps, or `method = rosso_krauth`"});
         if (!run.works)
-            alerts.push_back({"FRONT_THEORY", file, "no works of adhesion can be read from a loop: " + run.reason,
-                              "its energies hold"});
+            alerts.push_back({"FRONT_THEORY", file, "a loop gives no works of adhesion: " + run.reason,
+                              "use the energies of the loop, which are not affected"});
     }
     return alerts;
 }

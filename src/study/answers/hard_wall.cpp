@@ -50,7 +50,7 @@ HardWallAnswer hard_wall(const std::string& file, const topography::Measurement&
     stiffness = half_space::contact_stiffness(problem, contact, threads);
     if (contact.status == half_space::SolveStatus::not_converged)
         alerts.push_back({"CONTACT_NOT_CONVERGED", file,
-                          fmt::format("pressures may be off: the duality gap is {:.1e}, wanted was {:.1e}",
+                          fmt::format("pressures may be wrong: the duality gap is {:.1e}, the tolerance {:.1e}",
                                       contact.certificate.duality_gap, request.tolerance),
                           "raise `tolerance`, or resolve the surface's shortest waves with more points"});
     quantities = half_space::contact_quantities(problem, contact, stiffness);

@@ -86,7 +86,7 @@ std::optional<double> QuantileSearch::at(Index rank) {
 }
 
 std::optional<double> QuantileSearch::quantile(double probability) {
-    if (defined_ == 0) throw InternalError("a quantile of no number");
+    if (defined_ == 0) throw InternalError("a quantile needs at least one number");
     const double order = static_cast<double>(defined_ - 1) * probability;
     const auto below = static_cast<Index>(std::floor(order));
     const double share = order - static_cast<double>(below);
@@ -113,7 +113,7 @@ std::optional<double> quantile(const ComputedRows& values, double probability, p
         if (all.defined() == 0) return {};
         if (const auto found = all.quantile(probability)) return found;
     }
-    throw InternalError("a quantile outside unbounded numbers");
+    throw InternalError("a quantile outside the values that were kept");
 }
 
 }  // namespace setae::processing

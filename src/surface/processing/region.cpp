@@ -86,9 +86,10 @@ struct Chooser {
 
     void require_map(const char* shape) const {
         if (places.line)
-            throw InvalidArgument(
-                fmt::format("{}: {} of a line; expected a range of x (rectangle FROM to TO), heights or percentiles",
-                            places.label, shape));
+            throw InvalidArgument(fmt::format(
+                "{}: {} cannot be applied to a line; expected a range of x (rectangle FROM to TO), heights or "
+                "percentiles",
+                places.label, shape));
     }
 
     /// chosen(i, j) for every point.
@@ -158,7 +159,7 @@ struct Chooser {
             const auto found = quantile(places.height_rows(), *percentile / 100.0, threads);
             if (!found)
                 throw UndefinedDataError(
-                    fmt::format("{}: no height is defined, so there are no percentiles of heights", places.label));
+                    fmt::format("{}: no height is defined, so that there are no percentiles of heights", places.label));
             return *found;
         };
         within({at(range.percentiles.from, -unlimited), at(range.percentiles.to, unlimited)});
@@ -252,7 +253,8 @@ Mask mask_of(const Region& region, const Profile& profile, parallel::Threads thr
 Processed apply(const MaskOut& step, topography::Measurement measurement, parallel::Threads threads) {
     if (step.region.everything())
         throw InvalidArgument(
-            "mask_out without a region would leave nothing; expected one, such as region=\"include heights above 20 nm\"");
+            "mask_out needs a region, and none is given; expected one, such as region=\"include heights "
+            "above 20 nm\"");
     StepRecord record{std::string(step_name(step)), {}, {}};
     std::visit(
         [&](auto& m) {
@@ -261,7 +263,7 @@ Processed apply(const MaskOut& step, topography::Measurement measurement, parall
             leave_out(m, chosen);
             const auto left = (!m.heights.isNaN()).count();
             if (left == 0)
-                throw UndefinedDataError(fmt::format("{}: the region of mask_out holds every defined height",
+                throw UndefinedDataError(fmt::format("{}: the region of mask_out contains all defined heights",
                                                      topography::label(m.metadata)));
             record.numbers.push_back(recorded_count("masked_points", defined - left));
             record.numbers.push_back(recorded(

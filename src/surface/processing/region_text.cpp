@@ -13,8 +13,9 @@ namespace setae::processing {
 namespace {
 
 constexpr const char* expected_shapes =
-    "expected rectangle FROM to TO[, FROM to TO], ellipse X, Y, A, B[, ANGLE], polygon X, Y, X, Y, X, Y, …, heights FROM to TO or "
-    "percentiles FROM to TO (also above FROM, below TO), each with grow N behind it if need be";
+    "expected rectangle FROM to TO[, FROM to TO], ellipse X, Y, A, B[, ANGLE], polygon X, Y, X, Y, "
+    "X, Y, …, heights FROM to TO or percentiles FROM to TO (also above FROM, below TO), each "
+    "followed by grow N if needed";
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
     std::vector<std::string_view> parts;
@@ -49,7 +50,8 @@ Range range_from(std::string_view text, Value value) {
     else {
         const auto middle = text.find(" to ");
         if (middle == std::string_view::npos)
-            throw InvalidArgument(fmt::format("'{}' is no range; expected FROM to TO, above FROM or below TO", text));
+            throw InvalidArgument(
+                fmt::format("'{}' is not a range; expected FROM to TO, above FROM or below TO", text));
         range.from = value(trimmed(text.substr(0, middle)));
         range.to = value(trimmed(text.substr(middle + 4)));
     }
@@ -59,15 +61,17 @@ Range range_from(std::string_view text, Value value) {
 Rectangle rectangle_from(std::string_view text) {
     const auto ranges = split(text, ',');
     if (ranges.size() > 2)
-        throw InvalidArgument(fmt::format("a rectangle has a range of x and one of y, got {} ranges", ranges.size()));
+        throw InvalidArgument(
+            fmt::format("a rectangle needs a range of x and may have one of y, got {} ranges", ranges.size()));
     return {range_from(ranges[0], length), ranges.size() > 1 ? range_from(ranges[1], length) : Range{}};
 }
 
 Ellipse ellipse_from(std::string_view text) {
     const auto numbers = split(text, ',');
     if (numbers.size() != 4 && numbers.size() != 5)
-        throw InvalidArgument(fmt::format(
-            "an ellipse has centre x, y and two semi-axes, and an angle if need be, got {} values", numbers.size()));
+        throw InvalidArgument(
+            fmt::format("an ellipse needs the centre x, y and two semi-axes, and may have an angle, got {} values",
+                        numbers.size()));
     return {{length(numbers[0]), length(numbers[1])},
             {length(numbers[2]), length(numbers[3])},
             numbers.size() > 4 ? parsed_angle(numbers[4]) : 0.0};
@@ -77,7 +81,7 @@ Polygon polygon_from(std::string_view text) {
     const auto numbers = split(text, ',');
     if (numbers.size() < 6 || numbers.size() % 2 != 0)
         throw InvalidArgument(
-            fmt::format("a polygon has x, y of at least three corners, got {} values", numbers.size()));
+            fmt::format("a polygon needs x, y of at least three corners, got {} values", numbers.size()));
     Polygon polygon;
     for (std::size_t k = 0; k < numbers.size(); k += 2)
         polygon.corners.push_back({length(numbers[k]), length(numbers[k + 1])});
@@ -96,7 +100,7 @@ Shape shape_from(std::string_view text) {
     else if (kind == "polygon") shape.outline = polygon_from(text);
     else if (kind == "heights") shape.outline = HeightRange{range_from(text, length)};
     else if (kind == "percentiles") shape.outline = PercentileRange{range_from(text, parsed_number)};
-    else throw InvalidArgument(fmt::format("'{}' is no shape; {}", kind, expected_shapes));
+    else throw InvalidArgument(fmt::format("'{}' is not a shape; {}", kind, expected_shapes));
     return shape;
 }
 
@@ -151,8 +155,8 @@ Region region_from_text(std::string_view text) {
         auto rest = part;
         const auto word = take_word(rest);
         if (word != "include" && word != "exclude")
-            throw InvalidArgument(
-                fmt::format("region '{}': '{}'; expected include or exclude before each shape", part, word));
+            throw InvalidArgument(fmt::format(
+                "region '{}': '{}' begins no shape; expected include or exclude before each shape", part, word));
         try {
             (word == "include" ? region.include : region.exclude).push_back(shape_from(rest));
         } catch (const InvalidArgument& error) {

@@ -68,8 +68,8 @@ Line line_at(const NodeList& nodes, double end) {
         y.push_back(std::log(nodes.density[i]));
     }
     if (x.size() < 3)
-        throw UndefinedDataError(
-            fmt::format("{} nodes in the decade at the end of a spectrum; expected 3 to continue it", x.size()));
+        throw UndefinedDataError(fmt::format(
+            "{} nodes lie in the decade at the end of the spectrum; expected at least 3 to continue it", x.size()));
     return line_through(x, y);
 }
 
@@ -120,8 +120,8 @@ BeyondData beyond_data(const Spectrum& curve, double up_to) {
     const bool towards_short = up_to > curve.band.upper;
     if (!towards_short && !(up_to < curve.band.lower && up_to > 0.0))
         throw InvalidArgument(
-            fmt::format("a spectrum from {:.4g} to {:.4g} 1/m continued to {:.4g}; expected a place "
-                        "outside",
+            fmt::format("a spectrum from {:.4g} to {:.4g} 1/m continued to {:.4g}; expected a wavevector outside this "
+                        "range",
                         curve.band.lower, curve.band.upper, up_to));
     constexpr double least_error = 0.2, normal_quantile = 1.96;
     constexpr double steepest = -4.0, flattest = 0.0;  // of long waves: H = 1 and the plateau

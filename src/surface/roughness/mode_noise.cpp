@@ -180,10 +180,11 @@ SpectralParameters replica_of(const Noise& noise, const spectra::NoiseNumbers& r
 std::vector<SpectralParameters> parameters_of_noise(const spectra::MeasuredSpectrum& spectrum,
                                                     const ArrayView1D& freedom, const ModeNoiseOptions& options) {
     if (spectrum.nodes != spectra::Nodes::modes)
-        throw InvalidArgument("noise of single modes is wanted of a spectrum whose nodes are not modes");
+        throw InvalidArgument("noise of single modes needs a spectrum whose nodes are modes");
     if (freedom.size() != spectrum.wavevector.size() || !(freedom > 0.0).all() || options.count < 1)
         throw InvalidArgument(fmt::format(
-            "{} replicas of {} modes with {} freedoms, the least {}; expected at least one, as many, all > 0",
+            "{} replicas of {} modes with {} degrees of freedom, the smallest {}; expected at least one "
+            "replica and one number > 0 per mode",
             options.count, spectrum.wavevector.size(), freedom.size(), freedom.size() > 0 ? freedom.minCoeff() : 0.0));
     const auto noise = noise_of(spectrum, freedom, options);
     std::vector<SpectralParameters> replicas(static_cast<std::size_t>(options.count));

@@ -159,7 +159,9 @@ double variance(double sum, double sum2, double count) {
     return std::max(0.0, sum2 / count - (sum / count) * (sum / count));
 }
 
-[[noreturn]] void nothing_defined() { throw UndefinedDataError("no defined height to take an rms of"); }
+[[noreturn]] void nothing_defined() {
+    throw UndefinedDataError("no height is defined, so that there is no rms height");
+}
 
 /// Scan lines of a map that are looked at together with those beside them.
 struct ScanLines {

@@ -267,20 +267,22 @@ void add_alerts(SlopeDistribution& distribution, const std::string& subject) {
         (std::abs(kurtosis) > shape_size || std::abs(skewness) > shape_size))
         distribution.alerts.push_back(
             {"NON_GAUSSIAN", subject,
-             fmt::format("slopes have excess kurtosis {:.2g} and skewness {:.2g} (p = {:.1e})", kurtosis, skewness,
-                         distribution.gaussian_p_value),
-             "the true area of formula (9) assumes Gaussian slopes: use the triangulated area of maps"});
+             fmt::format("the slopes have an excess kurtosis of {:.2g} and a skewness of {:.2g} (p = {:.1e})", kurtosis,
+                         skewness, distribution.gaussian_p_value),
+             "use the triangulated area of maps: the true area by Eq. 9 assumes Gaussian slopes"});
     if (distribution.directions.size() == 1) {
-        distribution.alerts.push_back({"ONE_DIRECTION", subject, "a line sees the slope along one direction only",
-                                       "isotropy, which the 2D parameters assume, cannot be tested on it"});
+        distribution.alerts.push_back(
+            {"ONE_DIRECTION", subject, "a line contains slopes along one direction only",
+             "measure lines along several directions, or a map, to test the isotropy that 2D parameters "
+             "assume"});
         return;
     }
     if (distribution.isotropy_p_value < significance && distribution.isotropy_ratio > anisotropy_size)
         distribution.alerts.push_back(
             {"ANISOTROPIC", subject,
-             fmt::format("rms slopes of perpendicular directions differ by a factor {:.3g} (p = {:.1e})",
+             fmt::format("the rms slopes of perpendicular directions differ by a factor {:.3g} (p = {:.1e})",
                          distribution.isotropy_ratio, distribution.isotropy_p_value),
-             "2D parameters from line scans assume isotropy: measure along several directions"});
+             "measure along several directions: 2D parameters computed from line scans assume isotropy"});
 }
 
 }  // namespace
@@ -289,7 +291,7 @@ SlopeDistribution slope_distribution(const topography::Measurement& measurement,
     const auto slopes = std::visit([threads](const auto& m) { return slopes_of(m, threads); }, measurement);
     const auto& subject = topography::metadata(measurement).file;
     if (slopes.defined < 32)
-        throw UndefinedDataError(fmt::format("{}: {} defined slopes, expected at least 32", subject, slopes.defined));
+        throw UndefinedDataError(fmt::format("{}: {} defined slopes; expected at least 32", subject, slopes.defined));
     SlopeDistribution distribution;
     distribution.directions = slopes.directions;
     fill_histogram(distribution, slopes);

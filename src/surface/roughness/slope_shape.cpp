@@ -68,7 +68,7 @@ struct Classes {
 }  // namespace
 
 double SlopeShape::area_ratio(double rms_slope) const {
-    if (!(rms_slope >= 0.0)) throw InvalidArgument(fmt::format("rms slope is {}, expected a number >= 0", rms_slope));
+    if (!(rms_slope >= 0.0)) throw InvalidArgument(fmt::format("rms slope is {}; expected a number >= 0", rms_slope));
     return (share * (1.0 + rms_slope * rms_slope * square).sqrt()).sum();
 }
 
@@ -119,7 +119,7 @@ SlopeShape slope_shape(const topography::HeightMap& map, parallel::Threads threa
 }
 
 SlopeShape mean_shape(const std::vector<WeighedShape>& shapes) {
-    if (shapes.empty()) throw InvalidArgument("no map to take the distribution of slopes from");
+    if (shapes.empty()) throw InvalidArgument("no map is given; a distribution of slopes needs at least one");
     double area = 0.0;
     for (const auto& weighed : shapes) area += weighed.area;
     SlopeShape mean{Array1D::Zero(class_count), Array1D::Zero(class_count)};

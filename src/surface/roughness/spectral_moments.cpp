@@ -54,7 +54,7 @@ Usable usable_nodes(const spectra::Spectrum& curve) {
         }
     if (found.q.size() < 2)
         throw UndefinedDataError(
-            fmt::format("a spectrum with {} usable values cannot be integrated, expected at least 2", found.q.size()));
+            fmt::format("a spectrum with {} usable values cannot be integrated; expected at least 2", found.q.size()));
     return found;
 }
 
@@ -181,7 +181,7 @@ spectra::Spectrum limited(spectra::Spectrum curve, const WavelengthLimits& limit
     if (limits.shortest) curve.band.upper = std::min(curve.band.upper, 2.0 * pi / *limits.shortest);
     if (!(curve.band.lower < curve.band.upper))
         throw InvalidArgument(
-            fmt::format("no wavevector between {:.4g} and {:.4g} 1/m is left; widen longest_wavelength and "
+            fmt::format("no wavevector between {:.4g} and {:.4g} 1/m is left; increase longest_wavelength or reduce "
                         "shortest_wavelength",
                         curve.band.lower, curve.band.upper));
     return curve;

@@ -16,7 +16,7 @@ namespace {
 const double half_sqrt_pi = 0.5 * std::sqrt(pi);
 
 void require_slope(double rms_slope) {
-    if (!(rms_slope >= 0.0)) throw InvalidArgument(fmt::format("rms slope is {}, expected a number >= 0", rms_slope));
+    if (!(rms_slope >= 0.0)) throw InvalidArgument(fmt::format("rms slope is {}; expected a number >= 0", rms_slope));
 }
 
 }  // namespace

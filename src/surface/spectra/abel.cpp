@@ -14,8 +14,8 @@ namespace {
 
 void require_same_size(const ArrayView1D& wavevector, const ArrayView1D& spectrum) {
     if (wavevector.size() != spectrum.size())
-        throw InvalidArgument(
-            fmt::format("{} wavevectors for {} values of the spectrum", wavevector.size(), spectrum.size()));
+        throw InvalidArgument(fmt::format("{} wavevectors for {} values of the spectrum; expected as many of both",
+                                          wavevector.size(), spectrum.size()));
 }
 
 void require_curve(const ArrayView1D& nodes, const ArrayView1D& spectrum) {
@@ -53,11 +53,12 @@ Array1D profile_from_isotropic(const ArrayView1D& nodes, const ArrayView1D& C_is
 Array1D isotropic_from_profile(const ArrayView1D& wavevector, const ArrayView1D& C1D, double shortest_wavevector,
                                int rounds) {
     require_curve(wavevector, C1D);
-    if (rounds < 0) throw InvalidArgument(fmt::format("{} rounds of correction; expected none or more", rounds));
+    if (rounds < 0) throw InvalidArgument(fmt::format("{} rounds of correction; expected 0 or more", rounds));
     const Index n = wavevector.size();
     if (!(wavevector[n - 1] < shortest_wavevector))
-        throw InvalidArgument(fmt::format("wavevectors up to {} 1/m, short cutoff q_s = {} 1/m; expected all below it",
-                                          wavevector[n - 1], shortest_wavevector));
+        throw InvalidArgument(
+            fmt::format("wavevectors up to {} 1/m, short cutoff q_s = {} 1/m; expected all wavevectors below q_s",
+                        wavevector[n - 1], shortest_wavevector));
     Array1D nodes(n + 1), values(n + 1);
     nodes << wavevector, shortest_wavevector;
     values.head(n) = isotropic_from_profile_eq11(wavevector, C1D, shortest_wavevector);

@@ -41,8 +41,8 @@ BinRange occupied_bins(std::span<const MeasuredSpectrum> spectra, const LogGrid&
             greatest = std::max(greatest, spectrum.wavevector[k]);
         }
     if (least > greatest)
-        throw InvalidArgument(
-            fmt::format("{} spectra with nothing inside their reliable bands; nothing to combine", spectra.size()));
+        throw InvalidArgument(fmt::format(
+            "{} spectra have no value inside their reliable bands, so that nothing can be combined", spectra.size()));
     const Index first = grid.bin_of(least);
     return {first, grid.bin_of(greatest) - first + 1};
 }
@@ -168,7 +168,7 @@ void add_gap_alerts(const BinnedSpectra& binned, CombinedSpectrum& spectrum) {
         spectrum.alerts.push_back(
             {"COVERAGE_GAP", "combined spectrum",
              fmt::format("no measurement between {:.3g} and {:.3g} 1/m (a factor {:.2g})", below, above, above / below),
-             "measure these wavelengths; integrals bridge the gap by a power law"});
+             "measure these wavelengths; until then, integrals bridge the gap by a power law"});
     }
 }
 
@@ -205,7 +205,10 @@ void add_single_instrument_alerts(const BinnedSpectra& binned, CombinedSpectrum&
         if (most_in(decade, spectrum, spectrum.instrument_count) == 1.0)
             spectrum.alerts.push_back(
                 {"SINGLE_INSTRUMENT_DECADE", "combined spectrum",
-                 fmt::format("from 1e{} to 1e{} 1/m one instrument at a time: nothing checks it", decade, decade + 1),
+                 fmt::format(
+                     "from 1e{} to 1e{} 1/m only one instrument has measured each bin, so that no second instrument "
+                     "confirms it",
+                     decade, decade + 1),
                  "measure this decade with a second instrument"});
 }
 
@@ -217,9 +220,10 @@ void add_single_measurement_alerts(const BinnedSpectra& binned, CombinedSpectrum
         if (most_in(decade, spectrum, spectrum.count) == 1.0)
             spectrum.alerts.push_back(
                 {"SINGLE_MEASUREMENT_DECADE", "combined spectrum",
-                 fmt::format("from 1e{} to 1e{} 1/m each bin has one measurement: its ± is the scatter of the modes of "
-                             "that measurement, and how places of the surface differ is not determined",
-                             decade, decade + 1),
+                 fmt::format(
+                     "from 1e{} to 1e{} 1/m each bin has one measurement: its ± is the scatter of the modes of this "
+                     "measurement, and the variation between places of the surface is not known",
+                     decade, decade + 1),
                  "measure this decade at three places or more"});
 }
 
@@ -269,10 +273,11 @@ void add_disagreement_alerts(const BinnedSpectra& binned, CombinedSpectrum& spec
         if (comparison.shared >= 2 && 2 * comparison.apart >= comparison.shared)
             spectrum.alerts.push_back(
                 {"DISAGREE", pair.first + ", " + pair.second,
-                 fmt::format("differ by more than three standard errors in {} of {} shared bins; C1D of the first is "
-                             "{:.2g} times the second's",
-                             comparison.apart, comparison.shared, std::exp(comparison.difference / comparison.shared)),
-                 "check scale, tip and reliable bands of both"});
+                 fmt::format(
+                     "C1D differs by more than three standard errors in {} of {} shared bins; C1D of the first is "
+                     "{:.2g} times that of the second",
+                     comparison.apart, comparison.shared, std::exp(comparison.difference / comparison.shared)),
+                 "check scale, tip and reliable bands of both instruments"});
 }
 
 }  // namespace

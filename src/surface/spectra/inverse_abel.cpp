@@ -138,7 +138,8 @@ void check(const ArrayView1D& q, const ArrayView1D& C1D, const ArrayView1D& stan
         if (!(q[k] > 0.0 && std::isfinite(q[k]) && C1D[k] > 0.0 && std::isfinite(C1D[k])) ||
             (k > 0 && !(q[k] > q[k - 1])) || (standard_error.size() > 0 && !(standard_error[k] >= 0.0)))
             throw InvalidArgument(fmt::format(
-                "row {}: C1D = {} m3 at {} 1/m; expected increasing wavevectors, positive values and errors that are not negative",
+                "row {}: C1D = {} m3 at {} 1/m; expected increasing wavevectors, positive values and errors >= "
+                "0",
                 k, C1D[k], q[k]));
     if (!(options.smoothing >= 0.0 && std::isfinite(options.smoothing)))
         throw InvalidArgument(fmt::format("smoothing over {} decades; expected 0 or more", options.smoothing));

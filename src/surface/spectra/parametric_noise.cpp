@@ -44,9 +44,10 @@ Array2D parametric_noise(const MeasuredSpectrum& spectrum, const ArrayView1D& fr
                          std::uint64_t seed) {
     const Index modes = spectrum.density.size();
     if (freedom.size() != modes || !(freedom > 0.0).all() || count < 1)
-        throw InvalidArgument(fmt::format(
-            "{} replicas of {} wavevectors with {} freedoms, the least {}; expected at least one, as many, all > 0",
-            count, modes, freedom.size(), freedom.size() > 0 ? freedom.minCoeff() : 0.0));
+        throw InvalidArgument(
+            fmt::format("{} replicas of {} wavevectors with {} degrees of freedom, the smallest {}; expected at least "
+                        "one replica and one number > 0 per wavevector",
+                        count, modes, freedom.size(), freedom.size() > 0 ? freedom.minCoeff() : 0.0));
     Array2D replicas(count, modes);
     for (Index r = 0; r < count; ++r) {
         const NoiseNumbers random(seed, static_cast<std::uint64_t>(r));

@@ -42,7 +42,7 @@ WindowedPolyline prepare(const topography::Profile& profile, Window window) {
     topography::validate(profile);
     if (profile.heights.isNaN().any())
         throw UndefinedDataError(
-            fmt::format("{}: a profile's spectrum needs every height defined; drop the undefined points",
+            fmt::format("{}: the spectrum of a profile needs all heights defined; remove the undefined points",
                         topography::label(profile.metadata)));
     const auto n = profile.positions.size();
     WindowedPolyline line{profile.positions - profile.positions[0],
@@ -144,7 +144,8 @@ Eigen::ArrayXcd by_slope_changes(const WindowedPolyline& line, const Array1D& q,
 Array1D polyline_power_spectrum(const topography::Profile& profile, const ArrayView1D& wavevectors, Window window,
                                 parallel::Threads threads) {
     const auto line = prepare(profile, window);
-    if (!wavevectors.isFinite().all()) throw InvalidArgument("a profile's spectrum at wavevectors that are not finite");
+    if (!wavevectors.isFinite().all())
+        throw InvalidArgument("the spectrum of a profile was requested at wavevectors that are not finite");
     const double limit = dividing_wavevector(line);
     std::vector<Index> low, high;
     for (Index j = 0; j < wavevectors.size(); ++j) (std::abs(wavevectors[j]) < limit ? low : high).push_back(j);

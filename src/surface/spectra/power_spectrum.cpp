@@ -127,13 +127,11 @@ Alert contour_alert(const MeasuredSpectrum& corrected, const Array1D& response, 
         return 100.0 * (std::sqrt((weight * power).sum() / (weight * power * response).sum()) - 1.0);
     };
     const auto last = response.size() - 1;
-    return {
-        "CONTOUR_STEPS", topography::label(corrected.metadata),
-        fmt::format(
-            "straight segments between points keep {:.0f} % of C1D at {:.3g} 1/m; undoing this raises this profile's "
-            "rms slope by {:.1f} % and rms curvature by {:.1f} %",
-            100.0 * response[last], corrected.wavevector[last], rms_change(q2), rms_change(q2.square())),
-        "trace with finer steps, or choose segments to take the polyline for the surface"};
+    return {"CONTOUR_STEPS", topography::label(corrected.metadata),
+            fmt::format("straight segments between the points retain {:.0f} % of C1D at {:.3g} 1/m; the correction "
+                        "raises the rms slope of this profile by {:.1f} % and the rms curvature by {:.1f} %",
+                        100.0 * response[last], corrected.wavevector[last], rms_change(q2), rms_change(q2.square())),
+            "trace with finer steps, or choose segments if the polyline itself is the surface"};
 }
 
 /// At chosen wavevectors the band cannot be found: it is that of the modes.

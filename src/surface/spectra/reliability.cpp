@@ -103,16 +103,17 @@ Sampling sampling(const Profile& profile) {
 
 Alert tip_alert(const topography::Metadata& metadata, double tip_radius, const TipCutoff& tip, const Band& band,
                 double nyquist) {
-    const std::string action = "use a sharper tip, or a finer instrument for these wavelengths";
+    const std::string action = "use a sharper tip, or another instrument for these wavelengths";
     if (tip.status == CutoffStatus::nothing_reliable)
         return {"TIP_CUTOFF", topography::label(metadata),
-                fmt::format("the tip of {} radius is blunter than the surface at every scale: nothing is reliable",
+                fmt::format("the tip of {} radius is blunter than the surface at all scales, so that no wavelength is "
+                            "reliable",
                             format_value(tip_radius, "m", 3)),
                 action};
     return {
         "TIP_CUTOFF", topography::label(metadata),
-        fmt::format("the tip of {} radius hides wavelengths below {}: the band ends at {} instead of {}, "
-                    "{:.2g} decades less",
+        fmt::format("the tip of {} radius hides wavelengths below {}: the band ends at {} instead of {}, {:.2g} "
+                    "decades less",
                     format_value(tip_radius, "m", 3), format_value(tip.value, "m"), format_value(band.upper, "1/m", 3),
                     format_value(nyquist, "1/m", 3), std::log10(nyquist / band.upper)),
         action};
@@ -123,7 +124,7 @@ void check(const ReliabilityOptions& options) {
         throw InvalidArgument(fmt::format("percentile {} of the tip criterion; expected 0 … 0.5", options.percentile));
     if (!(options.nyquist_fraction > 0.0 && options.nyquist_fraction <= 1.0))
         throw InvalidArgument(
-            fmt::format("Nyquist fraction {}; expected above 0, at most 1", options.nyquist_fraction));
+            fmt::format("Nyquist fraction {}; expected above 0 and at most 1", options.nyquist_fraction));
     if (options.first_mode < 1)
         throw InvalidArgument(fmt::format("first mode {}; expected at least 1", options.first_mode));
 }
@@ -176,10 +177,10 @@ TipCutoff cutoff_of(const TiledLines& tiled, double tip_radius, std::optional<do
                     const ReliabilityOptions& options, parallel::Threads threads) {
     const auto& map = tiled.map;
     if (options.percentile > 0.0 || options.both_directions)
-        throw InvalidArgument(fmt::format(
-            "{}: a tip criterion with a percentile or along both directions needs the map as a whole; read it whole, or use the strict "
-            "minimum along x",
-            topography::label(map.metadata)));
+        throw InvalidArgument(
+            fmt::format("{}: a tip criterion with a percentile or along both directions needs the whole map; read the "
+                        "map at once, or use the strict minimum along x",
+                        topography::label(map.metadata)));
     TipCutoff worst{0.0, CutoffStatus::all_reliable, 0.0, {}};
     for (Index first = 0; first < map.ny; first += tiled.lines_together) {
         const Array2D band = map.lines(first, std::min(tiled.lines_together, map.ny - first));

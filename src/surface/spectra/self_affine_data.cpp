@@ -131,7 +131,8 @@ SelfAffineFit fit_self_affine(const CombinedSpectrum& spectrum, const SelfAffine
         if (variance[b] > 0.0) data.freedom[b] = spectrum.count[b] / variance[b];
     if (!(data.freedom > 0.0).any())
         throw UndefinedDataError(
-            "no bin of the combined spectrum has a standard error: fit the one measurement's own spectrum, or combine at least two");
+            "no bin of the combined spectrum has a standard error; fit the spectrum of the single "
+            "measurement, or combine at least two");
     data.expected = [q = spectrum.wavevector](const spectra::SelfAffine& model) {
         return spectra::profile_power_spectrum(model, q);
     };
@@ -193,10 +194,10 @@ public:
         fit.alerts.push_back(
             {"MODEL_MISSES_BEYOND", "self-affine fit",
              fmt::format("{} the range fitted, from {:.3g} to {:.3g} 1/m, reliable values of C1D are {:.2g} times the "
-                         "model (standard error of the logarithm {:.2g}): the fit describes its own range only",
+                         "model (standard error of the logarithm {:.2g}): the fit holds only within its range",
                          side, lower_, upper_, std::exp(mean), error),
-             "fit both ranges by themselves (--fit-range) and compare their H, or limit the reliable band (tip_radius, "
-             "resolution)"});
+             "fit both ranges separately (fit_range) and compare their H, or limit the reliable band "
+             "(tip_radius, resolution)"});
     }
 
 private:
@@ -250,7 +251,7 @@ SelfAffineFit fit_self_affine(const MeasuredSpectrum& spectrum, const SelfAffine
 namespace {
 
 SelfAffineFit fit_of_all(std::span<const MeasuredSpectrum> spectra, const SelfAffineFitOptions& options) {
-    if (spectra.empty()) throw InvalidArgument("no spectrum; expected at least one to fit");
+    if (spectra.empty()) throw InvalidArgument("no spectrum is given; expected at least one to fit");
     if (const auto combined = combined_with_scatter(spectra)) return fit_self_affine(*combined, options);
     std::vector<FittedValues> data;
     for (const auto& spectrum : spectra)

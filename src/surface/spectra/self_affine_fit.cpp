@@ -40,8 +40,9 @@ public:
             const Index n = set.wavevector.size();
             if (set.values.size() != n || set.freedom.size() != n || !set.expected)
                 throw InvalidArgument(fmt::format(
-                    "{} wavevectors with {} values and {} freedoms; expected one of each and their expectation", n,
-                    set.values.size(), set.freedom.size()));
+                    "{} wavevectors with {} values and {} degrees of freedom; expected one of each and their "
+                    "expectation",
+                    n, set.values.size(), set.freedom.size()));
             for (Index k = 0; k < n; ++k) {
                 const double q = set.wavevector[k];
                 if (!(set.freedom[k] > 0.0) ||
@@ -62,7 +63,7 @@ public:
         if (options.short_cutoff) fitted_.push_back(cutoff);
         if (used_.size() < fitted_.size() + 2)
             throw InvalidArgument(fmt::format(
-                "{} values in the range of the fit for {} parameters; expected at least {}: widen the range",
+                "{} values in the range of the fit for {} parameters; expected at least {}: enlarge the range",
                 used_.size(), fitted_.size(), fitted_.size() + 2));
         std::sort(used_.begin(), used_.end(),
                   [&](const auto& a, const auto& b) { return wavevector(a) < wavevector(b); });
@@ -287,16 +288,15 @@ Alert not_seen(bool longest, const Interval& interval) {
     if (longest)
         return {
             "ROLLOFF_NOT_SEEN", "self-affine fit",
-            fmt::format(
-                "the spectrum does not show where its roll-off lies: rolloff_wavelength is above {:.3g} m, no upper end is known",
-                interval.lower),
-            "measure larger scans, or fit without a roll-off: rms height then depends on the size"};
-    return {
-        "CUTOFF_NOT_SEEN", "self-affine fit",
-        fmt::format(
-            "the spectrum does not show where it ends: shortest_wavelength is below {:.3g} m, no lower end is known",
-            interval.upper),
-        "measure with a sharper instrument, or fit without a short cutoff"};
+            fmt::format("the spectrum does not show its roll-off: rolloff_wavelength is above {:.3g} m, and no upper "
+                        "end is known",
+                        interval.lower),
+            "measure larger scans, or fit without a roll-off; the rms height then depends on the scan size"};
+    return {"CUTOFF_NOT_SEEN", "self-affine fit",
+            fmt::format("the spectrum does not show its short cutoff: shortest_wavelength is below {:.3g} m, and no "
+                        "lower end is known",
+                        interval.upper),
+            "measure with a sharper instrument, or fit without a short cutoff"};
 }
 
 /// Parameters that ended where they are not let go further. Scales at the far ends are not seen: see not_seen().
@@ -304,19 +304,19 @@ void add_bound_alerts(SelfAffineFit& fit, const Problem& problem, const Paramete
     constexpr double near = 1e-6;
     const auto add = [&](double value, double bound, std::string what) {
         if (!(std::abs(value - bound) < near)) return;
-        fit.alerts.push_back({"FIT_AT_BOUND", "self-affine fit", std::move(what),
-                              "the model does not describe these values: choose a range in which C1D is one power law, "
-                              "or one power law with a roll-off"});
+        fit.alerts.push_back(
+            {"FIT_AT_BOUND", "self-affine fit", std::move(what),
+             "the model does not fit these values; choose a range in which C1D is one power law, or one "
+             "power law with a roll-off"});
     };
     add(at[hurst], smallest_hurst,
         fmt::format("hurst_exponent ended at the smallest value allowed, {}", smallest_hurst));
     add(at[hurst], largest_hurst, fmt::format("hurst_exponent ended at the largest value allowed, {}", largest_hurst));
     if (fit.rolloff != ScaleStatus::not_asked)
         add(at[rolloff], problem.shortest_rolloff(),
-            fmt::format(
-                "rolloff_wavelength ended at the shortest wavelength fitted, {:.3g} m: the values show no power "
-                "law",
-                2.0 * pi / fit.range.upper));
+            fmt::format("rolloff_wavelength ended at the shortest wavelength fitted, {:.3g} m: the values contain no "
+                        "power law",
+                        2.0 * pi / fit.range.upper));
     if (fit.short_cutoff != ScaleStatus::not_asked)
         add(at[cutoff], problem.longest_cutoff(),
             fmt::format("shortest_wavelength ended at the shortest wavelength fitted, {:.3g} m",
@@ -410,17 +410,16 @@ SelfAffineFit fit_self_affine(std::span<const FittedValues> data, const SelfAffi
     }
     if (fit.status == FitStatus::not_converged)
         fit.alerts.push_back({"NOT_CONVERGED", "self-affine fit",
-                              fmt::format("the fit stopped after {} steps short of its optimum", fit.iterations),
+                              fmt::format("the fit stopped after {} steps before reaching its optimum", fit.iterations),
                               "narrow the range, or fit fewer parameters"});
     add_bound_alerts(fit, problem, best.at);
     constexpr double improbable = 1e-3;
     if (fit.probability < improbable)
         fit.alerts.push_back(
             {"MODEL_MISSES", "self-affine fit",
-             fmt::format(
-                 "the values scatter {:.2g} times as much about the model as their errors say (chi2 = {:.4g} for {:.0f} degrees of freedom); standard errors are widened by "
-                 "that",
-                 std::sqrt(dispersion), fit.chi_squared, fit.degrees_of_freedom),
+             fmt::format("the values scatter about the model {:.2g} times as much as their errors allow (chi2 = {:.4g} "
+                         "for {:.0f} degrees of freedom); the standard errors are multiplied by this factor",
+                         std::sqrt(dispersion), fit.chi_squared, fit.degrees_of_freedom),
              "look at the residuals; narrow the range to where one power law holds"});
     return fit;
 }

@@ -51,8 +51,7 @@ void require(const Band& band) {
 
 SpectralDensity density(const SelfAffine& model) {
     if (!(model.hurst_exponent > 0.0 && model.hurst_exponent <= 1.0))
-        throw InvalidArgument(fmt::format("Hurst exponent {}; expected 0 < H <= 1: no self-affine surface has another",
-                                          model.hurst_exponent));
+        throw InvalidArgument(fmt::format("Hurst exponent {}; expected 0 < H <= 1", model.hurst_exponent));
     if (!(model.short_wavevector > model.rolloff_wavevector))
         throw InvalidArgument(
             fmt::format("short cutoff at q_s = {} 1/m, roll-off at q_r = {} 1/m; expected q_s > q_r, that is a short "
@@ -86,7 +85,7 @@ SpectralDensity tabulated_density(const ArrayView1D& wavevector, const ArrayView
 
 SpectralDensity surface_density(const ArrayView1D& wavevector, const ArrayView1D& C1D) {
     const Index n = wavevector.size();
-    if (n < 2) throw InvalidArgument(fmt::format("C1D at {} wavevectors, expected two or more", n));
+    if (n < 2) throw InvalidArgument(fmt::format("C1D at {} wavevectors; expected two or more", n));
     const double cutoff = wavevector[n - 1] * (wavevector[n - 1] / wavevector[n - 2]);
     Array1D nodes(n + 1), values(n + 1);
     nodes << wavevector, cutoff;
@@ -102,7 +101,7 @@ SpectralDensity profile_density(const SpectralDensity& C_iso, const Band& band) 
     const auto surface = refined_curve(C_iso, band.lower, band.upper, 2e-5);
     const Index n = surface.nodes.size();
     if (n < 2)
-        throw InvalidArgument(fmt::format("C_iso = {} m4 at {} 1/m; expected power from the lower wavevector on",
+        throw InvalidArgument(fmt::format("C_iso = {} m4 at {} 1/m; expected power from the lowest wavevector on",
                                           C_iso(band.lower), band.lower));
     const AbelIntegral integral(surface.nodes, surface.values);
     const double cutoff = surface.nodes[n - 1], at_cutoff = surface.values[n - 1] * cutoff / pi;

@@ -14,8 +14,7 @@ SpectrumInterval interval_of(const MeasuredSpectrum& spectrum, double level) {
     const auto& n = spectrum.independent_lines;
     if (n.size() != spectrum.density.size() || !(n > 0.0).all())
         throw InvalidArgument(
-            fmt::format("{} values of C1D with {} numbers of independent lines; expected as many, all "
-                        "positive",
+            fmt::format("{} values of C1D with {} numbers of independent lines; expected as many of both, all positive",
                         spectrum.density.size(), n.size()));
     const auto end = [&](double probability) {
         const Array1D factor = n.unaryExpr([=](double lines) {

@@ -50,34 +50,36 @@ void correct_for_trace(MeasuredSpectrum& spectrum, const topography::TraceRespon
     while (end < q.size() && q[end] <= widest && signal[end] > least_signal * floor[end]) ++end;
     const double nyquist = spectrum.band.upper;
     spectrum.band.upper = end == 0 ? 0.0 : end == q.size() ? nyquist : std::min(nyquist, q[end - 1]);
-    const std::string action = "take pictures of higher magnification or less noise for shorter waves";
+    const std::string action = "to use shorter waves, take pictures with a higher magnification or less noise";
     if (end == 0) {
-        spectrum.alerts.push_back({"TRACE_NOISE", topography::label(spectrum.metadata),
-                                   fmt::format("the trace's noise of C1D {} hides every wave: nothing is reliable",
-                                               format_value(response.noise_density, "m³", 3)),
-                                   action});
+        spectrum.alerts.push_back(
+            {"TRACE_NOISE", topography::label(spectrum.metadata),
+             fmt::format("the noise of the trace, C1D {}, exceeds all waves, so that no wavelength is reliable",
+                         format_value(response.noise_density, "m³", 3)),
+             action});
         return;
     }
     const Index last = end - 1;
     if (response.jumps) {
         spectrum.alerts.push_back(
             {"TRACE_NOISE", topography::label(spectrum.metadata),
-             fmt::format(
-                 "noise of the trace, C1D {}, was taken off; its blur and smoothing stay, as overhangs were made jumps, which they have not touched: the band ends at "
-                 "the wavelength {}, where they take up to {:.0f} % of C1D",
-                 format_value(response.noise_density, "m³", 3),
-                 format_value(2.0 * pi / std::min(q[last], nyquist), "m"),
-                 100.0 * (1.0 - topography::least_trace_power_with_jumps)),
+             fmt::format("the noise of the trace, C1D {}, was subtracted; its blur and smoothing remain, because "
+                         "overhangs were replaced by jumps, which neither affects: the band ends at the wavelength {}, "
+                         "where blur and smoothing remove up to {:.0f} % of C1D",
+                         format_value(response.noise_density, "m³", 3),
+                         format_value(2.0 * pi / std::min(q[last], nyquist), "m"),
+                         100.0 * (1.0 - topography::least_trace_power_with_jumps)),
              action});
         return;
     }
     spectrum.alerts.push_back(
         {"TRACE_NOISE", topography::label(spectrum.metadata),
-         fmt::format(
-             "noise of the trace, C1D {}, was taken off and its blur and smoothing undone down to the wavelength {}, where the "
-             "band ends: there noise was {:.0f} % of the traced C1D, and {:.0f} % of the curve's was left",
-             format_value(response.noise_density, "m³", 3), format_value(2.0 * pi / std::min(q[last], nyquist), "m"),
-             100.0 * floor[last] / (signal[last] + floor[last]), 100.0 * kept[last]),
+         fmt::format("the noise of the trace, C1D {}, was subtracted, and its blur and smoothing were corrected down "
+                     "to the wavelength {}, where the band ends: there the noise was {:.0f} % of the traced C1D, and "
+                     "{:.0f} % of the C1D of the curve had remained",
+                     format_value(response.noise_density, "m³", 3),
+                     format_value(2.0 * pi / std::min(q[last], nyquist), "m"),
+                     100.0 * floor[last] / (signal[last] + floor[last]), 100.0 * kept[last]),
          action});
 }
 

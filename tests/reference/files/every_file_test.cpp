@@ -23,7 +23,7 @@ const std::map<std::string, std::string>& refused() {
     static const std::map<std::string, std::string> files{
         {"di_corrupted.di", "at byte 489346"},
         {"nonsense_txt_file.txt", "text without a row of numbers"},
-        {"wrongnpyfile.npy", "which no format setae reads does"},
+        {"wrongnpyfile.npy", "which no supported format does"},
         {"ISO5436-sample1_bin.xml", "open the archive instead"},
         {"ISO5436-sample4_bin.xml", "open the archive instead"},
         {"ISO5436-sample2.x3p", "cloud of points"},

@@ -18,7 +18,7 @@ struct Pieces {
 
 Pieces pieces(std::span<const Index> begins, Index unit) {
     if (begins.back() / unit > std::numeric_limits<int>::max())
-        throw InternalError("more numbers than MPI counts; spread the map over more processes");
+        throw InternalError("the map has more numbers than MPI can count; distribute it over more processes");
     Pieces result;
     for (std::size_t rank = 0; rank + 1 < begins.size(); ++rank) {
         result.begins.push_back(static_cast<int>(begins[rank] / unit));

@@ -41,7 +41,7 @@ Slab nested_slab(Index rows, Index coarsest, Index step, const Ranks* ranks) {
     const Index units = coarsest_side_of(rows, coarsest), steps = units / step, count = ranks->count();
     if (count > steps)
         throw InvalidArgument("a map of " + std::to_string(rows) + " rows for " + std::to_string(count) +
-                              " processes; expected at most " + std::to_string(steps) + ", one for every " +
+                              " processes; expected at most " + std::to_string(steps) + ", one per " +
                               std::to_string(step) + " rows of its coarsest grid");
     std::vector<Index> begins;
     for (Index r = 0; r < count; ++r) begins.push_back(steps * r / count * step * (rows / units));

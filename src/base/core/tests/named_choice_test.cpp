@@ -26,7 +26,7 @@ TEST(NamedChoice, TakesNumbersFromZero) {
     EXPECT_EQ(chosen_by_name("4", names, "channel"), 4u);
     EXPECT_EQ(
         refusal("5"),
-        "no channel 5, it has 0 'Height (trace)', 1 'Height (retrace)', 2 'Phase', 3 'phase image', 4, counted from 0");
+        "no channel 5; there are 0 'Height (trace)', 1 'Height (retrace)', 2 'Phase', 3 'phase image', 4, counted from 0");
     EXPECT_NE(refusal("99999999999999999999999").find("no channel 9"), std::string::npos);
 }
 
@@ -38,8 +38,9 @@ TEST(NamedChoice, TakesNamesAndTheirBeginningsWithoutRegardToCase) {
 }
 
 TEST(NamedChoice, NamesWhatIsAmbiguousOrMissing) {
-    EXPECT_EQ(refusal("hei"),
-              "channel 'hei' may be 0 'Height (trace)', 1 'Height (retrace)'; give the whole name or the number");
+    EXPECT_EQ(
+        refusal("hei"),
+        "channel 'hei' is ambiguous: 0 'Height (trace)', 1 'Height (retrace)'; give the whole name or the number");
     EXPECT_NE(refusal("Phaze").find("no channel 'Phaze' (did you mean 'Phase'?)"), std::string::npos);
     EXPECT_NE(refusal("-1").find("no channel '-1'"), std::string::npos);
     EXPECT_NE(refusal("").find("no channel ''"), std::string::npos);

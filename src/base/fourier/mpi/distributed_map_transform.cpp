@@ -42,7 +42,8 @@ Shares shares(MPI_Comm communicator, Index modes, Index nx) {
 void transpose(MPI_Comm communicator, Index modes, Index nx, double* values) {
     const auto plan = fftw_mpi_plan_many_transpose(modes, nx, doubles_a_value, FFTW_MPI_DEFAULT_BLOCK,
                                                    FFTW_MPI_DEFAULT_BLOCK, values, values, communicator, FFTW_ESTIMATE);
-    if (plan == nullptr) throw InternalError(fmt::format("no parallel transpose for {} x {} values", modes, nx));
+    if (plan == nullptr)
+        throw InternalError(fmt::format("the parallel transpose of {} x {} values is not possible", modes, nx));
     fftw_execute(plan);
     fftw_destroy_plan(plan);
 }
@@ -63,7 +64,8 @@ void rethrow_together(MPI_Comm communicator, const std::exception_ptr& own) {
     int failed = own ? 1 : 0, failed_anywhere = 0;
     MPI_Allreduce(&failed, &failed_anywhere, 1, MPI_INT, MPI_MAX, communicator);
     if (own) std::rethrow_exception(own);
-    if (failed_anywhere != 0) throw InternalError("another rank of the communicator failed; its message says why");
+    if (failed_anywhere != 0)
+        throw InternalError("another rank of the communicator failed; see the message of that rank");
 }
 
 MapSlab distributed_inverse_transform_map(MPI_Comm communicator, const SpectrumLine& load, Index nx, Index ny,

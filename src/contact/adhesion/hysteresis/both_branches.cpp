@@ -39,7 +39,7 @@ BothBranches::BothBranches(const RetractionModel& model, const std::vector<Ranke
     held.reserve(static_cast<std::size_t>(n * number_count));
     for (Index i = 0; i < n; ++i) {
         const auto& [pair, approach, retraction] = pairs[static_cast<std::size_t>(i)];
-        if (!pair.approach) throw InternalError("a ranked pair without a measured work of adhesion on approach");
+        if (!pair.approach) throw InternalError("a ranked pair has no measured work of adhesion on approach");
         auto& without = without_approach_.emplace_back(pair);
         without.approach.reset();
         pairs_.push_back({PairFunctions(without), PairFunctions(pair), {}, Roughness(pair.rough.parameters), {}, 1.0});

@@ -104,7 +104,7 @@ std::vector<LawTrials> law_trials(const std::vector<RankedPair>& pairs, const Ra
     }
     std::vector<std::vector<TrialOutcome>> outcomes(planted.size(), std::vector<TrialOutcome>(runs));
     parallel::for_each_index(planted.size() * runs, options.threads, [&](std::size_t i) {
-        if (options.cancelled && *options.cancelled) throw Cancelled("trials of models were stopped");
+        if (options.cancelled && *options.cancelled) throw Cancelled("the trials of the models were stopped");
         const auto& score = planted[i / runs];
         outcomes[i / runs][i % runs] =
             outcome_of(models, score.fitted.model, planted_pairs(pairs, score, options.seed + i % runs), known_work);

@@ -28,7 +28,7 @@ LawText text_of(Law law) {
         case Law::fitted_conformal_loss: return {"fitted_conformal_loss", "W_app + W_x A_true/A"};
         case Law::opening_work: return {"opening_work", "W_x A_true/A"};
     }
-    throw InternalError("a law of retraction without a name");
+    throw InternalError("a retraction model without a name");
 }
 
 void require_valid(const PairState& state) {
@@ -107,7 +107,7 @@ RetractionLine retraction_line(const RetractionModel& model, const PairState& st
         case Law::fitted_conformal_loss: return fits(state.true_contact(), state.work_approach - state.jumps_per_area);
         case Law::opening_work: return fits(state.true_contact(), 0.0);
     }
-    throw InternalError("a law of retraction without a formula");
+    throw InternalError("a retraction model without a formula");
 }
 
 double pinned_on_approach(const RetractionModel& model, const PairState& state, const std::vector<PinningBand>& bands,

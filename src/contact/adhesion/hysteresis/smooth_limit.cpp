@@ -34,7 +34,7 @@ bool has_smooth_limit(const RetractionModel& model) {
         case Law::fitted_conformal_loss:
         case Law::opening_work: return false;
     }
-    throw InternalError("a law of retraction whose smooth limit is not known");
+    throw InternalError("a retraction model whose smooth limit is not known");
 }
 
 RetractionModel model_without_measurements() { return {Law::reversible, Tip::none}; }

@@ -162,7 +162,7 @@ TEST(Jkr, SaysWhatToCheckWhereAQuantityCannotBeComputed) {
     } catch (const InvalidArgument& error) {
         const std::string text = error.what();
         EXPECT_EQ(text.find("nan"), std::string::npos) << text;
-        EXPECT_NE(text.find("contact radius cannot be computed; check radius, forces"), std::string::npos) << text;
+        EXPECT_NE(text.find("contact radius cannot be computed; check the radius, forces"), std::string::npos) << text;
     }
 }
 

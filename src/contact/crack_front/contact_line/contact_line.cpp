@@ -50,7 +50,8 @@ void require_valid(const ContactLine& line) {
         throw InvalidArgument(
             fmt::format("a contact line at {} angles; expected at least {}", line.angles(), fewest_angles));
     if (!(line.place_error >= 0.0) || std::isinf(line.place_error))
-        throw InvalidArgument(fmt::format("an error of a place of {} m; expected 0 or more", line.place_error));
+        throw InvalidArgument(
+            fmt::format("a standard error of {} m for a place of the line; expected 0 or more", line.place_error));
     for (Index i = 0; i < line.frames(); ++i) {
         if (!std::isfinite(line.time[i]) || (i > 0 && !(line.time[i] > line.time[i - 1])))
             throw InvalidArgument(fmt::format("frame {} of a contact line is at {} s; expected times that increase",

@@ -134,8 +134,9 @@ LineRoughness line_roughness(const ContactLine& line, const RoughnessBand& band)
     const auto law = fit(mean);
     if (!(law.amplitude > 0.0))
         throw UndefinedDataError(
-            fmt::format("a contact line whose modes {} to {} are no stronger than noise of {:.3g} m a place", first,
-                        last, line.place_error));
+            fmt::format("modes {} to {} of the contact line are not stronger than the noise of {:.3g} m per place; use "
+                        "lower modes or a sharper recording",
+                        first, last, line.place_error));
     LeaveOneOut exponents;
     for (const auto& without : means_without_blocks(power)) exponents.push_back(fit(without).exponent);
     result.exponent = jackknife_estimate(law.exponent, std::vector<LeaveOneOut>{exponents});

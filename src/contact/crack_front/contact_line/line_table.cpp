@@ -18,7 +18,8 @@ std::string radius_name(Index place) { return fmt::format("radius_{}", place + 1
 Table as_table(const ContactLine& line, const std::vector<long>& frames) {
     require_valid(line);
     if (static_cast<Index>(frames.size()) != line.frames())
-        throw InvalidArgument(fmt::format("{} numbers of {} frames; expected one each", frames.size(), line.frames()));
+        throw InvalidArgument(
+            fmt::format("{} numbers for {} frames; expected one per frame", frames.size(), line.frames()));
     Array1D numbers(line.frames());
     std::copy(frames.begin(), frames.end(), numbers.begin());
     Table table;
@@ -36,7 +37,7 @@ ContactLine line_of(const Table& table) {
                                      [](const Column& c) { return c.name.starts_with("radius_"); });
     if (angles == 0 || radii != angles)
         throw InvalidArgument(
-            fmt::format("a table of a contact line with {} columns of radii, of which {} follow each other; expected "
+            fmt::format("a table of a contact line with {} columns of radii, of which {} are consecutive; expected "
                         "radius_1, radius_2 … radius_N at N equal angles",
                         radii, angles));
     line.radius.resize(table.rows(), angles);

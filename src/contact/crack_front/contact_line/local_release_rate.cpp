@@ -15,7 +15,7 @@ Array2D local_release_rate(const ContactLine& line, const ArrayView1D& displacem
     require_valid(line);
     if (displacement.size() != line.frames())
         throw InvalidArgument(
-            fmt::format("{} displacements of {} frames; expected one each", displacement.size(), line.frames()));
+            fmt::format("{} displacements for {} frames; expected one per frame", displacement.size(), line.frames()));
     const Index n = line.angles(), last = largest_mode > 0 ? std::min(largest_mode, n / 2) : n / 2;
     const fourier::RealTransform forward(n);
     const fourier::InverseRealTransform inverse(n);

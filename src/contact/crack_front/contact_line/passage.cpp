@@ -22,7 +22,7 @@ double suggested_width(const ContactLine& line) {
             const double step = std::abs(line.radius(i, j) - line.radius(i - 1, j));
             if (step > 0.0) steps.push_back(step);
         }
-    if (steps.empty()) throw UndefinedDataError("a contact line that does not move");
+    if (steps.empty()) throw UndefinedDataError("the contact line does not move");
     return std::max(median(steps), 3.0 * line.place_error);
 }
 
@@ -46,18 +46,19 @@ Array1D first_passages(const ContactLine& line, Index angle, const Array1D& boun
 
 Passage passage(const ContactLine& line, Direction direction, double ring_width) {
     require_valid(line);
-    if (line.frames() < 2) throw InvalidArgument("a contact line of one frame; expected at least two to see it move");
+    if (line.frames() < 2)
+        throw InvalidArgument("a contact line of one frame; expected at least two, which show a motion");
     if (!(ring_width >= 0.0))
         throw InvalidArgument(
-            fmt::format("a ring {} m wide; expected above 0, or 0 for the program's choice", ring_width));
+            fmt::format("a ring {} m wide; expected a width above 0, or 0 to let the program choose", ring_width));
     Passage result;
     result.direction = direction;
     result.width = ring_width > 0.0 ? ring_width : suggested_width(line);
     const double smallest = line.radius.minCoeff(), largest = line.radius.maxCoeff(),
                  count = std::ceil((largest - smallest) / result.width);
     if (count > most_rings)
-        throw InvalidArgument(fmt::format("{:.0f} rings of {:.3g} m; expected at most {:.0f}: wider ones", count,
-                                          result.width, most_rings));
+        throw InvalidArgument(fmt::format("{:.0f} rings of {:.3g} m; expected at most {:.0f}: choose wider rings",
+                                          count, result.width, most_rings));
     const auto rings = std::max<Index>(1, static_cast<Index>(count));
     const double sign = direction == Direction::receding ? -1.0 : 1.0,
                  start = direction == Direction::receding ? largest : smallest;
@@ -76,7 +77,7 @@ Passage passage(const ContactLine& line, Direction direction, double ring_width)
         }
     }
     if (crossings == 0.0)
-        throw UndefinedDataError(fmt::format("a contact line that crosses no ring of {:.3g} m while it is {}",
+        throw UndefinedDataError(fmt::format("the contact line crosses no ring of {:.3g} m while it is {}",
                                              result.width,
                                              direction == Direction::receding ? "receding" : "advancing"));
     result.mean_speed = crossings * result.width / whole_time;

@@ -41,7 +41,7 @@ PowerLawTail power_law_tail(const ArrayView1D& values, Index fewest) {
     const auto logarithms = sorted_logarithms(values);
     const auto least = static_cast<std::size_t>(fewest);
     if (logarithms.size() < least)
-        throw UndefinedDataError(fmt::format("{} numbers; a tail wants at least {}", logarithms.size(), least));
+        throw UndefinedDataError(fmt::format("{} numbers; a tail needs at least {}", logarithms.size(), least));
     std::vector<double> sum_above(logarithms.size() + 1, 0.0);
     for (std::size_t i = logarithms.size(); i-- > 0;) sum_above[i] = sum_above[i + 1] + logarithms[i];
     PowerLawTail best;
@@ -59,8 +59,8 @@ PowerLawTail power_law_tail(const ArrayView1D& values, Index fewest) {
                 .distance = distance};
     }
     if (best.count == 0)
-        throw UndefinedDataError(
-            fmt::format("{} numbers that are all {:.6g}", logarithms.size(), std::exp(logarithms.front())));
+        throw UndefinedDataError(fmt::format("{} numbers are all equal to {:.6g}, so that they have no tail",
+                                             logarithms.size(), std::exp(logarithms.front())));
     return best;
 }
 

@@ -38,8 +38,8 @@ ContactLine at_times(const ContactLine& line, const ArrayView1D& times) {
     ContactLine result{.time = times, .radius = Array2D(times.size(), line.angles()), .place_error = line.place_error};
     for (Index i = 0; i < times.size(); ++i) {
         if (!(times[i] >= line.time[0] && times[i] <= line.time[last]))
-            throw InvalidArgument(
-                fmt::format("a time of {} s of an edge from {} to {} s", times[i], line.time[0], line.time[last]));
+            throw InvalidArgument(fmt::format("a time of {} s outside an edge recorded from {} to {} s", times[i],
+                                              line.time[0], line.time[last]));
         const Index after =
             std::clamp<Index>(std::upper_bound(line.time.begin(), line.time.end(), times[i]) - line.time.begin(),
                               std::min<Index>(1, last), last);

@@ -101,12 +101,12 @@ public:
     }
     [[nodiscard]] AdhesiveControl displaced(double displacement, std::optional<double> stage_stiffness) const {
         if (stage_stiffness && !(*stage_stiffness > 0.0))
-            throw InvalidArgument(fmt::format("stiffness of the stage is {} Pa/m, expected > 0", *stage_stiffness));
+            throw InvalidArgument(fmt::format("stiffness of the stage is {} Pa/m; expected > 0", *stage_stiffness));
         const double gap = touching_gap() - displacement,
                      compliance = mean_compliance() + (stage_stiffness ? 1.0 / *stage_stiffness : 0.0);
         if (compliance > 0.0) return Stage{.position = gap, .stiffness = 1.0 / compliance};
         if (!(gap >= 0.0))
-            throw InvalidArgument(fmt::format("a displacement of {}: full contact is reached at {}, expected less",
+            throw InvalidArgument(fmt::format("a displacement of {} is beyond full contact; expected less than {}",
                                               format_value(displacement, "m"), format_value(touching_gap(), "m")));
         return HeldGap{gap};
     }
@@ -385,12 +385,12 @@ AdhesiveState AdhesiveCell::Work::solve(const AdhesiveControl& control) {
     control_ = control;
     if (const auto* held = std::get_if<HeldGap>(&control)) {
         if (!(held->mean_gap >= 0.0))
-            throw InvalidArgument(fmt::format("mean gap is {} m, expected >= 0", held->mean_gap));
+            throw InvalidArgument(fmt::format("mean gap is {} m; expected >= 0", held->mean_gap));
         if (std::abs(here_.mean - held->mean_gap) > 1e-14 * std::max(here_.mean, law_.range))
             move_to_mean(here_, held->mean_gap, held->mean_gap - here_.mean);
     }
     if (const auto* stage = std::get_if<Stage>(&control); stage && !(stage->stiffness > 0.0))
-        throw InvalidArgument(fmt::format("stiffness of the stage is {} Pa/m, expected > 0", stage->stiffness));
+        throw InvalidArgument(fmt::format("stiffness of the stage is {} Pa/m; expected > 0", stage->stiffness));
     refresh();
     radius_ = 2.0 * law_.range;
     const double wanted = options_.tolerance * law_.greatest_tension();

@@ -163,15 +163,15 @@ void sum_up(AdhesiveLoop& loop) {
 void require(const LoopOptions& options, double first) {
     const bool stage = options.stage_stiffness.has_value();
     if (stage && !(*options.stage_stiffness > 0.0 && std::isfinite(*options.stage_stiffness)))
-        throw InvalidArgument(fmt::format("stiffness of the stage is {} Pa/m, expected > 0", *options.stage_stiffness));
+        throw InvalidArgument(fmt::format("stiffness of the stage is {} Pa/m; expected > 0", *options.stage_stiffness));
     if (!(options.most_pressure > 0.0))
-        throw InvalidArgument(fmt::format("a loop up to a pressure of {} Pa, expected > 0", options.most_pressure));
+        throw InvalidArgument(fmt::format("a loop up to a pressure of {} Pa; expected > 0", options.most_pressure));
     if (!(options.turn < first && std::isfinite(options.turn) && (stage || options.turn >= 0.0)))
         throw InvalidArgument(
-            fmt::format("a loop from {} m to {} m and back; expected that it turns {}below where it begins", first,
+            fmt::format("a loop from {} m to {} m and back; expected a turning point {}below the start", first,
                         options.turn, stage ? "" : "at 0 or more, "));
     if (options.resume && options.resume->steps.empty())
-        throw InvalidArgument("a loop is to go on from a checkpoint without steps");
+        throw InvalidArgument("a loop cannot continue from a checkpoint without steps");
 }
 
 }  // namespace

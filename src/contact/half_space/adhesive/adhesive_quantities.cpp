@@ -57,21 +57,23 @@ std::vector<Quantity> loop_quantities(const AdhesiveLoop& loop) {
 std::string adhesive_sentence(const AdhesiveCell& cell, const AdhesiveState& state) {
     const double w = cell.interaction().work_of_adhesion;
     return fmt::format(
-        "Coming from far, the surface touches the body on {:.4g} % of the map at a mean pressure of {}; the mean gap is "
-        "{}. Full contact would store {:.3g} of the work of adhesion.",
+        "On approach from a large distance, the surface touches the body on {:.4g} % of the map at a "
+        "mean pressure of {}; the mean gap is {}. Full contact would store {:.3g} of the work of "
+        "adhesion.",
         100.0 * state.area_fraction, format_value(-state.tension, "Pa"), format_value(state.mean_gap, "m"),
         cell.conformal_energy() / w);
 }
 
 std::string loop_sentence(const AdhesiveLoop& loop, const Interaction& interaction) {
     if (!loop.complete)
-        return fmt::format("The sweep is not complete: it ends after {} steps, or some did not converge.",
+        return fmt::format("The sweep is not complete: it ends after {} steps, or some steps did not converge.",
                            loop.steps.size());
     double area = 0.0;
     for (const auto& step : loop.steps) area = std::max(area, step.state.area_fraction);
     return fmt::format(
-        "On approach the attraction does {} per area, separation takes {}: {} are lost, {:.3g} of the work of adhesion. "
-        "Contact reaches {:.4g} % of the map; the greatest tension is {}.",
+        "Per unit area, attraction does a work of {} on approach, and separation needs {}: {} are lost, "
+        "{:.3g} of the work of adhesion. Contact reaches {:.4g} % of the map; the largest tension is "
+        "{}.",
         format_value(loop.approach_work, "J/m2"), format_value(loop.separation_work, "J/m2"),
         format_value(loop.loss(), "J/m2"), loop.loss() / interaction.work_of_adhesion, 100.0 * area,
         format_value(greatest_tension(loop), "Pa"));

@@ -70,7 +70,7 @@ AttractionLaw attraction_law_named(std::string_view name) {
     for (const auto& [text, law] : names)
         if (text == name) return law;
     throw InvalidArgument(
-        fmt::format("'{}' is no law of attraction; expected exponential, cubic, dugdale or lennard_jones", name));
+        fmt::format("'{}' is not a law of attraction; expected exponential, cubic, dugdale or lennard_jones", name));
 }
 
 std::string name_of(AttractionLaw law) {
@@ -114,19 +114,19 @@ Resolution resolution_of(const Interaction& interaction, const Body& body, const
 void require(const Interaction& interaction, const Body& body, const Grid& grid) {
     const auto positive = [](double value) { return value > 0.0 && std::isfinite(value); };
     if (!positive(interaction.work_of_adhesion))
-        throw InvalidArgument(fmt::format("work of adhesion is {} J/m2, expected > 0", interaction.work_of_adhesion));
+        throw InvalidArgument(fmt::format("work of adhesion is {} J/m2; expected > 0", interaction.work_of_adhesion));
     if (!positive(interaction.range))
-        throw InvalidArgument(fmt::format("range of attraction is {} m, expected > 0", interaction.range));
+        throw InvalidArgument(fmt::format("range of attraction is {} m; expected > 0", interaction.range));
     const auto resolution = resolution_of(interaction, body, grid);
     if (resolution.squared_ratio <= 1.0 + 1e-9) return;
     const double factor = longest_side(grid) / resolution.pixel_of_refusal;
-    throw InvalidArgument(fmt::format(
-        "pixels of {:.3g} m are too coarse for an attraction of range {:.3g} m (w dx/(E* rho^2) = {:.3g}, at most 1): "
-        "edges would be caught between them; expected pixels of {:.3g} m, {} x {} points, better half of that, or a "
-        "longer range",
-        longest_side(grid), interaction.range, resolution.squared_ratio, resolution.pixel_of_refusal,
-        grid.nx > 1 ? static_cast<Index>(std::ceil(static_cast<double>(grid.nx) * factor)) : 1,
-        grid.ny > 1 ? static_cast<Index>(std::ceil(static_cast<double>(grid.ny) * factor)) : 1));
+    throw InvalidArgument(
+        fmt::format("pixels of {:.3g} m are too coarse for an attraction of range {:.3g} m (w dx/(E* rho^2) = "
+                    "{:.3g}, at most 1): contact edges would be trapped between pixels; expected pixels of {:.3g} "
+                    "m, {} x {} points, preferably half of that, or a longer range",
+                    longest_side(grid), interaction.range, resolution.squared_ratio, resolution.pixel_of_refusal,
+                    grid.nx > 1 ? static_cast<Index>(std::ceil(static_cast<double>(grid.nx) * factor)) : 1,
+                    grid.ny > 1 ? static_cast<Index>(std::ceil(static_cast<double>(grid.ny) * factor)) : 1));
 }
 
 }  // namespace setae::half_space

@@ -29,8 +29,9 @@ public:
     Taker(std::string_view bytes, const std::string& path) : bytes_(bytes), path_(path) {}
     void take(void* to, std::size_t count) {
         if (count > bytes_.size())
-            throw FormatError(path_, {},
-                              fmt::format("ends {} bytes early; remove it to begin anew", count - bytes_.size()));
+            throw FormatError(
+                path_, {},
+                fmt::format("the file ends {} bytes early; remove it to start again", count - bytes_.size()));
         std::memcpy(to, bytes_.data(), count);
         bytes_.remove_prefix(count);
     }
@@ -82,9 +83,12 @@ std::optional<LoopCheckpoint> read_checkpoint(const std::string& path, const std
     const std::string file = bytes::read_back(path);
     const std::string_view content(file);
     if (!content.starts_with(title))
-        throw FormatError(path, {}, "is no checkpoint of a sweep; name another file for --restart");
+        throw FormatError(
+            path, {},
+            "the file is not a checkpoint of a sweep; expected a file that --restart wrote: name another one");
     if (content.substr(title.size(), key.size() + 1) != key + "\n")
-        throw FormatError(path, {}, "is of a sweep of another surface or other options; remove it to begin anew");
+        throw FormatError(path, {},
+                          "the file is a checkpoint of another surface or of other options; remove it to start again");
     Taker taker(content.substr(title.size() + key.size() + 1), path);
     const auto steps = taker.value<Index>(), rows = taker.value<Index>(), columns = taker.value<Index>();
     LoopCheckpoint checkpoint{.halved = taker.value<double>()};
@@ -92,7 +96,7 @@ std::optional<LoopCheckpoint> read_checkpoint(const std::string& path, const std
     const bool sane = steps > 0 && rows > 0 && columns > 0 && wanted(steps, sizeof(LoopStep)) <= taker.left() &&
                       wanted(rows, sizeof(double)) <= taker.left() && wanted(columns, sizeof(double)) <= taker.left();
     if (!sane || wanted(steps, sizeof(LoopStep)) + wanted(rows * columns, sizeof(double)) != taker.left())
-        throw FormatError(path, {}, "has not the length it states; remove it to begin anew");
+        throw FormatError(path, {}, "the file does not have the length that it states; remove it to start again");
     for (Index n = 0; n < steps; ++n) checkpoint.steps.push_back(taker.value<LoopStep>());
     checkpoint.gaps.resize(rows, columns);
     taker.take(checkpoint.gaps.data(), wanted(rows * columns, sizeof(double)));

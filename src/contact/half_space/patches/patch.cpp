@@ -15,21 +15,22 @@ namespace {
 
 void require(const PatchDesign& design) {
     const auto refuse = [](const char* what, double value, const char* expected) {
-        throw InvalidArgument(fmt::format("{} of a patch is {}, expected {}", what, value, expected));
+        throw InvalidArgument(fmt::format("{} of a patch is {}; expected {}", what, value, expected));
     };
     constexpr Index most_points = 16384;  // a contact of so many squared takes some 40 GB
     if (design.points < 1 || design.points > most_points)
         refuse("side in points", static_cast<double>(design.points), "1 to 16384");
     if (!(design.points_a_wave >= 4.0)) refuse("shortest wave in points", design.points_a_wave, "at least 4");
-    if (!(design.waves_a_side >= 1.0)) refuse("number of longest waves a side", design.waves_a_side, "at least 1");
+    if (!(design.waves_a_side >= 1.0)) refuse("number of longest waves per side", design.waves_a_side, "at least 1");
     if (!(design.energy_share > 0.0 && std::isfinite(design.energy_share)))
         refuse("share of energy", design.energy_share, "> 0");
     if (!(design.squared_ratio > 0.0 && design.squared_ratio <= 1.0))
         refuse("w dx/(E* rho^2)", design.squared_ratio, "above 0, at most 1");
     if (!(design.band() > 1.0))
-        throw InvalidArgument(fmt::format(
-            "a patch of {} points holds no band between {} waves a side and {} points a wave; expected more points",
-            design.points, design.waves_a_side, design.points_a_wave));
+        throw InvalidArgument(
+            fmt::format("a patch of {} points has no band between {} waves per side and {} points per wave; expected "
+                        "more points",
+                        design.points, design.waves_a_side, design.points_a_wave));
 }
 
 spectra::SpectralDensity spectrum_of(const PatchDesign& design) {

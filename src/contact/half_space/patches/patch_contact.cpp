@@ -83,9 +83,9 @@ std::vector<JumpClass> jumps_of(const half_space::AdhesiveLoop& loop, bool appro
 
 void require(const ContactProtocol& protocol) {
     if (!(protocol.preload > 0.0 && std::isfinite(protocol.preload)))
-        throw InvalidArgument(fmt::format("preload of a patch is {} h' E*, expected > 0", protocol.preload));
+        throw InvalidArgument(fmt::format("preload of a patch is {} h' E*; expected > 0", protocol.preload));
     if (!(protocol.most_pressure > first_pressure && std::isfinite(protocol.most_pressure)))
-        throw InvalidArgument(fmt::format("greatest pressure on a patch is {} h' E*, expected above {}",
+        throw InvalidArgument(fmt::format("largest pressure on a patch is {} h' E*; expected above {}",
                                           protocol.most_pressure, first_pressure));
 }
 

@@ -16,7 +16,7 @@ constexpr double large_jump = 0.01;  ///< of w
 
 void require(const SurveyDesign& design) {
     if (design.designs.empty() || design.seeds < 1)
-        throw InvalidArgument("a survey of no patch; expected one design and one seed at least");
+        throw InvalidArgument("the survey has no patch; expected at least one design and one seed");
 }
 
 struct Drawn {

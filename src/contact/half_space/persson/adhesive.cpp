@@ -29,11 +29,11 @@ Array1D balanced_work(const Array1D& area, double work_of_adhesion, const Scales
 }
 
 void require(double pressure, double work_of_adhesion, const AdhesiveOptions& options) {
-    if (!std::isfinite(pressure)) throw InvalidArgument(fmt::format("pressure is {} Pa, expected a number", pressure));
+    if (!std::isfinite(pressure)) throw InvalidArgument(fmt::format("pressure is {} Pa; expected a number", pressure));
     if (!(work_of_adhesion >= 0.0) || !std::isfinite(work_of_adhesion))
-        throw InvalidArgument(fmt::format("work of adhesion is {} J/m2, expected >= 0", work_of_adhesion));
+        throw InvalidArgument(fmt::format("work of adhesion is {} J/m2; expected >= 0", work_of_adhesion));
     if (!(options.crack_factor > 0.0))
-        throw InvalidArgument(fmt::format("crack factor is {}, expected > 0", options.crack_factor));
+        throw InvalidArgument(fmt::format("crack factor is {}; expected > 0", options.crack_factor));
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace {
 
 void require_positive(double value, const char* name, const char* unit) {
     if (!(value > 0.0) || !std::isfinite(value))
-        throw InvalidArgument(fmt::format("{} is {} {}, expected > 0", name, value, unit));
+        throw InvalidArgument(fmt::format("{} is {} {}; expected > 0", name, value, unit));
 }
 
 /// ∫_s^∞ erf(x)² exp(−x²) dx/x; what lies beyond s + 6 is below 1e-16 of it.
@@ -62,7 +62,7 @@ double area_fraction(double mean_pressure, double pressure_variance) {
 ContactAtScales contact_at_scales(double pressure, const Scales& scales, double energy_factor) {
     require_positive(pressure, "pressure", "Pa");
     if (!(energy_factor > 0.0 && energy_factor <= 1.0))
-        throw InvalidArgument(fmt::format("energy factor is {}, expected above 0 and at most 1", energy_factor));
+        throw InvalidArgument(fmt::format("energy factor is {}; expected above 0 and at most 1", energy_factor));
     const Index n = scales.wavevector.size();
     ContactAtScales contact{Array1D::Ones(n), Array1D::Zero(n), Array1D::Zero(n),
                             Array1D::Constant(n, std::numeric_limits<double>::infinity())};

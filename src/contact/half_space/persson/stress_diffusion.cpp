@@ -79,13 +79,13 @@ private:
 
 void require(const ArrayView1D& variance, const ArrayView1D& stress) {
     if (variance.size() != stress.size() || variance.size() == 0)
-        throw InvalidArgument(fmt::format("{} pressure variances and {} detachment stresses, expected as many",
+        throw InvalidArgument(fmt::format("{} pressure variances and {} detachment stresses; expected as many of both",
                                           variance.size(), stress.size()));
     if (variance[0] != 0.0)
-        throw InvalidArgument(fmt::format("the first pressure variance is {} Pa2, expected 0", variance[0]));
+        throw InvalidArgument(fmt::format("the first pressure variance is {} Pa2; expected 0", variance[0]));
     for (Index i = 1; i < variance.size(); ++i)
         if (!(variance[i] >= variance[i - 1]) || !(variance[i] > 0.0))
-            throw InvalidArgument(fmt::format("pressure variance {} is {} Pa2 behind {} Pa2, expected more", i,
+            throw InvalidArgument(fmt::format("pressure variance {} is {} Pa2 after {} Pa2; expected a larger one", i,
                                               variance[i], variance[i - 1]));
 }
 

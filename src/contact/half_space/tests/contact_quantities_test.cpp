@@ -52,9 +52,10 @@ TEST(ContactQuantities, AreThoseOfTheContact) {
 }
 
 TEST(ContactSentence, SaysAreaPressureGapAndStiffness) {
-    EXPECT_EQ(contact_sentence(problem(), contact(), 1e15),
-              "The surface touches the half-space on 25 % of the map (13.19 % with the perimeter's correction) in 1 "
-              "patch, at a mean pressure of 1.000 MPa. The mean gap is 1.000 nm; 1.000 MPa more bring it 1 nm closer.");
+    EXPECT_EQ(
+        contact_sentence(problem(), contact(), 1e15),
+        "The surface touches the half-space on 25 % of the map (13.19 % with the correction for the perimeter) in 1 "
+        "patch, at a mean pressure of 1.000 MPa. The mean gap is 1.000 nm; an additional pressure of 1.000 MPa brings the surface 1 nm closer.");
     EXPECT_NE(contact_sentence(problem(), contact(), std::numeric_limits<double>::infinity()).find("no further"),
               std::string::npos);
     auto apart = contact();

@@ -61,7 +61,7 @@ std::optional<ContactPointMethod> decided(const ContactPoints& points, const Con
         least = estimate.contact_point->standard_error;
         best = estimate.method;
     }
-    if (!best) throw UndefinedDataError("no estimator finds a contact point; give one");
+    if (!best) throw UndefinedDataError("no estimator finds a contact point; give the contact point");
     return best;
 }
 
@@ -121,8 +121,8 @@ ContactPointChoice parse_contact_point(std::string_view text) {
     } catch (const InvalidArgument& error) {
         std::string names;
         for (const ContactPointMethod method : contact_point_methods()) names += ", " + contact_point_name(method);
-        throw InvalidArgument(
-            fmt::format("contact point '{}' is none of auto, fit{}, and no length: {}", text, names, error.what()));
+        throw InvalidArgument(fmt::format("contact point '{}' is unknown; expected auto, fit{} or a length: {}", text,
+                                          names, error.what()));
     }
 }
 
@@ -135,14 +135,15 @@ const ContactPointEstimate& ContactPoints::of(ContactPointMethod method) const {
 ContactPoints contact_points(const ContactPointInputs& inputs, const LensAndCounterBody& bodies,
                              const ContactPointChoice& choice) {
     if (inputs.loop.displacement.size() == 0)
-        throw UndefinedDataError("a contact point needs the displacement, which was not measured");
+        throw UndefinedDataError("the contact point needs the displacement, which was not measured");
     ContactPoints points;
     for (const ContactPointMethod method : contact_point_methods())
         points.estimates.push_back(
             {.method = method, .contact_point = attempt([&] {
                                    Estimate found = estimated_contact_point(method, inputs, bodies);
                                    if (!std::isfinite(found.value))
-                                       throw UndefinedDataError("the method does not determine it");
+                                       throw UndefinedDataError(
+                                           "the data do not determine the contact point by this method");
                                    return found;
                                })});
     const double deepest = inputs.loading.displacement.maxCoeff();

@@ -59,7 +59,8 @@ public:
         const Index end = direction < 0 ? std::max(at - most, contact.extent.first) : std::min(at + most, last);
         const Index n = std::abs(end - at);
         if (n < fewest)
-            throw UndefinedDataError("too little free flight beside the jump to know the motion from sample to sample");
+            throw UndefinedDataError(
+                "the free flight next to the jump is too short to give the motion from sample to sample");
         return (displacement(end) - displacement(at)) / static_cast<double>(end - at);
     }
 
@@ -79,13 +80,14 @@ public:
             fmt::format("the jump {} contact does not stand out from the noise", into_contact ? "into" : "out of"));
     }
     [[nodiscard]] Index before_jump_in() const {
-        if (!contact.jump_in && in.loop.contact_radius.size() == 0) throw UndefinedDataError("no jump into contact");
+        if (!contact.jump_in && in.loop.contact_radius.size() == 0)
+            throw UndefinedDataError("the record has no jump into contact");
         // the trough of noisy forces may lie behind the jump
         return before_jump({contact.extent.first, contact.jump_in ? contact.jump_in->last : contact.loading.first},
                            true);
     }
     [[nodiscard]] Index before_jump_out() const {
-        if (!contact.pull_off) throw UndefinedDataError("the record does not show the pull-off");
+        if (!contact.pull_off) throw UndefinedDataError("the record does not contain the pull-off");
         return before_jump(*contact.pull_off, false);
     }
 
@@ -97,7 +99,8 @@ public:
         const double rise = force(at + 1) - force(at), moved = displacement(at + 1) - displacement(at);
         constexpr double clear = 3.0;
         if (!(rise > clear * noise.force_noise))
-            throw UndefinedDataError("the jump out of contact is too small to show the machine's stiffness");
+            throw UndefinedDataError(
+                "the jump out of contact is too small to give the stiffness of the testing machine");
         const double value = (free_step(at + 1, 1) - moved) / rise;
         // softer than the noise of the jump's ends tells is as good as rigid
         return measured(std::max(value, 0.0),
@@ -110,7 +113,8 @@ public:
 /// point then.
 void require_repulsion(const Touch& touch, double radius) {
     if (touch.contact.jump_in)
-        throw UndefinedDataError("the approach jumps into contact: no power law begins at the contact point");
+        throw UndefinedDataError(
+            "this estimator fits a power law without adhesion, and the approach jumps into contact");
     const double largest = touch.force(touch.contact.loading.last);
     if (touch.in.loop.contact_radius.size() > 0) {
         // the camera sees contact in samples that the force cannot tell from free flight: do they pull?
@@ -121,14 +125,17 @@ void require_repulsion(const Touch& touch, double radius) {
             sum += touch.force(i);
         if (n > 0.0 && sum < -sure * touch.noise.force_noise * std::sqrt(n))
             throw UndefinedDataError(
-                "the force is below its zero at the beginning of contact: no power law begins at the contact point");
+                "this estimator fits a power law without adhesion, and the force is below its zero at the "
+                "beginning of contact");
     }
     if (!touch.in.force_displacement) return;
     const double attraction = 1.5 * pi * radius * touch.in.force_displacement->work_of_adhesion.value;
     constexpr double rounding = 1e-4;
     if (attraction > std::max(touch.noise.force_noise, rounding * largest))
-        throw UndefinedDataError(fmt::format(
-            "adhesion pulls by {:.2g} N, more than noise hides: no power law begins at the contact point", attraction));
+        throw UndefinedDataError(
+            fmt::format("this estimator fits a power law without adhesion, and adhesion pulls by {:.2g} N, more than "
+                        "the noise",
+                        attraction));
 }
 
 /// Straight line through F^(2/3), which Hertz's force makes of the depth, from where the force stands out from its
@@ -147,7 +154,7 @@ Estimate first_touch(const Touch& touch, double radius) {
     constexpr Index fewest = 5;
     if (n < fewest)
         throw UndefinedDataError(
-            fmt::format("{} samples between first touch and {:.2g} N, a departure needs at least {}", n, most, fewest));
+            fmt::format("{} samples lie between first touch and {:.2g} N; expected at least {}", n, most, fewest));
     const double origin = touch.displacement(first);
     Eigen::MatrixXd design(n, 2);
     Eigen::VectorXd values(n);
@@ -160,7 +167,7 @@ Estimate first_touch(const Touch& touch, double radius) {
     }
     const LeastSquaresSolution line = solve_linear(design, values);
     const double slope = line.parameters[0], level = line.parameters[1];
-    if (!(slope > 0.0)) throw UndefinedDataError("the force does not rise behind first touch");
+    if (!(slope > 0.0)) throw UndefinedDataError("the force does not rise after first touch");
     const Eigen::Vector2d by(level / (slope * slope), -1.0 / slope);
     // a zero of force wrong by its error moves F^(2/3) of the samples by 2/3 F^(−1/3) of it
     const double zero = touch.zero_error(first) * 2.0 / 3.0 / (std::cbrt(least) * slope);
@@ -205,7 +212,7 @@ Estimate broken_line(const Touch& touch, double radius) {
                  }
              }},
         Eigen::Vector3d(0.0, 1.0, 0.0));
-    if (!solution.converged) throw UndefinedDataError("the broken line did not converge");
+    if (!solution.converged) throw UndefinedDataError("the fit of the broken line did not converge");
     return measured(start.value + depth_unit * solution.parameters[2],
                     depth_unit * std::sqrt(solution.uncertainty.covariance(2, 2)), "least squares");
 }
@@ -218,7 +225,7 @@ Estimate behind_jump_in(const Touch& touch) {
     const double error =
         hypotenuse({step / std::sqrt(12.0), touch.noise.displacement_noise, compliance.value * touch.noise.force_noise,
                     touch.force(behind) * compliance.standard_error});
-    return measured(stage - 0.5 * step, error, "machine's line through the first sample behind the jump");
+    return measured(stage - 0.5 * step, error, "line of the testing machine through the first sample after the jump");
 }
 
 /// A quadratic through samples: its value and slope at a place, and the standard error of the value.
@@ -257,14 +264,15 @@ IndexRange around_zero(const BranchData& data, double noise) {
     const bool passes = range.count() >= fewest && data.force.segment(range.first, ends).mean() < 0.0 &&
                         data.force.segment(range.last - ends + 1, ends).mean() > 0.0;
     if (!passes)
-        throw UndefinedDataError("the force of the loading fit does not pass through zero, or in too few samples");
+        throw UndefinedDataError(
+            "the force of the loading fit does not pass through zero, or has too few samples there");
     return range;
 }
 
 /// a²/(3R) at F = 0 from W/E*, a³ = 9πWR²/(2E*).
 Estimate zero_load_depth(const JkrFit& fit, double radius) {
     const double W = fit.work_of_adhesion.value, E = fit.contact_modulus.value;
-    if (!(W > 0.0)) throw UndefinedDataError("the loading fit has no adhesion, so that F = 0 is first touch itself");
+    if (!(W > 0.0)) throw UndefinedDataError("the loading fit has no adhesion: F = 0 is first touch itself");
     const double a = std::cbrt(4.5 * pi * W * radius * radius / E), depth = a * a / (3.0 * radius);
     const double relative =
         fit.covariance(1, 1) / (W * W) + fit.covariance(0, 0) / (E * E) - 2.0 * fit.covariance(0, 1) / (W * E);
@@ -280,7 +288,7 @@ Estimate from_zero_force(const Touch& touch, double radius) {
     constexpr int rounds = 20;
     for (int i = 0; i < rounds; ++i) at -= force.at(at) / force.slope(at);
     if (!(at >= depth.minCoeff() && at <= depth.maxCoeff() && force.slope(at) > 0.0))
-        throw UndefinedDataError("no zero of the force between the samples around it");
+        throw UndefinedDataError("the force has no zero between the samples on both sides of zero");
     const double zero_error =
         hypotenuse({force.error(at), touch.zero_error(touch.contact.loading.first)}) / force.slope(at);
     if (data.contact_radius.size() > 0) {
@@ -291,7 +299,8 @@ Estimate from_zero_force(const Touch& touch, double radius) {
                         std::hypot(zero_error * (1.0 - by_radius * radii.slope(at)), by_radius * radii.error(at)),
                         "measured radius at F = 0");
     }
-    if (!touch.in.force_displacement) throw UndefinedDataError("neither a contact radius nor a fit tells a at F = 0");
+    if (!touch.in.force_displacement)
+        throw UndefinedDataError("neither a measured contact radius nor a fit gives the contact radius at F = 0");
     const Estimate below = zero_load_depth(*touch.in.force_displacement, radius);
     return measured(at - below.value, std::hypot(zero_error, below.standard_error), "jkr radius at F = 0");
 }
@@ -305,10 +314,11 @@ double stage_at_instability(double modulus, double work, double radius, double c
 
 Estimate from_pull_off(const Touch& touch, double radius) {
     const Index free = touch.before_jump_out() + 1;
-    if (!touch.in.unloading) throw UndefinedDataError("no fit of the retraction, whose W and E* tell where it parts");
+    if (!touch.in.unloading)
+        throw UndefinedDataError("the retraction has no fit, whose W and E* would give the displacement at separation");
     const JkrFit& fit = *touch.in.unloading;
     const double W = fit.work_of_adhesion.value, E = fit.contact_modulus.value;
-    if (!(W > 0.0)) throw UndefinedDataError("the retraction has no adhesion: nothing jumps out of contact");
+    if (!(W > 0.0)) throw UndefinedDataError("the fit of the retraction has no adhesion, hence no jump out of contact");
     const Estimate compliance = touch.compliance();
     // free of force, the displacement is the stage's
     const double step = touch.free_step(free, 1), stage = touch.displacement(free) - 0.5 * step;
@@ -325,7 +335,7 @@ Estimate from_pull_off(const Touch& touch, double radius) {
     return measured(stage - here,
                     hypotenuse({step / std::sqrt(12.0), touch.noise.displacement_noise, by_compliance,
                                 std::sqrt(std::max(fitted, 0.0))}),
-                    "instability of the retraction's fit");
+                    "instability of the fit of the retraction");
 }
 
 /// F = 2aE* (δ − a²/(3R)) − 2aE* δ0 in force, where noise of the force is the same everywhere; weighed by the noise of

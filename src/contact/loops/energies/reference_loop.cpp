@@ -32,7 +32,7 @@ ReferenceLoop evaluate_reference(const LoopAnalysis& analysis) {
 }
 
 Array1D loss_ratios(const ArrayView1D& rough_losses, const std::vector<ReferenceLoop>& references) {
-    if (references.empty()) throw UndefinedDataError("no reference loop to compare the losses with");
+    if (references.empty()) throw UndefinedDataError("no reference loop is given; comparing losses needs one or more");
     double mean = 0.0;
     for (const ReferenceLoop& reference : references) mean += reference.excess_energy.value;
     mean /= static_cast<double>(references.size());

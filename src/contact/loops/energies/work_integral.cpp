@@ -42,14 +42,14 @@ IndexRange closed_range(const Segments& segments, Index contact) {
     const ContactSegments& touch = segments.contacts[static_cast<std::size_t>(contact)];
     const bool last = contact + 1 == static_cast<Index>(segments.contacts.size());
     if (!touch.unloading || (last && !touch.pull_off && !segments.after))
-        throw UndefinedDataError("the record ends in contact: no closed loop");
+        throw UndefinedDataError("the record ends in contact, so that the loop is not closed");
     IndexRange range = touch.extent;
     const Index starts = touch.jump_in ? touch.jump_in->first : touch.loading.first;
     const Index ends = touch.pull_off ? touch.pull_off->last : touch.unloading->last;
     if (contact == 0) {
         if (segments.before.range) range.first = std::min(std::max(range.first, segments.before.range->last), starts);
         else if (segments.after && !touch.jump_in)
-            throw UndefinedDataError("the record begins in contact: no closed loop");
+            throw UndefinedDataError("the record begins in contact, so that the loop is not closed");
     }
     if (last && segments.after && segments.after->range)
         range.last = std::max(std::min(range.last, segments.after->range->first), ends);

@@ -15,8 +15,10 @@ namespace {
 
 void require_noise(double noise, const char* channel) {
     if (noise > 0.0) return;
-    throw InvalidArgument(fmt::format(
-        "this fit needs the noise of the {}, which is not known; give it or fit without effective variance", channel));
+    throw InvalidArgument(
+        fmt::format("this fit needs the noise of the {}, which is not known; give the noise, or fit without "
+                    "effective variance",
+                    channel));
 }
 
 double range_of(const Array1D& series) { return series.maxCoeff() - series.minCoeff(); }

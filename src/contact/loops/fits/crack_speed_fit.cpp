@@ -37,7 +37,7 @@ void require_edge(const RecedingEdge& edge, double radius, const Estimate& conta
     for (Index i = 1; i < edge.time.size(); ++i)
         if (!(edge.time[i] > edge.time[i - 1]))
             throw InvalidArgument(
-                fmt::format("time must rise: sample {} at {} s follows {} s", i, edge.time[i], edge.time[i - 1]));
+                fmt::format("time must increase: sample {} at {} s follows {} s", i, edge.time[i], edge.time[i - 1]));
     if (!(radius > 0.0)) throw InvalidArgument(fmt::format("sphere radius must be > 0, got {}", radius));
     if (!(contact_modulus.value > 0.0))
         throw InvalidArgument(fmt::format("contact modulus must be > 0, got {}", contact_modulus.value));
@@ -50,8 +50,9 @@ RecedingEdge between_frames(const RecedingEdge& edge, std::vector<Index>& frames
     for (Index i = 0; i < edge.time.size(); ++i)
         if (edge.contact_radius[i] > 0.0) frames.push_back(i);
     if (static_cast<Index>(frames.size()) < fewest_frames)
-        throw UndefinedDataError(fmt::format("{} frames show the receding edge; a crack-speed law needs at least {}",
-                                             frames.size(), fewest_frames));
+        throw UndefinedDataError(
+            fmt::format("{} frames show the receding edge; a fit of the crack speed needs at least {}", frames.size(),
+                        fewest_frames));
     const Index first = frames.front(), count = frames.back() - first + 1;
     for (Index& frame : frames) frame -= first;
     return {.time = edge.time.segment(first, count),
@@ -90,7 +91,9 @@ public:
                 contact::jkr::energy_release_slopes(course[i], edge_.force[frames_[i]], {radius, contact_modulus.value})
                     .value;
         if (!(course[n - 1] < course[0]))
-            throw UndefinedDataError("the contact edge does not recede along the branch: it holds no crack-speed law");
+            throw UndefinedDataError(
+                "the contact edge does not recede along the branch; a fit of the crack speed needs a receding "
+                "edge");
     }
 
     [[nodiscard]] const Array1D& measured() const { return measured_; }
@@ -125,8 +128,8 @@ public:
             }
         if (!std::isfinite(least))
             throw UndefinedDataError(
-                "no law of crack speed describes how the edge recedes: G does not rise with its speed; check E* and "
-                "the zero of force");
+                "no law of crack speed fits the receding edge: G does not rise with the speed of the edge; "
+                "check E* and the zero of force");
         return best;
     }
 
@@ -215,10 +218,10 @@ void require_told(const Eigen::MatrixXd& covariance, bool exponent_free) {
     for (const auto& [k, name] : {std::pair<Index, const char*>{1, "G0"}, {2, "v0"}, {3, "n"}})
         if ((k < 3 || exponent_free) && uncertain(k)) unknown += (unknown.empty() ? "" : ", ") + std::string(name);
     if (unknown.empty()) return;
-    throw UndefinedDataError(fmt::format(
-        "the radii do not tell a law of crack speed: {} known to no better than a factor e; the speeds vary "
-        "too little, or G with them: unload at several speeds{}",
-        unknown, exponent_free ? " or give the exponent" : ""));
+    throw UndefinedDataError(
+        fmt::format("the radii do not determine a law of crack speed: {} uncertain by more than a factor e; the "
+                    "speeds, or G with them, vary too little: unload at several speeds{}",
+                    unknown, exponent_free ? " or give the exponent" : ""));
 }
 
 double rms(const Array1D& values) { return std::sqrt(values.square().mean()); }

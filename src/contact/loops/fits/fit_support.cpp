@@ -38,8 +38,8 @@ double force_scale(const BranchData& data) {
 void require_modulus(double contact_modulus) {
     if (contact_modulus > 0.0 && std::isfinite(contact_modulus)) return;
     throw UndefinedDataError(
-        "the contact shrinks as the force rises along the branch, or does not change: this is no elastic "
-        "contact; check the segments and the signs of the columns");
+        "the contact shrinks as the force rises along the branch, or does not change; expected an "
+        "elastic contact that grows; check the segments and the signs of the columns");
 }
 
 double square_standard_error(double root, double root_standard_error, double factor) {

@@ -115,7 +115,7 @@ Reduced reduced_data(const BranchData& data, const LensAndCounterBody& bodies, d
     require_data(data, bodies, {.displacement = true, .fewest = 3});
     const double largest = data.displacement.maxCoeff() - contact_point, scale = force_scale(data);
     if (!(largest > 0.0))
-        throw UndefinedDataError("the branch never passes the contact point: a fit needs a penetration > 0");
+        throw UndefinedDataError("the branch never passes the contact point; a fit needs a penetration > 0");
     Reduced reduced{.problem = {.depth = data.displacement - contact_point,
                                 .force = data.force / scale,
                                 .weight = Array1D::Ones(data.force.size()),

@@ -180,10 +180,12 @@ GlobalFit fit_globally(const std::vector<GlobalBranch>& branches, const GlobalOp
     if (branches.empty()) throw InvalidArgument("a global fit needs branches, got none");
     if (options.fit.model == ContactModel::transition)
         throw InvalidArgument(
-            "the transition equation has a0, Fc and α as parameters and shares no E* or W; use maugis_dugdale");
+            "the transition equation has the parameters a0, Fc and α and can share neither E* nor W; use "
+            "maugis_dugdale");
     const bool shares_work = options.share_work_of_adhesion && options.fit.model != ContactModel::hertz;
     if (!options.share_contact_modulus && !shares_work)
-        throw InvalidArgument("a global fit shares the contact modulus or the work of adhesion or both, got neither");
+        throw InvalidArgument(
+            "a global fit must share the contact modulus, the work of adhesion, or both; got neither");
 
     std::vector<SolvedFit> separate = separate_fits(branches, options.fit);
     const Layout unknowns = layout(branches, separate, options);

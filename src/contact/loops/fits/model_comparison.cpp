@@ -76,8 +76,8 @@ ModelComparison compare_models(const BranchData& data, const LensAndCounterBody&
     comparison.sentence = fmt::format("{} fits best", to_string(best->model));
     if (second)
         comparison.sentence +=
-            fmt::format(", {} {} AICc {:.1f} above", to_string(second->model),
-                        second->akaike_difference < 2.0 ? "as well with" : "next with", second->akaike_difference);
+            fmt::format(", {} {} with an AICc higher by {:.1f}", to_string(second->model),
+                        second->akaike_difference < 2.0 ? "equally well" : "second best", second->akaike_difference);
     if (best->fit->verdict) comparison.sentence += "; " + best->fit->verdict->sentence;
     return comparison;
 }

@@ -97,13 +97,17 @@ void fill_transition(ModelFit& fit, const PreparedFit& prepared, const FitSoluti
         return;
     }
     const std::string why =
-        share_error > 0.25
-            ? fmt::format("α = {:.2f} ± {:.2f}: the branch does not tell the range of attraction", share, share_error)
+        share_error > 0.25 ? fmt::format("α = {:.2f} ± {:.2f}: the branch does not determine the range of attraction",
+                                         share, share_error)
         : share >= most_share
-            ? fmt::format("α = {:.3f}: the branch is that of JKR, whose attraction has no range; E* and W are JKR's",
-                          share)
-            : fmt::format("α = {:.3f}: the branch is that of DMT, which does not tell the stress; E* and W are DMT's",
-                          share);
+            ? fmt::format(
+                  "α = {:.3f}: the branch is in the limit of JKR, which has no range of attraction; E* and W are "
+                  "those of JKR",
+                  share)
+            : fmt::format(
+                  "α = {:.3f}: the branch is in the limit of DMT, which does not determine the cohesive stress; "
+                  "E* and W are those of DMT",
+                  share);
     fit.cohesive_stress = Outcome<Estimate>::missing(why);
     fit.transition_parameter = Outcome<Estimate>::missing(why);
     if (share_error > 0.25) fit.transition_share = Outcome<Estimate>::missing(why);
@@ -133,9 +137,10 @@ void fill_zone(ModelFit& fit, const PreparedFit& prepared, const FitSolution& so
     const bool ran_off = lambda < least_lambda || lambda > most_lambda;
     if (!ran_off && lambda_error <= most_log_error) return;
     if (ran_off) return leave_zone_open(fit, lambda);
-    const std::string why =
-        fmt::format("λ = {:.2g} is known within a factor {:.2g} only: the branch does not tell the range of attraction",
-                    lambda, std::exp(lambda_error));
+    const std::string why = fmt::format(
+        "λ = {:.2g} is uncertain by a factor of {:.2g}: the branch does not determine the range of "
+        "attraction",
+        lambda, std::exp(lambda_error));
     fit.transition_parameter = Outcome<Estimate>::missing(why);
     fit.cohesive_stress = Outcome<Estimate>::missing(why);
     fit.undetermined.push_back(why);
@@ -145,7 +150,7 @@ void fill_zone(ModelFit& fit, const PreparedFit& prepared, const FitSolution& so
 
 void leave_zone_open(ModelFit& fit, double transition_parameter) {
     const std::string why =
-        fmt::format("λ ran to {:.2g}, the limit of {}: the branch does not tell the cohesive stress",
+        fmt::format("λ reached {:.2g}, the limit of {}: the branch does not determine the cohesive stress",
                     transition_parameter, transition_parameter > 1.0 ? "JKR" : "DMT");
     fit.transition_parameter = fit.cohesive_stress = Outcome<Estimate>::missing(why);
     fit.undetermined.push_back(why);
@@ -172,8 +177,8 @@ Outcome<Estimate> work_estimate(const ModelCurve& curve, const LeastSquaresSolut
         return solution.estimate(work, square_standard_error(at[1], slot_standard_error, 1.0));
     if (slot_standard_error <= most_log_error) return solution.estimate(work, work * slot_standard_error);
     return Outcome<Estimate>::missing(
-        fmt::format("W = {} is known within a factor {:.2g} only: it follows λ; take forces down to "
-                    "pull-off into the fit or give the cohesive stress",
+        fmt::format("W = {} is uncertain by a factor of {:.2g}, since W depends on λ; include forces down to "
+                    "pull-off in the fit, or give the cohesive stress",
                     format_value(work, "J/m2", 2), std::exp(slot_standard_error)));
 }
 

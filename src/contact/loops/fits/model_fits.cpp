@@ -79,10 +79,10 @@ void question_work(ModelFit& fit, const PreparedFit& prepared, const FitSolution
     if (!fit.work_of_adhesion || !(rise < 4.0 * chi2 / freedom * fit.correlated_samples)) return;
     const double here = fit.work_of_adhesion->value,
                  there = prepared.problem.curve().work_of_adhesion(other.at.head<3>());
-    fit.work_of_adhesion = Outcome<Estimate>::missing(fmt::format(
-        "W = {} at the limit of λ and {} at λ = 0.7 fit alike: it follows the range of attraction; fit jkr or dmt, "
-        "or give the cohesive stress",
-        format_value(here, "J/m2", 3), format_value(there, "J/m2", 3)));
+    fit.work_of_adhesion = Outcome<Estimate>::missing(
+        fmt::format("W = {} at the limit of λ and W = {} at λ = 0.7 fit equally well: W depends on the range of "
+                    "attraction; fit jkr or dmt, or give the cohesive stress",
+                    format_value(here, "J/m2", 3), format_value(there, "J/m2", 3)));
     fit.undetermined.push_back(fit.work_of_adhesion.reason);
 }
 
@@ -148,7 +148,7 @@ ContactModel model_named(std::string_view name) {
         known.emplace_back(word);
     }
     const std::string nearest = nearest_match(name, known);
-    throw InvalidArgument(fmt::format("unknown contact model '{}'{}; there are {}", name,
+    throw InvalidArgument(fmt::format("unknown contact model '{}'{}; expected one of {}", name,
                                       nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest),
                                       fmt::join(known, ", ")));
 }
@@ -173,7 +173,7 @@ std::string to_string(FitErrors errors) {
 Channels channels_of(const BranchData& data) {
     const bool displacement = data.displacement.size() > 0, radius = data.contact_radius.size() > 0;
     if (!displacement && !radius)
-        throw UndefinedDataError("the branch has a force alone; a fit needs displacement or contact radius beside it");
+        throw UndefinedDataError("the branch has only the force; a fit also needs displacement or contact radius");
     if (displacement && radius) return Channels::force_displacement_radius;
     return radius ? Channels::force_radius : Channels::force_displacement;
 }
@@ -197,7 +197,8 @@ SolvedFit without_adhesion(const BranchData& data, const LensAndCounterBody& bod
     if (free.work_of_adhesion) work.standard_error = free.work_of_adhesion->standard_error;
     if (const auto around = interval_of(work)) work.interval = Interval{0.0, around->upper, around->level};
     solved.fit.work_of_adhesion = work;
-    solved.fit.undetermined.push_back("W is 0: a contact smaller than one without adhesion would fit better");
+    solved.fit.undetermined.push_back(
+        "W is at its limit 0: the measured contact is smaller than a contact without adhesion");
     return solved;
 }
 

@@ -50,22 +50,24 @@ void require_options(const ModelFitOptions& options, Channels channels) {
     if (options.model == ContactModel::transition) {
         if (channels != Channels::force_radius)
             throw InvalidArgument(
-                "the transition equation relates contact radius and force alone; choose the channels force_radius, or "
-                "maugis_dugdale");
+                "the transition equation relates only contact radius and force; choose the channels "
+                "force_radius, or the model maugis_dugdale");
         if (options.contact_modulus || options.work_of_adhesion)
             throw InvalidArgument(
-                "the transition equation has a0, Fc and α as parameters; E* and W cannot be held, use maugis_dugdale");
+                "the transition equation has the parameters a0, Fc and α; E* and W cannot be held fixed; use "
+                "maugis_dugdale");
     }
     if (options.errors == FitErrors::force_only && channels == Channels::force_displacement_radius)
         throw InvalidArgument(
-            "force_only takes one channel beside force for exact; choose effective_variance for three channels");
+            "force_only treats one channel besides force as exact; choose effective_variance for three "
+            "channels");
     if (options.work_of_adhesion && !has_work)
-        throw InvalidArgument("hertz has no work of adhesion that could be given");
+        throw InvalidArgument("hertz has no work of adhesion, but one was given");
     if ((options.cohesive_stress || options.transition_parameter) && !zone)
         throw InvalidArgument(
-            fmt::format("{} has no cohesive stress that could be given; use maugis_dugdale", to_string(options.model)));
+            fmt::format("{} has no cohesive stress, but one was given; use maugis_dugdale", to_string(options.model)));
     if (options.cohesive_stress && options.transition_parameter)
-        throw InvalidArgument("give the cohesive stress or the transition parameter, not both");
+        throw InvalidArgument("both the cohesive stress and the transition parameter are given; give one of them");
     const auto positive = [](const std::optional<double>& value, const char* name) {
         if (value && !(*value > 0.0 && std::isfinite(*value)))
             throw InvalidArgument(fmt::format("{} must be > 0 and finite, got {}", name, *value));
@@ -81,9 +83,10 @@ void require_radii(const BranchData& data, const ModelCurve& curve) {
         throw InvalidArgument(
             fmt::format("contact radii must be > 0 m along a branch, got {}", data.contact_radius.minCoeff()));
     if (!(data.contact_radius.maxCoeff() < curve.largest_radius()))
-        throw InvalidArgument(fmt::format(
-            "contact radii must stay below {} m, where the model of {} ends, got {} m; leave those samples out",
-            curve.largest_radius(), to_string(curve.model()), data.contact_radius.maxCoeff()));
+        throw InvalidArgument(
+            fmt::format("contact radii must stay below {} m, where the model of {} ends, got {} m; leave out those "
+                        "samples",
+                        curve.largest_radius(), to_string(curve.model()), data.contact_radius.maxCoeff()));
 }
 
 /// Values that the search for a start tries for one slot.

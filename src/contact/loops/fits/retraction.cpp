@@ -21,7 +21,7 @@ Array1D radii(const BranchData& points, double radius, double modulus, double co
     const Array1D a = energy_release_rates(points, radius, modulus, contact_point).contact_radius;
     if (!a.allFinite())
         throw UndefinedDataError(
-            "force and displacement near pull-off imply no contact radius with the loading modulus");
+            "with the E* of loading, no contact radius follows from force and displacement near pull-off");
     return a;
 }
 
@@ -52,7 +52,8 @@ RetractionFit fit_retraction(const BranchData& last_points, double radius, const
                       .radius_measured = last_points.contact_radius.size() > 0};
     if (modulus_free && !fit.radius_measured)
         throw UndefinedDataError(
-            "a free modulus near pull-off needs the measured contact radius; keep the loading modulus");
+            "a free modulus near pull-off needs the contact radius, which was not measured; keep the "
+            "modulus of loading");
     LeastSquaresSolution solution;
     if (modulus_free) {
         solution = solve_free(last_points, radius);

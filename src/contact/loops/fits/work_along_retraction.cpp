@@ -59,7 +59,7 @@ struct Retraction {
                 return numerics::golden_section([&](double x) { return stage(x, line); },
                                                 std::max(a - step, 0.1 * step), std::min(a + step, a_max), rounds);
         }
-        throw UndefinedDataError("the line of W_ret falls to 0 before the contact parts");
+        throw UndefinedDataError("the line of W_ret falls to 0 before the contact separates");
     }
     /// ∮F dδ [J].
     [[nodiscard]] double energy_loss(const Line& line) const {
@@ -135,8 +135,7 @@ void require_course(const BranchData& data, const RetractionCourse& course) {
     require_data(data, {.radius = course.radius}, {.contact_radius = true, .fewest = 8});
     if (!(course.contact_modulus.value > 0.0 && course.largest_contact_radius > 0.0 && course.machine_stiffness > 0.0))
         throw InvalidArgument(
-            fmt::format("E* = {} Pa, largest contact radius {} m, machine stiffness {} N/m; expected "
-                        "all of them above 0",
+            fmt::format("E* = {} Pa, largest contact radius {} m, machine stiffness {} N/m; expected all three above 0",
                         course.contact_modulus.value, course.largest_contact_radius, course.machine_stiffness));
     constexpr double least_share = 0.05;
     const double covered = data.contact_radius.maxCoeff() - data.contact_radius.minCoeff();

@@ -49,15 +49,15 @@ TipLaw tip_law(const ForceCurveFitOptions& options, double radius) {
 void require_options(const ForceCurveFitOptions& options) {
     const bool dry = options.model == ContactModel::hertz;
     if (options.shape != TipShape::paraboloid && !dry)
-        throw InvalidArgument(fmt::format("a {} has hertz alone as model, got {}; choose a paraboloid",
+        throw InvalidArgument(fmt::format("a {} has only the model hertz, got {}; choose a paraboloid",
                                           to_string(options.shape), to_string(options.model)));
     if (options.model == ContactModel::transition)
         throw InvalidArgument(
             "the transition equation needs contact radii, which a force curve does not have; use maugis_dugdale");
     if (options.fit_force_offset && !dry)
-        throw InvalidArgument("a force offset is fitted with hertz alone: with adhesion W takes its place");
+        throw InvalidArgument("a force offset is fitted only with hertz: with adhesion, W takes its place");
     if ((options.fit_force_offset || options.shape != TipShape::paraboloid) && options.errors != FitErrors::force_only)
-        throw InvalidArgument("a force offset, a cone and a pyramid are fitted with force_only alone");
+        throw InvalidArgument("a force offset, a cone and a pyramid are fitted only with force_only");
 }
 
 /// Samples of a segment in the range, and for a model with adhesion in contact.
@@ -225,7 +225,7 @@ TipShape tip_shape_named(std::string_view name) {
         known.emplace_back(word);
     }
     const std::string nearest = nearest_match(name, known);
-    throw InvalidArgument(fmt::format("unknown tip shape '{}'{}; there are {}", name,
+    throw InvalidArgument(fmt::format("unknown tip shape '{}'{}; expected one of {}", name,
                                       nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest),
                                       fmt::join(known, ", ")));
 }
@@ -238,7 +238,8 @@ ForceCurveFit fit_force_curve(const CurveSegment& segment, const LensAndCounterB
     const double zero = options.contact_point.value_or(segment.contact_point);
     if (!std::isfinite(zero))
         throw UndefinedDataError(
-            fmt::format("no force of the {} segment stands out of the noise of {:.2g} N: no contact, or give its point",
+            fmt::format("no force of the {} segment exceeds the noise of {:.2g} N; check that the segment contains a "
+                        "contact, or give the contact point",
                         segment.name, segment.baseline.force_noise));
     const std::vector<Index> samples = chosen(segment, options, zero);
     const Array1D displacement = segment.displacement(samples), force = segment.force(samples);

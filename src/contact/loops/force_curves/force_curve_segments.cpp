@@ -75,7 +75,8 @@ std::vector<CurveSegment> segments_of_curve(const Table& curve, const ForceCurve
             fmt::format("a force curve of {} samples; at least {} are needed", force.size(), fewest_samples));
     if (!force.allFinite() || !displacement.allFinite())
         throw InvalidArgument(
-            "force and displacement of a force curve must be defined throughout; leave samples without them out");
+            "force and displacement of a force curve must be defined throughout; leave out samples without "
+            "them");
     const auto named = curve.metadata.find("segments");
     const std::vector<std::string> names =
         named == curve.metadata.end() ? std::vector<std::string>{} : words(named->second);

@@ -42,13 +42,13 @@ double line_variance(const CurveSegment& segment, double displacement, bool slop
 
 double noise_of_flight(const CurveSegment& segment) {
     if (std::isfinite(segment.baseline.force_noise)) return segment.baseline.force_noise;
-    throw UndefinedDataError(fmt::format("the {} segment has no free flight to tell its noise", segment.name));
+    throw UndefinedDataError(fmt::format("the {} segment has no free flight, which gives the noise", segment.name));
 }
 
 Estimate pull_off_of(const CurveSegment& retraction, bool sloped) {
     const double noise = noise_of_flight(retraction);
     if (!(retraction.smallest_force < 0.0))
-        throw UndefinedDataError(fmt::format("no attraction stands out of the noise of {:.2g} N", noise));
+        throw UndefinedDataError(fmt::format("no attraction exceeds the noise of {:.2g} N", noise));
     Index at = 0;
     const double force = retraction.force.minCoeff(&at);
     return {force, noise * std::sqrt(1.0 + line_variance(retraction, retraction.displacement[at], sloped)),
@@ -65,7 +65,7 @@ Work work_of(const CurveSegment& segment, double from, bool sloped) {
     std::vector<Index> inside;
     for (Index i = 0; i < segment.displacement.size(); ++i)
         if (segment.displacement[i] >= from) inside.push_back(i);
-    if (inside.size() < 2) throw UndefinedDataError("approach and retraction pass no common displacement");
+    if (inside.size() < 2) throw UndefinedDataError("approach and retraction have no displacement in common");
     const Array1D displacement = segment.displacement(inside), force = segment.force(inside);
     const Index last = displacement.size() - 1;
     Array1D weight = Array1D::Zero(last + 1);
@@ -89,8 +89,8 @@ Estimate loss_of(const CurveSegment& approach, const CurveSegment& retraction, b
     const double ratio = noise_of_flight(retraction) / noise_of_flight(approach);
     if (ratio > most_noise_ratio)
         throw UndefinedDataError(
-            fmt::format("the {} segment does not return to free flight: its end scatters {:.3g} times as much as the "
-                        "beginning of the approach",
+            fmt::format("the {} segment does not return to free flight: the scatter at its end is {:.3g} times that at "
+                        "the beginning of the approach",
                         retraction.name, ratio));
     const double from = std::max(approach.displacement.minCoeff(), retraction.displacement.minCoeff());
     const Work in = work_of(approach, from, sloped), out = work_of(retraction, from, sloped);
@@ -108,7 +108,8 @@ Outcome<Estimate> work_by_pull_off(const Outcome<Estimate>& force, const LensAnd
                                    const ForceCurveFitOptions& options) {
     if (!force) return Outcome<Estimate>::missing(force.reason);
     if (options.shape != TipShape::paraboloid)
-        return Outcome<Estimate>::missing(fmt::format("the pull-off of a {} tells no W", to_string(options.shape)));
+        return Outcome<Estimate>::missing(
+            fmt::format("the pull-off force of a {} does not give W", to_string(options.shape)));
     const double work = contact::jkr::work_of_adhesion_from_pull_off(force->value, bodies.radius);
     return Estimate{work, work * force->standard_error / std::abs(force->value), "delta"};
 }

@@ -42,8 +42,8 @@ Baseline given_baseline(const Loop& loop, const GivenRange& given, const std::st
     constexpr Index fewest = 5;
     const IndexRange range = samples_of(given, loop, name);
     if (range.count() < fewest)
-        throw InvalidArgument(fmt::format("{}: samples {} to {} are {}, a zero of force needs at least {}", name,
-                                          range.first, range.last, range.count(), fewest));
+        throw InvalidArgument(fmt::format("{}: samples {} to {} are {} samples; a zero of force needs at least {}",
+                                          name, range.first, range.last, range.count(), fewest));
     return baseline_over(loop, range);
 }
 

@@ -15,17 +15,17 @@ namespace {
 std::string message_of(ChannelFault fault) {
     switch (fault) {
         case ChannelFault::force_reversed:
-            return "the force looks reversed: it falls where the bodies are pressed together, and adhesion would be "
-                   "positive; multiply the force by -1";
+            return "the force seems to have the opposite sign: it falls when the bodies are pressed together, and "
+                   "adhesion would be positive; multiply the force by -1";
         case ChannelFault::displacement_reversed:
-            return "the displacement looks reversed: it falls where the force rises in contact; multiply the displacement "
-                   "by -1";
+            return "the displacement seems to have the opposite sign: it falls when the force rises in contact; "
+                   "multiply the displacement by -1";
         case ChannelFault::both_reversed:
-            return "force and displacement look reversed: in contact both fall where the bodies approach, and adhesion "
-                   "would be positive; multiply both by -1";
+            return "force and displacement seem to have the opposite sign: in contact both fall when the bodies "
+                   "approach, and adhesion would be positive; multiply both by -1";
         case ChannelFault::swapped:
-            return "force and displacement look swapped: the force changes in time as a displacement does, and the "
-                   "displacement as a force; exchange the columns";
+            return "force and displacement seem to be exchanged: the force changes in time as a displacement does, "
+                   "and the displacement as a force; exchange the columns";
     }
     throw InternalError("unknown fault of a channel");
 }

@@ -25,20 +25,22 @@ constexpr int fine_steps = 40;                ///< of the refined search, each f
 void require_clock(const Array1D& time, Index size, const char* subject) {
     if (time.size() != size || size < 2)
         throw InvalidArgument(
-            fmt::format("{}: {} times for {} values, expected as many, two at least", subject, time.size(), size));
+            fmt::format("{}: {} times for {} values; expected one time per value and at least two values", subject,
+                        time.size(), size));
     for (Index i = 0; i < size; ++i)
         if (!std::isfinite(time[i]) || (i > 0 && time[i] <= time[i - 1]))
-            throw InvalidArgument(fmt::format("{}: time does not run forwards at row {}", subject, i + 1));
+            throw InvalidArgument(
+                fmt::format("{}: time does not increase at row {}; sort the rows by time", subject, i + 1));
 }
 
 void require_record(const Loop& force) {
     require_clock(force.time, force.force.size(), "force record");
     const auto n = force.displacement.size();
     if (n != 0 && n != force.force.size())
-        throw InvalidArgument(fmt::format("force record: {} displacements for {} forces, expected as many or none", n,
-                                          force.force.size()));
+        throw InvalidArgument(fmt::format(
+            "force record: {} displacements for {} forces; expected one per force or none", n, force.force.size()));
     if (!force.force.isFinite().all() || !force.displacement.isFinite().all())
-        throw InvalidArgument("force record: a force or displacement is undefined");
+        throw InvalidArgument("force record: a force or displacement is undefined; leave out such rows");
 }
 
 /// Frames with a radius, both scaled to be of order 1.
@@ -67,12 +69,12 @@ Frames usable_frames(const CameraRecord& camera) {
     const auto n = static_cast<Index>(time.size());
     if (n < fewest_frames)
         throw UndefinedDataError(
-            fmt::format("{} frames with a contact radius, expected {} at least to align clocks by", n, fewest_frames));
+            fmt::format("{} frames have a contact radius; expected at least {} to align the clocks", n, fewest_frames));
     Frames frames{Eigen::Map<const Array1D>(time.data(), n), Eigen::Map<const Array1D>(radius.data(), n), 0.0};
     frames.interval = upper_median(std::move(steps));
     const double largest = frames.radius.abs().maxCoeff();
     if (!(largest > 0.0) || frames.radius.maxCoeff() == frames.radius.minCoeff())
-        throw UndefinedDataError("the contact radius never changes: nothing to align clocks by");
+        throw UndefinedDataError("the contact radius never changes, so that the clocks cannot be aligned");
     const double least = least_radius(radius);
     frames.radius = (frames.radius < least).select(0.0, frames.radius / largest);
     return frames;
@@ -212,7 +214,7 @@ struct Range {
 Range searched(const Loop& force, const Array1D& frames, const ClockOptions& options) {
     if (!(options.least_overlap > 0.0 && options.least_overlap <= 1.0))
         throw InvalidArgument(
-            fmt::format("least overlap {}, expected a share above 0 and up to 1", options.least_overlap));
+            fmt::format("least_overlap is {}; expected a number above 0 and up to 1", options.least_overlap));
     const double end = force.time[force.time.size() - 1];
     const auto n = frames.size();
     const auto needed =
@@ -221,9 +223,10 @@ Range searched(const Loop& force, const Array1D& frames, const ClockOptions& opt
     const Range range{options.smallest_offset.value_or(possible.lower),
                       options.largest_offset.value_or(possible.upper)};
     if (!std::isfinite(range.lower) || !std::isfinite(range.upper))
-        throw InvalidArgument("the offsets to search are not finite");
+        throw InvalidArgument("the first or last offset to search is not finite");
     if (range.lower > range.upper)
-        throw InvalidArgument(fmt::format("no offsets to search between {} s and {} s", range.lower, range.upper));
+        throw InvalidArgument(
+            fmt::format("the range of offsets to search is empty: {} s to {} s", range.lower, range.upper));
     return range;
 }
 
@@ -298,19 +301,19 @@ std::optional<Estimate> by_onset(const Loop& force, const Frames& frames) {
 
 std::string doubt_of(const ClockAlignment& found, const Range& range) {
     const double step = 0.5 * found.frame_interval;
-    if (!(found.offset.standard_error >= 0.0)) return "the agreement does not peak at the best offset";
+    if (!(found.offset.standard_error >= 0.0)) return "the agreement has no maximum at the best offset";
     if (range.upper - range.lower > 4.0 * step &&
         (found.offset.value - range.lower < step || range.upper - found.offset.value < step))
         return "the best offset lies at the end of the search";
     if (found.explained < 0.9)
-        return fmt::format("the radii explain {:.0f} % of the force's variance only", 100.0 * found.explained);
+        return fmt::format("the radii explain only {:.0f} % of the variance of the force", 100.0 * found.explained);
     if (found.method == "F, a" && !found.by_onset)
-        return "without displacement and without a jump-in it rests on loading alone";
+        return "without displacement and without a jump-in the offset depends on loading only";
     if (1.0 - found.explained > 0.7 * (1.0 - found.runner_up))
-        return "another offset at least five frames away explains nearly as much";
+        return "another offset, five frames away or more, explains nearly as much";
     if (found.by_onset && std::abs(found.by_onset->value - found.offset.value) >
                               2.0 * found.frame_interval + 3.0 * found.offset.standard_error)
-        return fmt::format("the first contact alone gives {:.4g} s", found.by_onset->value);
+        return fmt::format("the first contact by itself gives {:.4g} s", found.by_onset->value);
     return {};
 }
 
@@ -324,7 +327,7 @@ ClockAlignment align_clocks(const Loop& force, const CameraRecord& camera, const
     const auto frames = displaced ? all : before_unloading(all);
     if (frames.time.size() < fewest_frames)
         throw UndefinedDataError(
-            fmt::format("{} frames before unloading and out of contact, expected {} at least to align clocks by",
+            fmt::format("{} frames lie before unloading or out of contact; expected at least {} to align the clocks",
                         frames.time.size(), fewest_frames));
     const auto onset = by_onset(force, all);
     auto range = searched(force, frames.time, options);
@@ -347,9 +350,10 @@ ClockAlignment align_clocks(const Loop& force, const CameraRecord& camera, const
     const Search rough(force, thinned(frames, most_frames_at_first)), search(force, frames);
     const auto coarse = scanned(rough, range, 0.5 * rough.interval());
     if (coarse.empty())
-        throw UndefinedDataError(fmt::format(
-            "no offset between {:.4g} s and {:.4g} s brings half of the frames onto a force that changes; check the clocks",
-            range.lower, range.upper));
+        throw UndefinedDataError(
+            fmt::format("no offset between {:.4g} s and {:.4g} s places half of the frames on a part of the record "
+                        "where the force changes; check the clocks",
+                        range.lower, range.upper));
     auto best = best_of(coarse);
     const double rough_offset = best.offset;
     for (const auto& [reach, step] : {std::pair{1.5 * rough.interval(), 0.5 * search.interval()},

@@ -18,7 +18,8 @@ Loop loop_from_table(const Table& table) {
               .contact_radius = series("contact_radius")};
     if (loop.displacement.size() == 0 && loop.contact_radius.size() == 0)
         throw InvalidArgument(
-            "a loop needs a column 'displacement' or 'contact_radius' beside 'force'; map one of them");
+            "a loop needs a column 'displacement' or 'contact_radius' in addition to 'force'; map one of "
+            "them");
     return loop;
 }
 

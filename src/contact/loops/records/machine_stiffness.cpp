@@ -44,7 +44,7 @@ Branch branch_above(const Loop& loop, const Segments& segments, const IndexRange
     constexpr Index fewest = 10;
     if (branch.force.size() < fewest)
         throw UndefinedDataError(
-            fmt::format("{} samples of the rigid contact lie above {:.3g} N, a machine stiffness needs at least {}",
+            fmt::format("{} samples of the rigid contact lie above {:.3g} N; a machine stiffness needs at least {}",
                         branch.force.size(), least, fewest));
     return branch;
 }
@@ -62,7 +62,9 @@ Line robust_line(const Branch& branch) {
         const double sum = weight.sum();
         const double mean_stage = (weight * stage).sum() / sum, mean_force = (weight * branch.force).sum() / sum;
         const double spread = (weight * (stage - mean_stage).square()).sum();
-        if (!(spread > 0.0)) throw UndefinedDataError("the stage does not move along the branch: no stiffness");
+        if (!(spread > 0.0))
+            throw UndefinedDataError(
+                "the stage does not move along the branch, so that there is no stiffness to measure");
         slope = (weight * (stage - mean_stage) * (branch.force - mean_force)).sum() / spread;
         level = mean_force - slope * mean_stage;
         const Array1D distance = (branch.force - level - slope * stage).abs();
@@ -72,7 +74,8 @@ Line robust_line(const Branch& branch) {
     }
     if (!(slope > 0.0))
         throw UndefinedDataError(
-            "the force does not rise with the stage: no rigid contact; check the signs of the columns");
+            "the force does not rise with the stage, as it does in a rigid contact; check the signs of the "
+            "columns");
     Eigen::MatrixXd design(stage.size(), 2);
     design << weight.sqrt() * stage, weight.sqrt();
     const Eigen::VectorXd residuals = weight.sqrt() * (branch.force - level - slope * stage);
@@ -122,10 +125,11 @@ Segments pressed_and_released(const Loop& loop) {
 MachineStiffness machine_stiffness_from_rigid_contact(const Loop& loop, const Segments& segments, Index contact,
                                                       const RigidContactOptions& options) {
     if (contact < 0 || contact >= static_cast<Index>(segments.contacts.size()))
-        throw InvalidArgument(fmt::format("contact {} of {}", contact, segments.contacts.size()));
+        throw InvalidArgument(fmt::format("contact {} is out of range: the record has {} in all, counted from 0",
+                                          contact, segments.contacts.size()));
     if (!(options.lowest_share >= 0.0 && options.lowest_share < 1.0))
         throw InvalidArgument(
-            fmt::format("lowest share of the force must lie in [0, 1), got {}", options.lowest_share));
+            fmt::format("lowest_share of the force must lie in [0, 1), got {}", options.lowest_share));
     if (loop.displacement.size() == 0)
         throw UndefinedDataError("a machine stiffness needs the position of the stage, which was not measured");
     const ContactSegments& touch = segments.contacts[static_cast<std::size_t>(contact)];
@@ -136,10 +140,10 @@ MachineStiffness machine_stiffness_from_rigid_contact(const Loop& loop, const Se
     const Estimate growth = slope_growth(pressed, in.slope);
     constexpr double sure = 3.0;
     if (growth.value > options.largest_nonlinearity && growth.value > sure * growth.standard_error)
-        throw UndefinedDataError(fmt::format(
-            "the slope of force against stage grows by {:.0f} % from the lower to the upper half of the forces, more than {:.0f} %: "
-            "this contact is soft; measure the machine on a rigid body",
-            100.0 * growth.value, 100.0 * options.largest_nonlinearity));
+        throw UndefinedDataError(
+            fmt::format("the slope of force against stage grows by {:.0f} % from the lower to the upper half of the "
+                        "forces, more than {:.0f} %: the contact is soft; measure the stiffness on a rigid body",
+                        100.0 * growth.value, 100.0 * options.largest_nonlinearity));
     const auto estimate = [](double value, double error) {
         return Estimate{.value = value, .standard_error = error, .method = "robust line, correlated residuals"};
     };

@@ -23,7 +23,7 @@ void require_series(const Array1D& series, const char* name, Index expected, boo
     for (Index i = 0; i < series.size(); ++i)
         if (!std::isfinite(series[i]))
             throw InvalidArgument(
-                fmt::format("{} is undefined at sample {}; remove such samples from every series", name, i));
+                fmt::format("{} is undefined at sample {}; remove such samples from all series", name, i));
 }
 
 /// Scatter of the force in free flight, averaged over so many neighbours on both sides: 1.4826 times the median of its
@@ -59,7 +59,8 @@ void require_valid(const Loop& loop) {
         throw InvalidArgument(fmt::format("force has {} samples, a loop needs at least {}", n, fewest_samples));
     if (loop.displacement.size() == 0 && loop.contact_radius.size() == 0)
         throw InvalidArgument(
-            "a loop needs displacement or contact radius beside the force; map a column to one of them");
+            "a loop needs displacement or contact radius in addition to the force; map a column to one of "
+            "them");
     require_series(loop.force, "force", n, false);
     require_series(loop.displacement, "displacement", n, false);
     require_series(loop.time, "time", n, true);
@@ -70,13 +71,13 @@ Record make_record(const Loop& loop, const Array1D& level, const Segments& segme
     Record record{.loop = loop, .level = level, .force = level};
     record.noise = sample_noise(segments.before);
     record.range = level.maxCoeff() - level.minCoeff();
-    if (!(record.range > 0.0)) throw UndefinedDataError("the force follows its drift: no contact to analyse");
+    if (!(record.range > 0.0)) throw UndefinedDataError("the force contains only drift and no contact");
     double scatter = scatter_in_free_flight(level, segments, 0);
     constexpr double range_of_noise = 12.0;  // in standard deviations, beyond any that noise reaches
     if (record.range <= range_of_noise * scatter)
         throw UndefinedDataError(
-            fmt::format("the force never leaves its noise: range {}, scatter of free flight "
-                        "{}; no contact to analyse",
+            fmt::format("the force never exceeds its noise (range {}, scatter of free flight {}); the record contains "
+                        "no contact",
                         format_value(record.range, "N", 3), format_value(scatter, "N", 3)));
     // noise hides no feature of so small a share of the range
     constexpr double visible_share = 0.03;

@@ -29,28 +29,30 @@ std::string described(const std::vector<IndexRange>& ranges) {
 
 void check_faults(AlertList& list, const RecordFaults& faults, const Loop& loop, const AlertLimits& limits) {
     if (faults.time_backwards)
-        list.add("TIME_BACKWARDS",
-                 fmt::format("time runs backwards at sample {}: drift is taken along the samples, not the time",
-                             *faults.time_backwards),
-                 "sort the rows, or split a file that holds several records");
+        list.add(
+            "TIME_BACKWARDS",
+            fmt::format("time runs backwards at sample {}: the drift is computed along the sample number, not along "
+                        "time",
+                        *faults.time_backwards),
+            "sort the rows, or split a file that contains several records");
     for (const auto& [ranges, end] :
          {std::pair(&faults.saturated_high, "largest"), std::pair(&faults.saturated_low, "smallest")})
         if (!ranges->empty())
-            list.add(
-                "FORCE_SATURATED",
-                fmt::format(
-                    "the force stands still at its {} value, {}, without any noise in samples {}: they are left out of every fit, and the energy "
-                    "lacks what lies beyond",
-                    end, format_value(loop.force[ranges->front().first], "N"), described(*ranges)),
-                "use a larger range of the force sensor");
+            list.add("FORCE_SATURATED",
+                     fmt::format(
+                         "the force stays at its {} value, {}, without any noise in samples {}: every fit leaves these "
+                         "samples out, and the loop energy lacks the forces beyond this value",
+                         end, format_value(loop.force[ranges->front().first], "N"), described(*ranges)),
+                     "use a larger range of the force sensor");
     const double share =
         faults.frames > 0 ? static_cast<double>(faults.frames_missing) / static_cast<double>(faults.frames) : 0.0;
     if (share > limits.frames_missing)
-        list.add("FRAME_MISSING",
-                 fmt::format(
-                     "{:.0f} % of the frames in contact have no contact radius; the longest gap are samples {} to {}",
-                     100.0 * share, faults.longest_gap->first, faults.longest_gap->last),
-                 "look at the images of the gap; what happened in it rests on force and displacement alone");
+        list.add(
+            "FRAME_MISSING",
+            fmt::format("{:.0f} % of the frames in contact have no contact radius; the longest gap is samples {} to {}",
+                        100.0 * share, faults.longest_gap->first, faults.longest_gap->last),
+            "look at the images of the gap; within the gap, the results depend only on force and "
+            "displacement");
 }
 
 void check_units(AlertList& list, const LoopAnalysis& analysis, const Loop& loop, const LensAndCounterBody& bodies,
@@ -64,31 +66,34 @@ void check_units(AlertList& list, const LoopAnalysis& analysis, const Loop& loop
                                : 0.0;
     if (largest > bodies.radius)
         implausible(
-            fmt::format(
-                "the contact radius reaches {}, more than the sphere radius {}: one of them is off, the likely factor of the contact radius is {}",
-                format_value(largest, "m"), format_value(bodies.radius, "m"),
-                times(likely_factor(largest, usual_share * bodies.radius, 1.0))),
+            fmt::format("the contact radius reaches {}, more than the sphere radius {}: one of them is wrong, and the "
+                        "likely factor of the contact radius is {}",
+                        format_value(largest, "m"), format_value(bodies.radius, "m"),
+                        times(likely_factor(largest, usual_share * bodies.radius, 1.0))),
             "check the units of contact radius and sphere radius");
     const JkrFit& fit = analysis.loading.primary();
     const double modulus = fit.contact_modulus.value, work = fit.work_of_adhesion.value;
     if (!(modulus >= limits.contact_modulus_least && modulus <= limits.contact_modulus_most)) {
         // E* ∝ F R^(−1/2) δ^(−3/2) or F R a^(−3)
         const bool by_radius = fit.method != "force_displacement" && loop.contact_radius.size() > 0;
-        implausible(fmt::format("E* = {} lies outside {} to {}: the likely factor of the force is {}, or of the {} {}",
-                                format_value(modulus, "Pa", 3), format_value(limits.contact_modulus_least, "Pa", 1),
-                                format_value(limits.contact_modulus_most, "Pa", 1),
-                                times(likely_factor(modulus, usual_modulus, 1.0)),
-                                by_radius ? "contact radius" : "displacement",
-                                times(likely_factor(modulus, usual_modulus, by_radius ? -3.0 : -1.5))),
-                    "check the units of the columns and of the radius");
+        implausible(
+            fmt::format("E* = {} lies outside {} to {}: the likely factor of the force is {}, or that of the {} {}",
+                        format_value(modulus, "Pa", 3), format_value(limits.contact_modulus_least, "Pa", 1),
+                        format_value(limits.contact_modulus_most, "Pa", 1),
+                        times(likely_factor(modulus, usual_modulus, 1.0)),
+                        by_radius ? "contact radius" : "displacement",
+                        times(likely_factor(modulus, usual_modulus, by_radius ? -3.0 : -1.5))),
+            "check the units of the columns and of the sphere radius");
     }
     if (std::abs(work) > limits.work_of_adhesion_most)
         implausible(
-            fmt::format("W = {} exceeds {}: forces of {} are too large for this radius, the likely factor is {}",
-                        format_value(work, "J/m2", 3), format_value(limits.work_of_adhesion_most, "J/m2", 3),
-                        format_value(1.5 * pi * bodies.radius * std::abs(work), "N"),
-                        times(likely_factor(std::abs(work), usual_work, 1.0))),
-            "check the units of force and radius");
+            fmt::format(
+                "W = {} exceeds {}: forces of {} are too large for this sphere radius, and the likely factor is "
+                "{}",
+                format_value(work, "J/m2", 3), format_value(limits.work_of_adhesion_most, "J/m2", 3),
+                format_value(1.5 * pi * bodies.radius * std::abs(work), "N"),
+                times(likely_factor(std::abs(work), usual_work, 1.0))),
+            "check the units of force and sphere radius");
 }
 
 void check_contacts(AlertList& list, const LoopAnalysis& analysis) {
@@ -104,10 +109,12 @@ void check_contacts(AlertList& list, const LoopAnalysis& analysis) {
     for (std::size_t k = 0; k < analysis.further_contacts.size(); ++k)
         if (!analysis.further_contacts[k])
             failed += fmt::format("; contact {} is not analysed: {}", k + 2, analysis.further_contacts[k].reason);
-    list.add("TWO_CONTACTS",
-             fmt::format("the record holds {} contacts, {}: each is analysed, the first stands for the record{}",
-                         contacts.size(), where, failed),
-             "split the file, or take the contact you mean");
+    list.add(
+        "TWO_CONTACTS",
+        fmt::format("the record contains {} contacts, {}: each is analysed, and the results of the record are those "
+                    "of the first{}",
+                    contacts.size(), where, failed),
+        "split the file, or use the results of the contact you need");
 }
 
 }  // namespace

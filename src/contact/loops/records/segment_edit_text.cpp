@@ -12,18 +12,20 @@ namespace setae::loops {
 namespace {
 
 [[noreturn]] void refuse(std::string_view text, const std::string& why) {
-    throw InvalidArgument(fmt::format(
-        "segment '{}': {}; expected such as loading=120:900, unloading@2=12.5s:20s or ignore=30:35 (reason)", text,
-        why));
+    throw InvalidArgument(
+        fmt::format("segment '{}': {}; expected for instance loading=120:900, unloading@2=12.5s:20s or ignore=30:35 "
+                    "(reason)",
+                    text, why));
 }
 
 GivenRange range_from(std::string_view range, std::string_view whole) {
     const auto colon = range.find(':');
-    if (colon == std::string_view::npos) refuse(whole, "a range is FIRST:LAST");
+    if (colon == std::string_view::npos) refuse(whole, "a range needs the form FIRST:LAST");
     const std::string_view first = trimmed(range.substr(0, colon)), last = trimmed(range.substr(colon + 1));
     const auto first_sample = spelled<Index>(first), last_sample = spelled<Index>(last);
     if (first_sample && last_sample) return IndexRange{*first_sample, *last_sample};
-    if (first_sample || last_sample) refuse(whole, "one end is a sample, the other a time");
+    if (first_sample || last_sample)
+        refuse(whole, "one end is a sample, the other a time; give both as samples or both as times");
     try {
         return TimeRange{parse_quantity(first, dimension::time), parse_quantity(last, dimension::time)};
     } catch (const InvalidArgument& error) {
@@ -45,7 +47,7 @@ auto* segment_of(Contact& contact, std::string_view name) {
 IgnoredSamples ignored_from(std::string_view value, std::string_view whole) {
     const auto open = value.find('(');
     if (open == std::string_view::npos || value.back() != ')')
-        refuse(whole, "samples are ignored for a reason, in brackets");
+        refuse(whole, "ignored samples need a reason in brackets");
     return {.range = range_from(value.substr(0, open), whole),
             .reason = std::string(trimmed(value.substr(open + 1, value.size() - open - 2)))};
 }
@@ -57,7 +59,7 @@ void add_segment_edit(SegmentEdits& edits, std::string_view text) {
     if (equals == std::string_view::npos) refuse(text, "no '='");
     std::string_view name = trimmed(text.substr(0, equals));
     const std::string_view value = trimmed(text.substr(equals + 1));
-    if (value.empty()) refuse(text, "nothing behind '='");
+    if (value.empty()) refuse(text, "a range is missing after '='");
     if (name == "baseline") {
         edits.baseline_before = range_from(value, text);
         return;
@@ -74,19 +76,20 @@ void add_segment_edit(SegmentEdits& edits, std::string_view text) {
     if (const auto at = name.find('@'); at != std::string_view::npos) {
         constexpr Index most = 10000;
         const auto number = spelled<Index>(name.substr(at + 1));
-        if (!number || *number < 1 || *number > most) refuse(text, "contacts count from 1");
+        if (!number || *number < 1 || *number > most) refuse(text, "the number of a contact starts at 1");
         contact = static_cast<std::size_t>(*number);
         name = name.substr(0, at);
     }
     ContactEdits scratch;
     const bool cut = name == "cut";
     if (!cut && segment_of(scratch, name) == nullptr)
-        refuse(text,
-               fmt::format(
-                   "'{}' is none of baseline, baseline_after, jump_in, loading, hold, unloading, pull_off, cut, ignore",
-                   name));
+        refuse(
+            text,
+            fmt::format("'{}' is unknown; expected one of baseline, baseline_after, jump_in, loading, hold, unloading, "
+                        "pull_off, cut, ignore",
+                        name));
     const auto sample = cut ? spelled<Index>(value) : std::nullopt;
-    if (cut && !sample) refuse(text, "a cut is one sample");
+    if (cut && !sample) refuse(text, "a cut needs exactly one sample");
     const auto range = cut ? std::nullopt : std::optional(range_from(value, text));
     if (edits.contacts.size() < contact) edits.contacts.resize(contact);
     ContactEdits& edit = edits.contacts[contact - 1];

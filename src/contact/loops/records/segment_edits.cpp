@@ -42,7 +42,7 @@ void fit_together(std::vector<Part>& parts) {
                 if (shortened->range->first <= shortened->range->last) continue;
                 if (shortened->needed)
                     refuse_edit(part.given ? part.name : before->name,
-                                fmt::format("{} leave nothing of {}; give that range, too",
+                                fmt::format("{} leave no samples for {}; give that range as well",
                                             described(part.given ? *part.range : *before->range), shortened->name));
                 shortened->range.reset();
             }
@@ -80,7 +80,8 @@ std::vector<Cycle> cycles_between(const std::vector<Index>& cuts, const ContactS
     };
     for (const Index cut : cuts) {
         if (cut <= start || cut >= end)
-            refuse_edit(name, fmt::format("{} does not lie between samples {} and {}, in this order", cut, start, end));
+            refuse_edit(name, fmt::format("sample {} must lie between samples {} and {}, and cuts must increase", cut,
+                                          start, end));
         add(cut, false);
     }
     add(end, true);
@@ -143,7 +144,7 @@ void part_contacts(std::vector<ContactSegments>& contacts) {
     for (std::size_t k = 0; k + 1 < contacts.size(); ++k) {
         if (end_of(contacts[k]) >= start_of(contacts[k + 1]))
             refuse_edit(fmt::format("contact {}", k + 1),
-                        fmt::format("ends at sample {}, behind the start of contact {} at sample {}",
+                        fmt::format("ends at sample {}, after the start of contact {} at sample {}",
                                     end_of(contacts[k]), k + 2, start_of(contacts[k + 1])));
         contacts[k].extent.last =
             std::clamp(contacts[k].extent.last, end_of(contacts[k]), start_of(contacts[k + 1]) - 1);
@@ -158,8 +159,8 @@ IndexRange samples_of(const GivenRange& given, const Loop& loop, const std::stri
     IndexRange range;
     if (const auto* times = std::get_if<TimeRange>(&given)) {
         if (loop.time.size() != n)
-            refuse_edit(name,
-                        fmt::format("{} s to {} s: the record has no time; give samples", times->first, times->last));
+            refuse_edit(name, fmt::format("{} s to {} s: the record has no time; give sample numbers", times->first,
+                                          times->last));
         if (!(times->first <= times->last))
             refuse_edit(name, fmt::format("{} s to {} s ends before it begins", times->first, times->last));
         range = {.first = n, .last = -1};
@@ -169,14 +170,14 @@ IndexRange samples_of(const GivenRange& given, const Loop& loop, const std::stri
                 range.last = i;
             }
         if (range.last < 0)
-            refuse_edit(name, fmt::format("{} s to {} s holds no sample; the record runs from {} s to {} s",
+            refuse_edit(name, fmt::format("{} s to {} s contains no sample; the record runs from {} s to {} s",
                                           times->first, times->last, loop.time[0], loop.time[n - 1]));
         return range;
     }
     range = std::get<IndexRange>(given);
     if (range.last < range.first) refuse_edit(name, described(range) + " end before they begin");
     if (range.first < 0 || range.last >= n)
-        refuse_edit(name, fmt::format("{} leave the record, which has samples 0 to {}", described(range), n - 1));
+        refuse_edit(name, fmt::format("{} lie outside the record, which has samples 0 to {}", described(range), n - 1));
     return range;
 }
 
@@ -185,8 +186,8 @@ Segments apply(const SegmentEdits& edits, Segments segments, const Loop& loop) {
     if (edits.baseline_before) segments.before = given_baseline(loop, *edits.baseline_before, "baseline");
     if (edits.baseline_after) segments.after = given_baseline(loop, *edits.baseline_after, "baseline_after");
     if (edits.contacts.size() > segments.contacts.size())
-        throw InvalidArgument(
-            fmt::format("edits of contact {}, but the record has {}", edits.contacts.size(), segments.contacts.size()));
+        throw InvalidArgument(fmt::format("segments are given for contact {}, but the record has {}",
+                                          edits.contacts.size(), segments.contacts.size()));
     for (std::size_t k = 0; k < edits.contacts.size(); ++k)
         edit_contact(segments.contacts[k], edits.contacts[k], loop, k == 0 ? "" : fmt::format("@{}", k + 1));
     part_contacts(segments.contacts);

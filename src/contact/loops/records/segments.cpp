@@ -172,16 +172,16 @@ void require_press(const Record& record, const ContactSegments& contact) {
     constexpr Index fewest = 4;
     if (contact.loading.count() < fewest)
         throw UndefinedDataError(
-            fmt::format("the largest force, at sample {}, comes {} samples after first contact: no loading "
-                        "to analyse; check the sign of the force",
+            fmt::format("the largest force, at sample {}, comes {} samples after first contact, which is too short for "
+                        "a loading branch; check the sign of the force",
                         contact.loading.last, contact.loading.count() - 1));
     if (!record.has_displacement()) return;
     const auto force = record.force.segment(contact.loading.first, contact.loading.count());
     const auto position = record.loop.displacement.segment(contact.loading.first, contact.loading.count());
     if (((force - force.mean()) * (position - position.mean())).sum() > 0.0) return;
     throw UndefinedDataError(
-        fmt::format("between samples {} and {} the force rises while the displacement does not: a drifting "
-                    "sensor or a wrong sign, no contact; check the signs of force and displacement",
+        fmt::format("between samples {} and {} the force rises while the displacement does not, which is no "
+                    "contact: the sensor drifts, or a sign is wrong; check the signs of force and displacement",
                     contact.loading.first, contact.loading.last));
 }
 
@@ -190,28 +190,30 @@ void require_adhesion(const Record& record, const Segments& segments) {
     if (record.has_radius()) return;
     for (const ContactSegments& contact : segments.contacts)
         if (contact.jump_in || contact.pull_off) return;
-    throw UndefinedDataError(fmt::format(
-        "no adhesive contact: the force never falls below the baseline by more than {} before or after its "
-        "maximum, as it does at jump-in and pull-off; give the contact radius where adhesion is too weak to see",
-        format_value(record.feature, "N", 3)));
+    throw UndefinedDataError(
+        fmt::format("the record shows no adhesive contact: the force never falls below the baseline by more than {} "
+                    "before or after its maximum, as it does at jump-in and pull-off; give the contact radius if "
+                    "adhesion is too weak to be seen",
+                    format_value(record.feature, "N", 3)));
 }
 
 /// Why a record without free flight is not analysed.
 [[noreturn]] void refuse(const Loop& loop, const ContactEdges& edges) {
     if (edges.found)
         throw UndefinedDataError(
-            "no free flight and no jump of the force into or out of contact: the record shows no contact, or it begins and ends "
-            "in contact and the zero of force is not known; record free flight before or after contact, or give the zero of "
-            "force (--force-zero)");
+            "the record shows no contact: it has no free flight and no jump of the force into or out of "
+            "contact, or it begins and ends in contact; record free flight before or after contact, or give "
+            "the zero of force (--force-zero)");
     constexpr double range_of_noise = 12.0;  // in standard deviations, beyond any that noise reaches
     const double range = loop.force.maxCoeff() - loop.force.minCoeff(), noise = record_noise(loop.force);
     if (range <= range_of_noise * noise)
         throw UndefinedDataError(
-            fmt::format("the force never leaves its noise: range {}, noise {}; no contact to analyse",
+            fmt::format("the force never exceeds its noise (range {}, noise {}); the record contains no contact",
                         format_value(range, "N", 3), format_value(noise, "N", 3)));
     throw UndefinedDataError(
-        "no contact: nowhere does the force rise with the displacement as in contact, between free flight before and after it; "
-        "check the signs of force and displacement, and which columns they are");
+        "the record shows no contact: nowhere between free flight before and after it does the force "
+        "rise with the displacement; check the signs of force and displacement, and which columns they "
+        "are");
 }
 
 /// Contact and free flight that the record itself shows. @throws ChannelFaultError unless the user has said where free
@@ -249,14 +251,14 @@ Baseline baseline_with_zero(const Loop& loop, double force) {
 /// The share of the record, from its start, that is said to be free flight.
 IndexRange share_of(const Loop& loop, double share, const ContactEdges& edges) {
     if (!(share > 0.0 && share < 1.0))
-        throw InvalidArgument(fmt::format("baseline share must lie in (0, 1), got {}", share));
+        throw InvalidArgument(fmt::format("baseline_share must lie in (0, 1), got {}", share));
     constexpr Index fewest = 5;
     const auto count = static_cast<Index>(share * static_cast<double>(loop.force.size()));
     const IndexRange range{0, std::max(count, fewest) - 1};
     const Index free = edges.before ? edges.before->count() : 0;
     if (edges.found && range.count() > free)
         throw UndefinedDataError(
-            fmt::format("the first {} samples are no free flight: contact begins after sample {}; shorten the "
+            fmt::format("the first {} samples are not free flight: contact begins after sample {}; reduce the "
                         "baseline share or leave it out",
                         range.count(), free));
     return range;
@@ -295,14 +297,15 @@ Segments find_free_flight(const Loop& loop, const SegmentOptions& options) {
 Segments find_segments(const Loop& loop, const SegmentOptions& options) {
     require_valid(loop);
     if (!(loop.force.maxCoeff() > loop.force.minCoeff()))
-        throw UndefinedDataError("the force is constant: no contact to analyse");
+        throw UndefinedDataError("the force is constant; the record contains no contact");
     Segments segments = find_free_flight(loop, options);
     const Array1D level = loop.force - force_zero(loop, segments, options.drift).value;
     const Record record = make_record(loop, level, segments, options);
     const std::vector<Touch> touches = find_touches(record);
     if (touches.empty())
         throw UndefinedDataError(
-            "no contact: the force has no maximum above its zero, or the contact radius is never > 0");
+            "the record shows no contact: the force has no maximum above its zero, or the contact radius is "
+            "never > 0");
     Index start = 0;
     for (const Touch& touch : touches) {
         segments.contacts.push_back(describe(record, start, touch));

@@ -193,7 +193,7 @@ TEST(Analysis, OfALoadingAloneSaysWhyThereIsNoLoop) {
     EXPECT_FALSE(analysis.pull_off);
     EXPECT_FALSE(analysis.retraction);
     EXPECT_FALSE(analysis.loop);
-    EXPECT_NE(analysis.loop.reason.find("no closed loop"), std::string::npos);
+    EXPECT_NE(analysis.loop.reason.find("the loop is not closed"), std::string::npos);
     EXPECT_TRUE(has_alert(analysis, "NO_RETRACTION"));
     EXPECT_THROW((void)evaluate_reference(analysis), UndefinedDataError);
 }

@@ -96,7 +96,7 @@ TEST(FiniteHeight, AlertsSayHowMuchItIs) {
     EXPECT_TRUE(has_alert(analysed(loop, 0.72e-3), "THIN_LAYER", "a/h reaches 0.19"));
     EXPECT_FALSE(has_alert(analysed(loop, 0.72e-3), "HEIGHT_UNKNOWN"));
     const LoopAnalysis unknown = analysed(loop, std::nullopt);
-    EXPECT_TRUE(has_alert(unknown, "HEIGHT_UNKNOWN", "too high by"));
+    EXPECT_TRUE(has_alert(unknown, "HEIGHT_UNKNOWN", "too high if the height is"));
     EXPECT_FALSE(has_alert(unknown, "THIN_LAYER"));
     Loop without_depth = loop;
     without_depth.displacement = Array1D();

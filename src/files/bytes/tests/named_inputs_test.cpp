@@ -56,14 +56,14 @@ TEST(NamedInputs, WithoutANameAreTheirOwn) {
 TEST(NamedInputs, AreRefusedInOneLine) {
     EXPECT_EQ(
         message_of("sphere.again = 'lens = 1.25 ± 0.01 mm'\nsphere.radius = 'lens = 1.3 mm'"),
-        "study.toml:2: sphere.radius: input 'lens' is '1.3 mm' here and '1.25 ± 0.01 mm' in line 1; one name is one "
-        "input");
+        "study.toml:2: sphere.radius: input 'lens' is '1.3 mm' here and '1.25 ± 0.01 mm' in line 1; expected one value per "
+        "name");
     EXPECT_EQ(message_of("sphere.radius = '1 mm'\n[inputs]\nlens = '1.25 mm'"),
-              "study.toml:3: no key mentions the input 'lens'; write its name where its value is meant, such as "
+              "study.toml:3: no key uses the input 'lens'; write its name in place of its value, such as "
               "surface_energy = \"lens\"");
     EXPECT_EQ(message_of("inputs.lens_3 = '1.25 mm'\nsphere.again = 'lens_3'\nsphere.radius = 'lens3'"),
               "study.toml:3: sphere.radius: 'lens3' does not begin with a number; write number and unit, such as 37 "
-              "mJ/m2; or did you mean the input 'lens_3'?");
+              "mJ/m2; did you mean the input 'lens_3'?");
     EXPECT_EQ(message_of("sphere.radius = ' = 1.25 mm'"),
               "study.toml:1: sphere.radius: '= 1.25 mm', expected a name before '='");
     EXPECT_EQ(
@@ -71,9 +71,9 @@ TEST(NamedInputs, AreRefusedInOneLine) {
         "study.toml:1: sphere.radius: '1.25 ± 2 mm', the uncertainty is larger than the value, which must be above "
         "0");
     EXPECT_EQ(message_of("sphere.radius = '1.25 ± -1 mm'"),
-              "study.toml:1: sphere.radius: '1.25 ± -1 mm', expected an uncertainty of 0 or above");
+              "study.toml:1: sphere.radius: '1.25 ± -1 mm', expected an uncertainty >= 0");
     EXPECT_EQ(message_of("sphere.radius = '1.25 ± 0.01'"),
-              "study.toml:1: sphere.radius: '1.25 ± 0.01' has no unit, for instance \"1.25 ± 0.01 um\"");
+              "study.toml:1: sphere.radius: '1.25 ± 0.01' has no unit; write for instance \"1.25 ± 0.01 um\"");
     EXPECT_EQ(message_of("inputs.lens = true\nsphere.radius = '1 mm'"),
               "study.toml:1: inputs.lens: expected a value with its ± and unit in quotes");
 }

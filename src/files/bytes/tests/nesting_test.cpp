@@ -71,7 +71,7 @@ std::string refusal_of_yaml(const std::string& text) {
 TEST(Yaml, WithAliasesIsReadAndBounded) {
     const auto node = parsed_yaml("base: &b {x: 1}\nfirst: *b\nsecond: [*b, *b]\n", "a.yml");
     EXPECT_EQ(node["second"][1]["x"].as<int>(), 1);
-    EXPECT_NE(refusal_of_yaml("x: &a [*a]").find("a.yml:1: YAML: an alias of a node that it is part of"),
+    EXPECT_NE(refusal_of_yaml("x: &a [*a]").find("a.yml:1: YAML: an alias of a node that contains this alias"),
               std::string::npos);
     EXPECT_NE(refusal_of_yaml("x:\n  - &a {y: [*a]}").find("a.yml:2:"), std::string::npos);
     std::string laughs = "a0: &a0 [x]\n";

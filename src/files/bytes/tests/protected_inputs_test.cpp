@@ -92,9 +92,9 @@ TEST_F(FilesTest, AreRefusedAtOnceWhereTheyAreNoFiles) {
     EXPECT_EQ(reason(path("pipe")), path("pipe") + ": is a pipe, expected a regular file");
     EXPECT_EQ(reason("/dev/zero"), "/dev/zero: is a device, expected a regular file");
     EXPECT_EQ(reason(folder.string()), folder.string() + ": is a folder, expected a regular file");
-    EXPECT_EQ(reason(path("circle")), path("circle") + ": its symbolic links lead in a circle");
+    EXPECT_EQ(reason(path("circle")), path("circle") + ": its symbolic links form a loop");
     EXPECT_EQ(reason(path("none")), path("none") + ": no such file");
-    EXPECT_NE(reason(path("input/below")).find("no folder"), std::string::npos);
+    EXPECT_NE(reason(path("input/below")).find("not a folder"), std::string::npos);
     EXPECT_NE(reason(path(std::string(300, 'x'))).find("name is too long"), std::string::npos);
     for (const auto* name : {"pipe", "."})
         EXPECT_NE(refusal(name).find("expected the name of a file"), std::string::npos);

@@ -121,7 +121,8 @@ public:
         if (extra.empty()) return;
         const auto kept = json::parse(extra);
         for (const auto* key : keys)
-            require(!kept.contains(key), fmt::format("{}/{}", place, key), "is not what stands there by the schema");
+            require(!kept.contains(key), fmt::format("{}/{}", place, key),
+                    "does not have the form that the schema requires");
     }
     [[nodiscard]] std::vector<Alert> take() { return std::move(alerts_); }
 
@@ -138,22 +139,22 @@ bool is_date(const std::string& text) {
 }
 
 void check(const std::optional<ContainerAuthor>& author, const std::string& place, Violations& violations) {
-    violations.require(!author || !author->name.empty(), place + "/created_by", "an author without name");
+    violations.require(!author || !author->name.empty(), place + "/created_by", "an author without a name");
 }
 
 void check(const ContainerTopography& topography, const std::string& place, Violations& violations) {
-    violations.require(!topography.name.empty(), place + "/name", "no name");
+    violations.require(!topography.name.empty(), place + "/name", "no name is given");
     violations.require(!topography.datafile.original.empty() || !topography.datafile.squeezed.empty(),
                        place + "/datafile", "no file is named");
-    violations.require(!topography.size.empty(), place + "/size", "no size");
+    violations.require(!topography.size.empty(), place + "/size", "no size is given");
     violations.require(topography.measurement_date.empty() || is_date(topography.measurement_date),
                        place + "/measurement_date",
-                       fmt::format("'{}' is no date such as 2016-02-15", topography.measurement_date));
+                       fmt::format("'{}' is not a date such as 2016-02-15", topography.measurement_date));
     check(topography.created_by, place, violations);
     if (topography.instrument && topography.instrument->parameters) {
         const auto& tip = topography.instrument->parameters->tip_radius;
         violations.require(!tip || tip->text.empty(), place + "/instrument/parameters/tip_radius",
-                           "a text with ±, where the schema has value and unit");
+                           "a text with ±, where the schema requires value and unit");
     }
     violations.refuse_kept(
         topography.extra, place,
@@ -162,15 +163,16 @@ void check(const ContainerTopography& topography, const std::string& place, Viol
 }
 
 void check(const ContainerSurface& surface, const std::string& place, Violations& violations) {
-    violations.require(!surface.name.empty(), place + "/name", "no name");
+    violations.require(!surface.name.empty(), place + "/name", "no name is given");
     check(surface.created_by, place, violations);
     for (std::size_t i = 0; i < surface.properties.size(); ++i)
         violations.require(!surface.properties[i].name.empty() && surface.properties[i].value,
-                           fmt::format("{}/properties/{}", place, i), "a property without name or value");
+                           fmt::format("{}/properties/{}", place, i), "a property without a name or value");
     if (const auto& publication = surface.publication) {
         const bool whole = !publication->url.empty() && !publication->license.empty() &&
                            !publication->authors.empty() && publication->version && !publication->date.empty();
-        violations.require(whole, place + "/publication", "a publication has url, license, authors, version and date");
+        violations.require(whole, place + "/publication",
+                           "a publication needs url, license, authors, version and date");
     }
     violations.refuse_kept(surface.extra, place,
                            {"name", "category", "created_by", "description", "tags", "is_published", "publication",
@@ -197,7 +199,7 @@ std::string describe(ContainerGeneration generation) {
         case ContainerGeneration::yaml: return "A (meta.yml)";
         case ContainerGeneration::both: return "B (index.json with the keys of meta.yml)";
         case ContainerGeneration::json: return "C (index.json)";
-        case ContainerGeneration::skeleton: return "skeleton (processed copies alone)";
+        case ContainerGeneration::skeleton: return "skeleton (only processed copies)";
     }
     throw InternalError("a generation of containers without description");
 }

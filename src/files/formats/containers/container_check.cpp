@@ -25,19 +25,18 @@ double rms(const Array1D& heights) {
 std::optional<std::string> difference_of_copy(const topography::Measurement& original,
                                               const topography::Measurement& copy, const std::string& detrend_mode) {
     constexpr double tolerance = 1e-3;
-    if (topography::shape(original) != topography::shape(copy)) return "they differ in the number of points";
+    if (topography::shape(original) != topography::shape(copy)) return "they have different numbers of points";
     const auto trend = trend_of(detrend_mode).value_or(topography::Trend::mean);
     const auto expected = topography::all_heights(topography::detrended(original, trend));
     const auto found = topography::all_heights(topography::detrended(copy, trend));
     const double rms_expected = rms(expected), rms_found = rms(found);
     if (std::abs(rms_found / rms_expected - 1.0) > tolerance)
-        return fmt::format("its rms height is {}, that of the original {}", format_value(rms_found, "m"),
+        return fmt::format("the rms height of the copy is {}, that of the original {}", format_value(rms_found, "m"),
                            format_value(rms_expected, "m"));
     const auto both = !expected.isNaN() && !found.isNaN();
     const double largest = both.select((found - expected).abs(), 0.0).maxCoeff();
     if (largest > tolerance * rms_expected * 10.0)
-        return fmt::format("its rms height is that of the original, but points differ by up to {}",
-                           format_value(largest, "m"));
+        return fmt::format("the rms heights are equal, but points differ by up to {}", format_value(largest, "m"));
     return std::nullopt;
 }
 
@@ -62,9 +61,10 @@ public:
         if (repeats_scale(archive_, topography))
             report_.alerts.push_back(
                 {"SCALE_TWICE", place,
-                 fmt::format("the index repeats the height scale {} that {} carries itself; setae applies it once",
+                 fmt::format("the index repeats the height scale {}, which {} already contains; setae applies it once",
                              *topography.height_scale, topography.datafile.original),
-                 "`setae container write` takes it out of the index; programs that apply both have heights wrong by this factor"});
+                 "remove it from the index with `setae container write`; programs that apply both scales have "
+                 "heights wrong by this factor"});
         if (channel.info.is_height) heights(channel, surface, topography, place);
     }
 
@@ -80,10 +80,10 @@ private:
             if (filled && topography::all_heights(measurement).isNaN().any()) return;
             const auto copy = container_channel(source_, archive_, surface, copy_alone(topography));
             if (const auto difference = difference_of_copy(measurement, copy.read(), topography.detrend_mode))
-                report_.alerts.push_back(
-                    {"COPY_DIFFERS", place,
-                     fmt::format("the processed copy {} is not the original {}: {}", squeezed, original, *difference),
-                     "the original is used; find out which of the two is right"});
+                report_.alerts.push_back({"COPY_DIFFERS", place,
+                                          fmt::format("the processed copy {} differs from the original {}: {}",
+                                                      squeezed, original, *difference),
+                                          "the original is used; find out which of the two is right"});
         } catch (const std::exception& error) {
             report_.alerts.push_back({"UNREADABLE_MEMBER", place, reason_of(error),
                                       "the other measurements are not affected; repair or replace this one"});

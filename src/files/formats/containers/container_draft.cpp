@@ -67,7 +67,7 @@ std::string index_unit(const std::string& unit, bool numbers_rest_on_it, const s
         if (unit == known) return unit;
     if (numbers_rest_on_it)
         throw InvalidArgument(
-            fmt::format("{}: containers know no unit '{}'; expected m, mm, um, nm, Å or pm", path, unit));
+            fmt::format("{}: containers do not allow the unit '{}'; expected m, mm, um, nm, Å or pm", path, unit));
     return unit == "cm" ? "mm" : "µm";
 }
 
@@ -78,7 +78,7 @@ std::string detrend_mode(topography::Trend trend) {
         case topography::Trend::parabola: return "curvature";
         case topography::Trend::none: break;
     }
-    throw InvalidArgument("containers cannot say that nothing is to be removed; expected mean, tilt or parabola");
+    throw InvalidArgument("containers cannot state that no trend was removed; expected mean, tilt or parabola");
 }
 
 constexpr std::array<const char*, 12> months{"jan", "feb", "mar", "apr", "may", "jun",
@@ -263,9 +263,11 @@ void take_scale_out(const bytes::Archive& archive, const bytes::Source& source, 
     if (!repeats_scale(archive, topography)) return;
     draft.alerts.push_back(
         {"SCALE_TWICE", fmt::format("{}: {}", source.name, topography.name),
-         fmt::format("the index repeats the height scale {} that {} carries itself; it was taken out of the index",
+         fmt::format("the index repeats the height scale {}, which {} already contains; it was removed from the "
+                     "index",
                      *topography.height_scale, topography.datafile.original),
-         "programs that applied both had heights wrong by this factor"});
+         "compute again results of programs that applied both scales: their heights were wrong by this "
+         "factor"});
     topography.height_scale.reset();
 }
 
@@ -276,8 +278,9 @@ void add_copy(const Channel& channel, ContainerDraft& draft, ContainerTopography
     if (filled) {
         draft.alerts.push_back(
             {"NO_PROCESSED_COPY", topography.name,
-             fmt::format("it is to be filled by '{}', which setae does not do", topography.fill_undefined_data_mode),
-             "programs make the copy from the original"});
+             fmt::format("the processed copy must be filled by '{}', which setae does not do; it was not written",
+                         topography.fill_undefined_data_mode),
+             "use a program that makes the copy from the original"});
         return;
     }
     const auto name = free_name(draft, copy_name(topography.datafile.original));
@@ -303,8 +306,8 @@ void upgrade(const bytes::Source& source, const bytes::Archive& archive, const C
         describe_heights(channel.read(), topography);
         add_copy(channel, draft, topography);
     } catch (const Error& error) {
-        draft.alerts.push_back(
-            {"UNREADABLE_MEMBER", topography.name, error.what(), "it is kept as it is; repair or replace this one"});
+        draft.alerts.push_back({"UNREADABLE_MEMBER", topography.name, error.what(),
+                                "the member is kept unchanged; repair or replace this measurement"});
     }
 }
 

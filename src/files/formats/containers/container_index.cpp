@@ -146,9 +146,10 @@ public:
             return;
         }
         malformed_.emplace_back(key);
-        alerts_.push_back({"MALFORMED_FIELD", place,
-                           fmt::format("got {:.80}, which is not what stands there by the schema", shown(*found)),
-                           "it is kept, not used; correct the index"});
+        alerts_.push_back(
+            {"MALFORMED_FIELD", place,
+             fmt::format("the value {:.80} does not have the form that the schema requires", shown(*found)),
+             "correct the index; until then, the value is kept in the index but not used"});
     }
 
     /// What was left, as text; the container's own "extra" is nobody's to understand.
@@ -157,8 +158,8 @@ public:
             if (std::find(malformed_.begin(), malformed_.end(), key) == malformed_.end() &&
                 !(path_.empty() && key == "extra"))
                 alerts_.push_back({"UNKNOWN_FIELD", path_.empty() ? key : path_ + "/" + key,
-                                   fmt::format("setae knows no such field; it says {:.80}", shown(value)),
-                                   "it is kept when the container is written again"});
+                                   fmt::format("this field is unknown; its value is {:.80}", shown(value)),
+                                   "check its spelling; the field is kept when the container is written again"});
         return object_.empty() ? std::string{} : shown(object_);
     }
 
@@ -347,12 +348,12 @@ json parsed_index(const bytes::Archive& archive, const bytes::Source& source) {
     const auto* name = archive.has(json_index) ? json_index : yaml_index;
     const auto label = fmt::format("{}: {}", source.name, name);
     if (!archive.has(name))
-        throw FormatError(source.name, {}, "an archive without index.json or meta.yml, which a container has");
+        throw FormatError(source.name, {}, "an archive without index.json or meta.yml, one of which a container needs");
     auto index = name == json_index
-                     ? bytes::parsed_json(archive.read(name), label, "JSON that does not parse; the index is damaged")
+                     ? bytes::parsed_json(archive.read(name), label, "the index is not valid JSON; it is damaged")
                      : json_from_yaml(archive.read(name), label);
     if (!index.is_object() || !index.contains("surfaces") || !index["surfaces"].is_array())
-        throw FormatError(label, {}, "no list of surfaces");
+        throw FormatError(label, {}, "the index has no list of surfaces");
     modernise(index);
     return index;
 }

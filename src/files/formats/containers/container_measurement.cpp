@@ -41,8 +41,9 @@ void require_understood(const ContainerTopography& topography) {
     const auto kept = nlohmann::json::parse(topography.extra);
     for (const char* key : {"datafile", "data_source", "channel", "size", "unit", "height_scale", "is_periodic"})
         if (kept.contains(key))
-            throw InvalidArgument(fmt::format(
-                "the index gives {} as {:.80}, which is not what stands there by the schema", key, kept[key].dump()));
+            throw InvalidArgument(
+                fmt::format("the index gives {} as {:.80}, which does not have the form that the schema requires", key,
+                            kept[key].dump()));
 }
 
 void choose_member(const ContainerTopography& topography, const bytes::Archive& archive, MemberEntry& entry) {
@@ -60,8 +61,9 @@ void choose_member(const ContainerTopography& topography, const bytes::Archive& 
     if (lost && entry.squeezed)
         entry.alerts.push_back(
             {"ORIGINAL_MISSING", original,
-             "the container does not hold it; the processed copy was used, which is scaled, filled and levelled already",
-             "ask whoever made the container for the original"});
+             "the container lacks this original; its processed copy was used, which is already scaled, "
+             "filled and levelled",
+             "ask the author of the container for the original"});
 }
 
 /// What the index states of an instrument, with its ±; `file`: of the container, which the instrument belongs to.
@@ -146,7 +148,7 @@ std::size_t channel_of(const MemberEntry& entry, const std::vector<Channel>& cha
     if (!entry.named) {
         if (entry.channel < channels.size()) return entry.channel;
         throw FormatError(member.name, {},
-                          fmt::format("no channel {}, the file has {}", entry.channel, channels.size()));
+                          fmt::format("no channel {}; the file has {}", entry.channel, channels.size()));
     }
     std::vector<std::size_t> of_heights;
     std::size_t before = 0;
@@ -163,7 +165,7 @@ ScaledChannel open_member(const bytes::Archive& archive, const MemberEntry& entr
     const auto& format = detect_format(member);
     if (format.is_container)
         throw FormatError(member.name, {.offset = 0},
-                          "a container within a container; take it out and open it by itself");
+                          "a container within a container; extract it and open it separately");
     auto channels = open(member, format, entry.options);
     const bool scaled_already = format.carries_scale || entry.squeezed;
     return {std::move(channels[channel_of(entry, channels, member)]), scaled_already ? 1.0 : entry.height_scale};
@@ -193,10 +195,10 @@ void compare_units(const MemberEntry& entry, const bytes::Source& source, Channe
     if (!entry.options.unit || info.unit.empty() || !info.is_height || has_alert(info, "UNIT_MISMATCH")) return;
     if (std::abs(length_unit(*entry.options.unit, source).factor / length_unit(info.unit, source).factor - 1.0) < 1e-12)
         return;
-    info.alerts.push_back(
-        {"UNIT_MISMATCH", entry.name,
-         fmt::format("unit {} in the index, but the file says {}, which was used", *entry.options.unit, info.unit),
-         "sizes and heights are right; correct the index"});
+    info.alerts.push_back({"UNIT_MISMATCH", entry.name,
+                           fmt::format("the index gives the unit {}, but the file gives {}, which was used",
+                                       *entry.options.unit, info.unit),
+                           "correct the index; sizes and heights are those of the unit in the file"});
 }
 
 Channel member_channel(const bytes::Source& source, const bytes::Archive& archive, const MemberEntry& entry) {

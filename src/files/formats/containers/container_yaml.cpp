@@ -31,7 +31,7 @@ json to_json(const YAML::Node& node) {
     if (node.IsMap()) {
         auto object = json::object();
         for (const auto& entry : node) {
-            if (!entry.first.IsScalar()) throw YAML::Exception(entry.first.Mark(), "a key that is no text");
+            if (!entry.first.IsScalar()) throw YAML::Exception(entry.first.Mark(), "a key is not a text");
             object[entry.first.Scalar()] = to_json(entry.second);
         }
         return object;

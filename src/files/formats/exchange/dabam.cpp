@@ -131,7 +131,8 @@ DabamColumns columns_of(const json& description, const tables::TextStart& start,
     DabamColumns columns;
     const auto x_factor = number_of(description, "X1_FACTOR");
     if (!x_factor || !(*x_factor > 0.0))
-        throw FormatError(source.name, {.line = 1}, "dabam: the description beside the file has no X1_FACTOR above 0");
+        throw FormatError(source.name, {.line = 1},
+                          "dabam: the description that belongs to the file has no X1_FACTOR above 0");
     columns.x_factor = *x_factor;
     const auto names = header_names(start);
     const bool slopes_first = number_of(description, "FILE_FORMAT") == 1.0;
@@ -191,9 +192,9 @@ Channel slopes_channel(ChannelInfo info, const Ordinate& ordinate, Index points)
 
 std::vector<Channel> open_dabam(const bytes::Source& source, const ReadOptions& options) {
     if (describes(source.head(bytes::detection_bytes)))
-        throw FormatError(
-            source.name, {.line = 1},
-            "dabam: this is the JSON that describes a profile; open the numbers beside it, of the same name with the ending .dat");
+        throw FormatError(source.name, {.line = 1},
+                          "dabam: this is the JSON that describes a profile; open the file with its numbers, which has "
+                          "the same name and the ending .dat");
     const auto start = find_start(source);
     if (!start || start->layout.columns < 2)
         throw FormatError(source.name, {.line = 1}, "dabam: no rows of positions and heights or slopes");
@@ -227,8 +228,8 @@ std::vector<Channel> open_dabam(const bytes::Source& source, const ReadOptions& 
             curve.heights.values = integrated(curve.x.values, curve.heights.values);
             info.alerts.push_back(
                 {"SLOPES_INTEGRATED", source.name,
-                 "the file holds slopes; heights are their integral by the trapezoidal rule, 0 at the first point",
-                 "mean height and mean slope are arbitrary: remove a line or the figure"});
+                 "the file contains slopes; heights are their integral by the trapezoidal rule, starting at 0",
+                 "subtract a line or the figure: mean height and mean slope are arbitrary"});
             info.name += ", integrated";
             info.metadata.attributes["heights from"] = "slopes, integrated by the trapezoidal rule";
         }

@@ -43,7 +43,7 @@ GsfHeader gsf_header(const bytes::Source& source) {
     const auto end = head.find('\0');
     if (end == std::string::npos)
         throw FormatError(source.name, {.offset = head.size()},
-                          "GSF: the header ends with a NUL, which is not there; the file is truncated or damaged");
+                          "GSF: the NUL that ends the header is missing; the file is truncated or damaged");
     GsfHeader header{.data = end + 4 - end % 4};
     const auto text = bytes::decoded(head.substr(0, end), bytes::Encoding::detect);
     for (const auto line : bytes::split_lines(text)) {

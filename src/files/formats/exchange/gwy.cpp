@@ -255,13 +255,16 @@ Channel field_channel(const bytes::Source& source, std::uint32_t number, const G
         info.alerts.push_back(
             {"UNIT_PREFIX", source.name,
              fmt::format("heights of '{}' are in {}, which Gwyddion reads as m", info.name, field.unit_z),
-             "make sure that the program that wrote the file meant its prefix"});
+             "check that the program that wrote the file meant this prefix"});
     if (parts.mask && !own_mask) {
         info.metadata.attributes["mask"] = "there, not applied";
         info.alerts.push_back(
             {"MASK_NOT_APPLIED", source.name,
-             fmt::format("'{}' has a mask; masks are selections, and its points are heights like others", info.name),
-             "where it marks bad points, remove them in Gwyddion first"});
+             fmt::format(
+                 "'{}' has a mask, which was not applied; a mask is a selection, and its points are heights like "
+                 "all others",
+                 info.name),
+             "if the mask marks bad points, remove them in Gwyddion first"});
     }
     auto channel =
         raster_channel(std::move(info), source, raster_of(field), {.factor = factor_z.value_or(1.0)}, options);
@@ -284,7 +287,7 @@ std::vector<Channel> open_gwy(const bytes::Source& source, const ReadOptions& op
     const auto container = object_part(cursor);
     if (container.object != "GwyContainer")
         throw FormatError(source.name, {.offset = 4},
-                          fmt::format("GWY: holds '{:.40}', expected 'GwyContainer'", container.object));
+                          fmt::format("GWY: contains '{:.40}', expected 'GwyContainer'", container.object));
     std::vector<Channel> channels;
     for (const auto& [number, parts] : channel_parts(source, container))
         if (parts.data) channels.push_back(field_channel(source, number, parts, options));

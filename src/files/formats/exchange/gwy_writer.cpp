@@ -18,7 +18,7 @@
 namespace setae::formats {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "numbers are written as the memory holds them");
+static_assert(std::endian::native == std::endian::little, "numbers are written in the byte order of the memory");
 
 /// Components of an object, one after another. The items of its last array may stand elsewhere: `outside` tells their
 /// bytes.
@@ -120,9 +120,10 @@ void write_gwy(const std::string& path, const topography::Measurement& measureme
         .object("/0/meta", "GwyContainer", metadata_of(map.metadata, masked));
     const auto field = field_outside(map, "m"), mask = field_outside(map, "");
     if (points * sizeof(double) * (masked ? 2 : 1) + container.size() > most_gwy_bytes)
-        throw InvalidArgument(
-            fmt::format("{}: Gwyddion's files hold less than 4 GiB, {} × {} points need more; write it as .x3p", path,
-                        map.heights.rows(), map.heights.cols()));
+        throw InvalidArgument(fmt::format(
+            "{}: files of Gwyddion can hold less than 4 GiB, and {} × {} points need more; write the map as "
+            ".x3p",
+            path, map.heights.rows(), map.heights.cols()));
     const auto heights = row_bytes(map.heights, mean_height(map.heights));
     if (!masked) {
         container.object("/0/data", "GwyDataField", field);
@@ -142,18 +143,18 @@ void write_gwy(const std::string& path, const topography::Measurement& measureme
 
 void write_quantity_maps(const std::string& path, const std::vector<QuantityMap>& maps,
                          const std::array<double, 2>& size) {
-    if (maps.empty()) throw InvalidArgument(path + ": no map to write");
+    if (maps.empty()) throw InvalidArgument(path + ": there is no map to write");
     const std::array<Index, 2> shape{maps.front().values.rows(), maps.front().values.cols()};
     const auto points = static_cast<std::uint64_t>(shape[0] * shape[1]);
     if (2 * points * sizeof(double) * maps.size() > most_gwy_bytes)
         throw InvalidArgument(
-            fmt::format("{}: Gwyddion's files hold less than 4 GiB, {} maps of {} × {} points need more", path,
+            fmt::format("{}: files of Gwyddion can hold less than 4 GiB, and {} maps of {} × {} points need more", path,
                         maps.size(), shape[0], shape[1]));
     Object container;
     for (std::size_t k = 0; k < maps.size(); ++k) {
         const auto& [name, unit, values] = maps[k];
         if (values.rows() != shape[0] || values.cols() != shape[1])
-            throw InvalidArgument(fmt::format("{}: '{}' has {} × {} points, the maps before {} × {}", path, name,
+            throw InvalidArgument(fmt::format("{}: '{}' has {} × {} points, but the maps before {} × {}", path, name,
                                               values.rows(), values.cols(), shape[0], shape[1]));
         const auto channel = [k](const char* what) { return fmt::format("/{}/{}", k, what); };
         container.text(channel("data/title"), name)

@@ -120,10 +120,9 @@ Match detect_hdf5(std::string_view head, const bytes::Source&) {
 std::vector<Channel> open_hdf5(const bytes::Source& source, const ReadOptions& options) {
     const Hdf5File file(source);
     if (is_emd(file))
-        throw FormatError(
-            source.name, {.offset = 0},
-            "an EMD file of electron microscopy: pictures and spectra, no heights; `setae info` lists its "
-            "images, `setae contour` traces edges in them");
+        throw FormatError(source.name, {.offset = 0},
+                          "an EMD file of electron microscopy contains pictures and spectra, no heights; `setae info` "
+                          "lists its images, `setae contour` traces edges in them");
     std::vector<StoredArray> arrays;
     for (const auto& path : file.datasets())
         if (auto array = file.array(path); array && (is_map_or_line(*array) || !array->refusal.empty()))

@@ -121,10 +121,10 @@ std::vector<Channel> open_hgt(const bytes::Source& source, const ReadOptions& op
         info.alerts.push_back(
             {"SIZE_FROM_NAME", source.name,
              fmt::format(
-                 "the file states no size; from the latitude {}° in its name a degree is {:.1f} m by {:.1f} m in the middle of the tile (WGS 84), "
-                 "and {:+.2f} % along x from the southern edge to the northern",
+                 "the file states no size; from the latitude {}° in its name a degree is {:.1f} m by {:.1f} m in "
+                 "the middle of the tile (WGS 84), and {:+.2f} % along x from the southern edge to the northern",
                  middle, degree.east, degree.north, 100.0 * narrowing),
-             "give the size of a map in another projection"});
+             "give `size` if the map has another projection"});
     }
     const Raster raster{.nx = tile->nx, .ny = tile->ny, .sample = Sample::int16, .order = std::endian::big};
     return {

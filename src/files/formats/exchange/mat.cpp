@@ -82,7 +82,8 @@ std::vector<Channel> open_mat(const bytes::Source& source, const ReadOptions& op
     if (channels.empty())
         throw FormatError(
             source.name, {.offset = 0},
-            "MAT: no matrix of numbers with more than one value; what stands in structs, cells and objects is not read: save the matrix itself");
+            "MAT: no matrix of numbers with more than one value; structs, cells and objects are not read: "
+            "save the matrix itself");
     return channels;
 }
 

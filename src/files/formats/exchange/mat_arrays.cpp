@@ -175,7 +175,8 @@ std::optional<MatVariable> compressed_matrix(const bytes::Source& source, std::u
     variable->array.data = source;
     if (expanded > bytes::most_expanded(packed))
         variable->array.refusal = fmt::format(
-            "MAT: matrix '{:.64}' of {} compressed bytes is to become {}, more than {}; if it is honest, save it uncompressed (-v6)",
+            "MAT: matrix '{:.64}' of {} compressed bytes would become {}, more than {}; if you trust the "
+            "file, save it uncompressed (-v6)",
             variable->array.name, packed, expanded, bytes::most_expanded(packed));
     else place_compressed(*variable, source, offset, packed, expanded);
     return variable;

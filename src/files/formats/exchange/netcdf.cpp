@@ -206,7 +206,7 @@ Match detect_netcdf(std::string_view head, const bytes::Source& source) {
 
 /// Lengths are known, in a unit that nobody has told.
 Channel without_unit(ChannelInfo info, const bytes::Source& source) {
-    const auto message = fmt::format("{}: the file states no unit; give it, as in --unit um", source.name);
+    const auto message = fmt::format("{}: the file states no unit; give `unit`, such as \"um\"", source.name);
     return {std::move(info), [message]() -> topography::Measurement { throw InvalidArgument(message); }};
 }
 
@@ -234,13 +234,13 @@ std::vector<Channel> open_netcdf(const bytes::Source& source, const ReadOptions&
     Finish finish{source, {}, {}, x && number_of(x->attributes, "periodic").value_or(0.0) != 0.0};
     if (mask) {
         if (mask->shape != heights->shape)
-            throw FormatError(source.name, {}, "NetCDF: mask and heights differ in shape");
+            throw FormatError(source.name, {}, "NetCDF: mask and heights have different shapes");
         require_array(*mask, nc);
         finish.mask = *mask;
     }
     const bool has_positions = heights->shape.size() == 1 && x && !number_of(x->attributes, "length");
     if (has_positions && !is_line_of(*x, heights->shape[0]))
-        throw FormatError(source.name, {}, "NetCDF: x and heights differ in length");
+        throw FormatError(source.name, {}, "NetCDF: x and heights have different lengths");
     const auto axis_unit = has_positions ? metres(*x, unit, source) : unit;
     if (has_positions && axis_unit) {
         const auto ends = ends_of(*x, nc);

@@ -112,7 +112,7 @@ Variable parse_variable(NetcdfHeader& header, const std::vector<std::uint64_t>& 
             header.fail(fmt::format("variable '{:.40}' has an unknown dimension", array.name));
         const auto extent = dimensions[id];
         if (extent == 0 && i > 0)
-            header.fail(fmt::format("variable '{:.40}' has the unlimited dimension behind others", array.name));
+            header.fail(fmt::format("variable '{:.40}' has the unlimited dimension after others", array.name));
         variable.has_records = variable.has_records || extent == 0;
         if (extent > 0 && values > most_values / extent)
             header.fail(fmt::format("variable '{:.40}' has more than {} values", array.name, most_values));

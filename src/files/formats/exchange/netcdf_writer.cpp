@@ -127,7 +127,7 @@ private:
         refuse_name(name, variable_names_);
         if (bytes > most_bytes)
             throw InvalidArgument(
-                fmt::format("{}: NetCDF: '{}' takes {} bytes, a variable may have {}", name_, name, bytes, most_bytes));
+                fmt::format("{}: NetCDF: '{}' needs {} bytes; a variable may have {}", name_, name, bytes, most_bytes));
         auto& made = variables_.emplace_back();
         made.type_ = type;
         append(made.head_, name);
@@ -141,9 +141,9 @@ private:
             !name.empty() && name.back() != ' ' && std::all_of(name.begin(), name.end(), [](unsigned char letter) {
                 return letter >= ' ' && letter != '/' && letter != 127;
             });
-        if (!sound) throw InvalidArgument(fmt::format("{}: NetCDF: no name may be '{}'", name_, name));
+        if (!sound) throw InvalidArgument(fmt::format("{}: NetCDF: '{}' is not a valid name", name_, name));
         if (std::find(taken.begin(), taken.end(), name) != taken.end())
-            throw InvalidArgument(fmt::format("{}: NetCDF: two are named '{}'", name_, name));
+            throw InvalidArgument(fmt::format("{}: NetCDF: two variables are named '{}'", name_, name));
         taken.push_back(name);
     }
 

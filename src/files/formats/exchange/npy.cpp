@@ -28,7 +28,7 @@ std::string with_header(std::string_view shape, const double* values, Index coun
     std::string content(npy_magic);
     content += {'\x01', '\x00', static_cast<char>(dictionary.size() & 0xff), static_cast<char>(dictionary.size() >> 8)};
     content += dictionary;
-    static_assert(std::endian::native == std::endian::little, "NPY is written as the memory holds it");
+    static_assert(std::endian::native == std::endian::little, "NPY is written in the byte order of the memory");
     content.append(reinterpret_cast<const char*>(values), static_cast<std::size_t>(count) * sizeof(double));
     return content;
 }

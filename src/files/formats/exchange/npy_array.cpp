@@ -50,7 +50,7 @@ void parse_type(std::string_view text, StoredArray& array) {
     const auto sample = type.size() == 3 && std::string_view("<>|=").find(type[0]) != std::string_view::npos
                             ? sample_of(type.substr(1))
                             : std::nullopt;
-    if (!quoted) array.refusal = "NPY: records, expected an array of numbers; save each field as an array of its own";
+    if (!quoted) array.refusal = "NPY: records, expected an array of numbers; save each field as a separate array";
     else if (!sample)
         array.refusal = fmt::format(
             "NPY: values of type '{:.40}', expected floats of 4 or 8 bytes or integers; convert them with astype",
@@ -62,14 +62,14 @@ void parse_type(std::string_view text, StoredArray& array) {
 void parse_shape(std::string_view text, StoredArray& array, const bytes::Source& source) {
     const auto close = text.find(')');
     if (!text.starts_with('(') || close == std::string_view::npos)
-        broken_npy(source, npy_array_magic.size(), "header's shape is no tuple");
+        broken_npy(source, npy_array_magic.size(), "the shape in the header is not a tuple");
     auto body = text.substr(1, close - 1);
     while (!trimmed(body).empty()) {
         const auto comma = body.find(',');
         const auto number = trimmed(body.substr(0, comma));
         const auto extent = spelled<Index>(number);
         if (!extent || *extent < 0 || array.shape.size() == most_dimensions_of_npy)
-            broken_npy(source, npy_array_magic.size(), fmt::format("'{:.40}' in the header's shape", number));
+            broken_npy(source, npy_array_magic.size(), fmt::format("'{:.40}' in the shape of the header", number));
         array.shape.push_back(*extent);
         body = comma == std::string_view::npos ? std::string_view{} : body.substr(comma + 1);
     }
@@ -81,15 +81,16 @@ void require_values(const StoredArray& array, const bytes::Source& source) {
     for (const auto extent : array.shape) {
         const auto n = static_cast<std::uint64_t>(extent);
         if (n != 0 && count > source.size / n)
-            broken_npy(source, source.size,
-                       fmt::format("the header announces {} values of {} bytes, the file has {} bytes; it is truncated",
-                                   fmt::join(array.shape, " × "), bytes_of(array.sample), source.size));
+            broken_npy(
+                source, source.size,
+                fmt::format("the header announces {} values of {} bytes, but the file has {} bytes; it is truncated",
+                            fmt::join(array.shape, " × "), bytes_of(array.sample), source.size));
         count *= n;
     }
     if (array.offset + count > source.size)
-        broken_npy(
-            source, source.size,
-            fmt::format("the file ends here, its data should end at byte {}; it is truncated", array.offset + count));
+        broken_npy(source, source.size,
+                   fmt::format("the file ends here, expected the end of its data at byte {}; it is truncated",
+                               array.offset + count));
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ std::vector<Channel> open_npz(const bytes::Source& source, const ReadOptions& op
     for (const auto& name : archive.names()) {
         const auto member = archive.member(name);
         if (!is_npy(member.head(ending.size() + 2)))
-            throw FormatError(member.name, {.offset = 0}, "NPZ: a member that is no NPY; the archive is damaged");
+            throw FormatError(member.name, {.offset = 0}, "NPZ: a member is not an NPY file; the archive is damaged");
         auto array = npy_array(member);
         if (!is_map_or_line(array)) continue;
         array.name = name.substr(0, name.size() - ending.size());

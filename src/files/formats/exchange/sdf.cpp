@@ -114,7 +114,7 @@ SdfHeader text_header(const bytes::Source& source) {
         at = end + 1;
     }
     broken_sdf(source, head.size(),
-               fmt::format("the header has no end, a line '*', in its first {} bytes; it is truncated or damaged",
+               fmt::format("the header does not end with a line '*' in its first {} bytes; it is truncated or damaged",
                            head.size()));
 }
 
@@ -307,7 +307,7 @@ Channel text_channel(ChannelInfo info, const bytes::Source& source, const SdfHea
     const auto nx = static_cast<std::uint64_t>(header.nx), ny = static_cast<std::uint64_t>(header.ny);
     if (ny > room || nx > room / ny)
         broken_sdf(source, source.size,
-                   fmt::format("the file ends here, it cannot hold {} × {} heights; it is truncated or damaged",
+                   fmt::format("the file ends here and is too short for {} × {} heights; it is truncated or damaged",
                                header.nx, header.ny));
     info.shape = header.ny == 1 ? std::vector<Index>{header.nx} : std::vector<Index>{header.nx, header.ny};
     info.size.resize(std::min(info.size.size(), info.shape.size()));

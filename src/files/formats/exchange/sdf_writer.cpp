@@ -57,10 +57,11 @@ void write_sdf(const std::string& path, const topography::Measurement& measureme
     const auto [nx, ny] = topography::shape(measurement);
     if (std::holds_alternative<topography::Profile>(measurement))
         throw InvalidArgument(fmt::format(
-            "{}: SDF holds points at equal steps alone, this is a profile; write it as .x3p, .nc or .csv", path));
+            "{}: SDF needs equally spaced points, and this is a profile; write it as .x3p, .nc or .csv", path));
     if (nx > most_points_of_sdf || ny > most_points_of_sdf)
         throw InvalidArgument(
-            fmt::format("{}: SDF holds at most {} points along each direction, there are {} × {}; write it as .x3p",
+            fmt::format("{}: SDF can hold at most {} points along each direction, but there are {} × {}; write it as "
+                        ".x3p",
                         path, most_points_of_sdf, nx, ny));
     const auto& metadata = topography::metadata(measurement);
     if (const auto* map = std::get_if<topography::HeightMap>(&measurement)) {

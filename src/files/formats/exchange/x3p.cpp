@@ -55,8 +55,9 @@ void require_checksum(const bytes::Source& member, const std::string& expected) 
     if (expected.empty()) return;
     const auto found = bytes::md5(member);
     if (found != expected)
-        throw FormatError(member.name, {.offset = 0},
-                          fmt::format("X3P: the MD5 checksum is {}, main.xml says {}; it is damaged", found, expected));
+        throw FormatError(
+            member.name, {.offset = 0},
+            fmt::format("X3P: the MD5 checksum is {}, but main.xml states {}; it is damaged", found, expected));
 }
 
 /// A member that must hold `count` values of `bytes` each.
@@ -66,7 +67,7 @@ bytes::Source required_member(const Package& package, const std::string& link, s
     const bool fits = count <= std::numeric_limits<std::uint64_t>::max() / bytes && member.size == count * bytes;
     if (!fits)
         throw FormatError(member.name, {.offset = member.size},
-                          fmt::format("X3P: {} holds {} bytes, expected {} × {} × {} points of {} bytes", link,
+                          fmt::format("X3P: {} has {} bytes, expected {} × {} × {} points of {} bytes", link,
                                       member.size, document.nx, document.ny, document.layers, bytes));
     return member;
 }
@@ -77,7 +78,7 @@ std::uint64_t count_of(const X3pDocument& document, const bytes::Source& source)
     if (document.layers > most_layers)
         broken_archive(source, fmt::format("{} layers, expected at most {}", document.layers, most_layers));
     if (layer > (std::uint64_t{1} << 53))
-        broken_archive(source, fmt::format("{} × {} points, more than any file holds", document.nx, document.ny));
+        broken_archive(source, fmt::format("{} × {} points, more than a file can contain", document.nx, document.ny));
     return layer * static_cast<std::uint64_t>(document.layers);
 }
 
@@ -92,8 +93,9 @@ std::optional<ValidPoints> valid_points(const Package& package, const X3pDocumen
     if (document.valid_member.empty()) return std::nullopt;
     const auto member = package.archive.member(package.member(document.valid_member));
     if (member.size < (count + 7) / 8)
-        throw FormatError(member.name, {.offset = member.size},
-                          fmt::format("X3P: the list of valid points has {} bytes for {} points", member.size, count));
+        throw FormatError(
+            member.name, {.offset = member.size},
+            fmt::format("X3P: the list of valid points has {} bytes for {} points; it is damaged", member.size, count));
     return ValidPoints{member, document.valid_checksum};
 }
 
@@ -210,7 +212,7 @@ Points listed_points(const X3pDocument& document, const bytes::Source& source) {
         for (std::size_t k = 0; k < stored.size(); ++k) {
             double value = undefined;
             if (!empty && !bytes::parse_cell(cells[k], '.', value))
-                broken_archive(source, fmt::format("'{:.40}' of point {} is no number", cells[k], count + 1));
+                broken_archive(source, fmt::format("'{:.40}' of point {} is not a number", cells[k], count + 1));
             stored[k].second->push_back(value * stored[k].first->step() + stored[k].first->offset);
         }
         ++count;
@@ -234,7 +236,7 @@ double grid_step(const std::vector<double>& values, Index n, const char* axis, c
     for (std::size_t i = 0; i < values.size(); ++i) {
         const double stray = values[i] - first - static_cast<double>(index(static_cast<Index>(i))) * step;
         if (!std::isnan(values[i]) && !(std::abs(stray) <= 0.02 * std::abs(step)))
-            broken_archive(source, fmt::format("absolute {} axis is no regular grid at point {}", axis, i + 1));
+            broken_archive(source, fmt::format("the absolute {} axis is not a regular grid at point {}", axis, i + 1));
     }
     return step;
 }
@@ -245,8 +247,8 @@ double step_of(const X3pAxis& axis, const std::vector<double>& values, Index n, 
                const bytes::Source& source, GridIndex index) {
     if (axis.absolute) return grid_step(values, n, name, source, index);
     if (!axis.increment)
-        broken_archive(source,
-                       fmt::format("no <Increment> of the {} axis, and listed points cannot be given a size", name));
+        broken_archive(
+            source, fmt::format("the {} axis has no <Increment>, and a size cannot be given for listed points", name));
     return std::abs(*axis.increment);
 }
 
@@ -288,7 +290,7 @@ std::vector<Alert> check_document(const Package& package, const std::string& xml
     const bool whole = expected.size() == 32 && expected.find_first_not_of("0123456789abcdef") == std::string::npos;
     if (!whole || bytes::md5(xml) == expected) return {};
     return {{"CHECKSUM", source.name, "main.xml was changed after its checksum was written",
-             "make sure of increments and offsets"}};
+             "check the increments and offsets of the axes"}};
 }
 
 /// A list of points takes some bytes of its file each; elements that take less are made to fill the memory.
@@ -299,8 +301,9 @@ void require_honest_list(const std::string& xml, const bytes::Source& source) {
         broken_archive(
             source,
             fmt::format(
-                "main.xml has {} tags in a file of {} bytes; if it is honest, save the points as a binary member", tags,
-                source.size));
+                "main.xml has {} tags in a file of {} bytes; if you trust the file, save the points as a binary "
+                "member",
+                tags, source.size));
 }
 
 std::vector<Channel> open_xml(const std::string& xml, const Package* package, const ReadOptions& options,
@@ -312,7 +315,7 @@ std::vector<Channel> open_xml(const std::string& xml, const Package* package, co
     if (!document.list.empty()) {
         channels.push_back(points_channel(document, listed_points(document, source), source));
     } else if (!package) {
-        broken_archive(source, fmt::format("the points stand in {}; open the archive instead of its main.xml",
+        broken_archive(source, fmt::format("the points are in {}; open the archive instead of its main.xml",
                                            document.point_member));
     } else if (!document.regular()) {
         channels.push_back(points_channel(document, binary_points(document, *package, source), source));
@@ -363,7 +366,7 @@ std::vector<Channel> open_nested(const bytes::Source& source, const std::string&
     const auto member = bytes::Archive(source).member(name);
     const bytes::Archive inner(member);
     auto channels = open_documents(member, inner, options);
-    if (channels.empty()) broken_archive(member, "no main.xml; an X3P file holds one");
+    if (channels.empty()) broken_archive(member, "the archive has no main.xml, which an X3P file needs");
     return channels;
 }
 

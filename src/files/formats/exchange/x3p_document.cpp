@@ -61,7 +61,7 @@ void parse_shape(const pugi::xml_node& record, X3pDocument& document, const byte
     } else {
         document.nx = extent(record.child("ListDimension"), "ListDimension", source);
         if (!document.profile)
-            broken_document(source, "a list of points that form no matrix; surfaces are read as matrices");
+            broken_document(source, "the listed points form no matrix; expected a matrix for a surface");
     }
     if (document.profile && document.ny != 1)
         broken_document(source, fmt::format("a profile with SizeY {}, expected 1", document.ny));
@@ -109,14 +109,14 @@ pugi::xml_node find_root(const pugi::xml_document& xml) {
 
 X3pDocument parse_x3p_document(const pugi::xml_document& xml, const bytes::Source& source) {
     const auto root = find_root(xml);
-    if (!root) broken_document(source, "main.xml holds no ISO5436_2 document");
+    if (!root) broken_document(source, "main.xml has no ISO5436_2 document");
     X3pDocument document;
     const auto head = root.child("Record1"), data = root.child("Record3");
     const std::string feature(trimmed(head.child_value("FeatureType")));
     if (feature == "PCL")
-        broken_document(
-            source,
-            "a cloud of points (feature type PCL), expected a surface (SUR) or profile (PRF); give it a grid in another program first");
+        broken_document(source,
+                        "a cloud of points (feature type PCL), expected a surface (SUR) or profile (PRF); interpolate "
+                        "it on a grid in another program first");
     if (feature != "SUR" && feature != "PRF")
         broken_document(source, fmt::format("feature type '{:.40}', expected SUR (surface) or PRF (profile)", feature));
     document.profile = feature == "PRF";

@@ -120,7 +120,7 @@ std::vector<Channel> open_bcr(const bytes::Source& source, const ReadOptions& op
         throw FormatError(source.name, {.offset = 0},
                           fmt::format("BCR: fileformat is '{:.40}', expected bcrstm or bcrf", format));
     if (number(header, "forcecurve", source).value_or(0.0) != 0.0)
-        throw FormatError(source.name, {.offset = 0}, "BCR: the file holds a force curve, no map of heights");
+        throw FormatError(source.name, {.offset = 0}, "BCR: the file contains a force curve, not a map of heights");
 
     const auto nx = count(header, "xpixels", source), ny = count(header, "ypixels", source);
     const bool between_points = number(header, "voidpixels", source).value_or(0.0) > greatest_float;
@@ -136,8 +136,9 @@ std::vector<Channel> open_bcr(const bytes::Source& source, const ReadOptions& op
     if (between_points)
         info.alerts.push_back(
             {"SIZE_BETWEEN_POINTS", source.name,
-             "as NanoFocus writes them, xlength and ylength go from the first point to the last; the size is n/(n − 1) times that",
-             "compare with the pixel size the instrument shows"});
+             "xlength and ylength are distances from the first point to the last, as NanoFocus writes them; "
+             "the size is n/(n − 1) times that",
+             "compare with the pixel size that the instrument shows"});
     const auto little_endian = number(header, "intelmode", source).value_or(1.0) != 0.0;
     const Raster raster{.offset = characters * width,
                         .nx = static_cast<Index>(nx),

@@ -127,11 +127,12 @@ void require_topography(const IgorWave& wave, const bytes::Source& source) {
     const auto refuse = [&](const std::string& what) {
         throw FormatError(source.name, {.offset = wave.data_at}, "Igor: " + what);
     };
-    if (tables::is_igor_force(source)) refuse("a force curve, no topography; `setae jkr fit` reads it");
+    if (tables::is_igor_force(source)) refuse("a force curve, not a topography; `setae jkr fit` reads it");
     if (wave.points[0] < 2) refuse(fmt::format("a wave of {} points", wave.count()));
     if (wave.points[3] > 1) refuse("a wave of four dimensions (a force volume or a movie), expected x, y and channels");
     if (wave.points[1] > 0 && wave.points[2] == 0 && !wave.labels[1].empty())
-        refuse(fmt::format("curves of {} columns ('{}' is the first), no map", wave.points[1], wave.labels[1].front()));
+        refuse(
+            fmt::format("curves of {} columns ('{}' is the first), not a map", wave.points[1], wave.labels[1].front()));
     if (wave.points[1] == 1) refuse("a map of one line");
     if (wave.points[2] > most_channels_of_ibw)
         refuse(fmt::format("a wave of {} layers, expected at most {} channels", wave.points[2], most_channels_of_ibw));

@@ -97,17 +97,19 @@ void require_numbers(const IgorWave& wave, std::uint64_t announced, const bytes:
             throw FormatError(
                 source.name, {.offset = source.size},
                 fmt::format(
-                    "Igor: the file ends here, the wave announces {} × {} × {} × {} points; it is truncated or damaged",
+                    "Igor: the file ends here, but the wave announces {} × {} × {} × {} points; it is truncated or "
+                    "damaged",
                     wave.points[0], wave.points[1], wave.points[2], wave.points[3]));
         points *= along;
     }
     if (points * bytes > source.size - wave.data_at)
-        throw FormatError(source.name, {.offset = source.size},
-                          fmt::format("Igor: the file ends here, its numbers should end at byte {}; it is truncated",
-                                      wave.data_at + points * bytes));
+        throw FormatError(
+            source.name, {.offset = source.size},
+            fmt::format("Igor: the file ends here, expected the end of its numbers at byte {}; it is truncated",
+                        wave.data_at + points * bytes));
     if (points * bytes > announced)
         throw FormatError(source.name, {.offset = 4},
-                          fmt::format("Igor: {} bytes announced for numbers of {}", announced, points * bytes));
+                          fmt::format("Igor: {} bytes are announced for numbers of {}", announced, points * bytes));
 }
 
 IgorWave wave_of_version_2(bytes::Cursor& cursor, const bytes::Source& source) {

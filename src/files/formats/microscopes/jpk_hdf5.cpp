@@ -38,8 +38,8 @@ JpkGrid grid_of(const Attributes& measurement, Index pixels, const bytes::Source
     if (!nx || pixels % *nx != 0)
         throw FormatError(
             source.name, {},
-            fmt::format("JPK HDF5: {:.200} has {} pixels a frame, which are no lines of {}; the file is damaged", path,
-                        pixels, nx.value_or(0)));
+            fmt::format("JPK HDF5: {:.200} has {} pixels per frame, which do not form lines of {}; the file is damaged",
+                        path, pixels, nx.value_or(0)));
     JpkGrid grid{*nx, pixels / *nx, {}};
     const auto ny = count_of(measurement, "position-pattern.grid.jlength");
     if (ny && *ny != grid.ny)
@@ -90,8 +90,8 @@ void add_frames(const StoredArray& array, const Attributes& channel, const Attri
         if (stated.empty())
             info.alerts.push_back(
                 {"UNIT_ASSUMED", info.name,
-                 "the file states no unit of heights; metres were assumed, as JPK's programs write them",
-                 "compare the range of heights with what JPK's software shows"});
+                 "the file states no unit of heights; metres were assumed, as in files of JPK's programs",
+                 "compare the range of heights with that in JPK's software"});
         const auto value_bytes = bytes_of(array.sample), step = value_bytes * static_cast<std::uint64_t>(frames);
         const Raster raster{.offset = array.offset + value_bytes * static_cast<std::uint64_t>(frame),
                             .nx = grid.nx,

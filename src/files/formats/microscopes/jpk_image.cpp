@@ -189,7 +189,7 @@ std::vector<Channel> open_jpk_image(const bytes::Source& source, const std::stri
         if (file.pages[k].find(channel_name) || file.pages[k].find(channel_fancy_name))
             channels.push_back(channel_of(file, file.pages[k], common, options));
     if (channels.empty())
-        throw FormatError(source.name, {.offset = first.offset}, "JPK: the file holds a thumbnail and no channel");
+        throw FormatError(source.name, {.offset = first.offset}, "JPK: the file contains a thumbnail and no channel");
     return channels;
 }
 

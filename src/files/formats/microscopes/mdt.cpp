@@ -108,9 +108,10 @@ FrameHead read_head(bytes::Cursor& cursor, std::uint64_t begin, unsigned number)
         fmt::format("{:04}-{:02}-{:02} {:02}:{:02}:{:02}", date[0], date[1], date[2], date[3], date[4], date[5]);
     frame.variables = cursor.number<std::uint16_t>();
     if (frame.bytes > cursor.source().size - begin)
-        throw FormatError(cursor.source().name, {.offset = cursor.source().size},
-                          fmt::format("NT-MDT: the file ends here, frame {} should end at byte {}; it is truncated",
-                                      number, frame.end()));
+        throw FormatError(
+            cursor.source().name, {.offset = cursor.source().size},
+            fmt::format("NT-MDT: the file ends here, expected the end of frame {} at byte {}; it is truncated", number,
+                        frame.end()));
     return frame;
 }
 
@@ -135,7 +136,7 @@ void require_in_frame(const MdtImage& image, const FrameHead& frame, const bytes
     const auto end = image.raster.offset + image.raster.row_distance() * static_cast<std::uint64_t>(image.raster.ny);
     if (end > frame.end())
         cursor.fail(
-            fmt::format("'{}': {} × {} values should end at byte {}, their frame ends at {}; the file is damaged",
+            fmt::format("'{}': {} × {} values would end at byte {}, but their frame ends at {}; the file is damaged",
                         image.name, image.raster.nx, image.raster.ny, end, frame.end()));
 }
 
@@ -280,10 +281,11 @@ Channel image_channel(const MdtImage& image, const FrameHead& frame, const bytes
             std::abs(image.y.step) * static_cast<double>(image.raster.ny) * length_unit(image.y.unit, source).factor};
     const bool no_scale = is_length(info.unit) && !image.z.is_length();
     if (no_scale)
-        info.alerts.push_back({"NO_HEIGHT_SCALE", source.name,
-                               fmt::format("'{}' has a step of {} {}, its numbers cannot be made heights", info.name,
-                                           image.z.step, info.unit),
-                               "export the map again with its calibration"});
+        info.alerts.push_back(
+            {"NO_HEIGHT_SCALE", source.name,
+             fmt::format("'{}' has a step of {} {}, so that its numbers cannot be converted to heights", info.name,
+                         image.z.step, info.unit),
+             "export the map again with its calibration"});
     if (!image.z.is_length()) {
         info.shape = {image.raster.nx, image.raster.ny};
         info.metadata.file = source.name;
@@ -335,7 +337,7 @@ std::vector<Channel> open_mdt(const bytes::Source& source, const ReadOptions& op
     if (begin - head_bytes < announced)
         throw FormatError(
             source.name, {.offset = begin},
-            fmt::format("NT-MDT: the last frame ends here, {} bytes of frames were announced; the file is damaged",
+            fmt::format("NT-MDT: the last frame ends here, but {} bytes of frames were announced; the file is damaged",
                         announced));
     if (!any_map)
         throw FormatError(

@@ -50,7 +50,7 @@ MiFile parsed(const bytes::Source& source) {
     const auto end = rest.find('\n');
     if (end == std::string::npos)
         refuse(source, source.size,
-               "the file ends here, within the line that tells how data are written; it is truncated");
+               "the file ends here, within the line that describes how data are written; it is truncated");
     file.encoding = trimmed(std::string_view(rest).substr(0, end));
     file.data_at = rest_at + end + 1;
     auto* entries = &file.entries;
@@ -69,9 +69,9 @@ MiFile parsed(const bytes::Source& source) {
     if (entry(file.entries, "fileType") != "Image")
         refuse(
             source, 0,
-            fmt::format(
-                "a file of type '{:.40}', no image; force curves are read by `setae jkr fit` from the text the instrument's program exports",
-                entry(file.entries, "fileType")));
+            fmt::format("a file of type '{:.40}', not an image; `setae jkr fit` reads force curves from the text that "
+                        "the program of the instrument exports",
+                        entry(file.entries, "fileType")));
     file.nx = tables::header_count(entry(file.entries, "xPixels"), "xPixels", source, "MI");
     file.ny = tables::header_count(entry(file.entries, "yPixels"), "yPixels", source, "MI");
     if (file.channels.empty()) refuse(source, 0, "no channel ('bufferLabel') in the header that begins here");
@@ -106,7 +106,7 @@ topography::Measurement words(const bytes::Source& source, const MiFile& file, s
     const auto distance = columns ? file.channels.size() : 1, first = columns ? channel : channel * points;
     if (points > text.size() / 2 + 1)
         refuse(source, source.size,
-               fmt::format("the file ends here, it announces {} × {} points; it is truncated", file.nx, file.ny));
+               fmt::format("the file ends here, but it announces {} × {} points; it is truncated", file.nx, file.ny));
     Array2D heights(static_cast<Index>(file.nx), static_cast<Index>(file.ny));
     std::size_t at = 0;
     std::uint64_t number = 0, found = 0;
@@ -120,7 +120,7 @@ topography::Measurement words(const bytes::Source& source, const MiFile& file, s
         if (number >= first && (number - first) % distance == 0) {
             double value = 0.0;
             if (!bytes::parse_cell(std::string_view(text).substr(at, end - at), '.', value))
-                refuse(source, file.data_at + at, fmt::format("'{:.40}' is no number", text.substr(at, end - at)));
+                refuse(source, file.data_at + at, fmt::format("'{:.40}' is not a number", text.substr(at, end - at)));
             heights(static_cast<Index>(found % file.nx), static_cast<Index>(file.ny - 1 - found / file.nx)) =
                 factor * value;
             ++found;
@@ -154,8 +154,8 @@ Channel channel_of(const MiFile& file, std::size_t number, ChannelInfo info, con
     const auto channel_bytes = file.nx * file.ny * bytes_of(sample);
     if (!in_words && (file.nx > source.size / file.ny || (number + 1) * channel_bytes > source.size - file.data_at))
         refuse(source, source.size,
-               fmt::format("the file ends here, before the {} × {} values of '{}' do; it is truncated", file.nx,
-                           file.ny, info.name));
+               fmt::format("the file ends here, before the last of the {} × {} values of '{}'; it is truncated",
+                           file.nx, file.ny, info.name));
     if (!info.unit.empty() && !holds_heights(info.name, info.unit)) return non_height_channel(std::move(info));
     info.orientation = "rows from the bottom, turned, whatever the direction of the scan";
     const double metre = info.unit.empty() ? 1.0 : length_unit(info.unit, source).factor;

@@ -140,9 +140,9 @@ std::uint64_t data_offset(std::uint64_t header_end, const bytes::Source& source)
     const auto gap = source.up_to(header_end, longest_gap);
     const auto mark = gap.find(nanonis_data_mark);
     if (mark == std::string::npos)
-        throw FormatError(
-            source.name, {.offset = header_end},
-            "Nanonis: the bytes 0x1a 0x04 that begin the data are not here; the file is truncated or damaged");
+        throw FormatError(source.name, {.offset = header_end},
+                          "Nanonis: the bytes 0x1a 0x04 that begin the data are missing here; the file is truncated or "
+                          "damaged");
     return header_end + mark + nanonis_data_mark.size();
 }
 

@@ -95,7 +95,7 @@ std::array<double, 2> scan_size(const NanoscopeSection& image, const std::vector
                                 const bytes::Source& source) {
     const auto& text = required(image, "scan size", source);
     const auto first = leading_value(text);
-    if (!first) throw FormatError(source.name, {}, fmt::format("Nanoscope: scan size '{:.40}' is no length", text));
+    if (!first) throw FormatError(source.name, {}, fmt::format("Nanoscope: scan size '{:.40}' is not a length", text));
     const auto second = leading_value(first->unit);
     const auto factor = length_unit(plain_unit(second ? second->unit : first->unit), source).factor;
     const double y = second ? second->number : first->number / aspect_ratio(image, sections, source);
@@ -158,8 +158,8 @@ NanoscopeBlock find_block(const NanoscopeSection& image, const NanoscopeSection*
     if (block.offset + block.length() > source.size)
         throw FormatError(
             source.name, {.offset = source.size},
-            fmt::format("Nanoscope: the file ends here, image '{}' should end at byte {}; it is truncated", name,
-                        block.offset + block.length()));
+            fmt::format("Nanoscope: the file ends here, expected the end of image '{}' at byte {}; it is truncated",
+                        name, block.offset + block.length()));
     return block;
 }
 
@@ -199,10 +199,10 @@ Channel image_channel(const NanoscopeSection& image, const std::vector<Nanoscope
     const auto scale = value_scale(required(image, "z scale", source), sections, block.bytes);
     info.unit = scale.unit;
     if (!scale.missing.empty())
-        info.alerts.push_back({"SENSITIVITY_MISSING", source.name,
-                               fmt::format("the header has no '{}', by which '{}' becomes more than {}", scale.missing,
-                                           info.name, scale.unit),
-                               "save the file again with the instrument's program"});
+        info.alerts.push_back(
+            {"SENSITIVITY_MISSING", source.name,
+             fmt::format("the header has no '{}', which converts '{}' from {}", scale.missing, info.name, scale.unit),
+             "save the file again with the program of the instrument"});
     if (!holds_heights(info.name, info.unit) || scale.factor == 0.0) return non_height_channel(std::move(info));
     info.orientation = "rows from the bottom, turned";
     const Raster raster{.offset = block.offset,
@@ -232,14 +232,16 @@ std::vector<Channel> open_nanoscope(const bytes::Source& source, const ReadOptio
         throw FormatError(source.name, {.offset = 0}, "Nanoscope: " + what);
     };
     if (source.head(first_section_as_text.size()) == first_section_as_text)
-        refuse("an image exported as text with its header, whose numbers have no unit; give the instrument's own file");
+        refuse(
+            "an image exported as text with its header, whose numbers have no unit; open the original file "
+            "of the instrument");
     const auto sections = tables::nanoscope_sections(source);
     ChannelInfo common;
     common.format = "di";
     common.metadata = file_metadata(sections, source);
     if (holds_curves(sections))
         common.alerts.push_back({"FORCE_CURVES_NOT_READ", source.name,
-                                 "a force volume: its images are read here, its force curves are not",
+                                 "this is a force volume; its images are read here, its force curves are not",
                                  "`setae jkr fit` reads and fits the curves"});
     std::vector<Channel> channels;
     for (const auto& section : sections) {

@@ -100,14 +100,15 @@ void require_readable(const ParkHeader& header, const bytes::TiffFile& file, std
     const auto refuse = [&](const std::string& what) {
         throw FormatError(file.source.name, {.offset = offset}, "Park: " + what);
     };
-    if (header.image_type == 1) refuse("a line profile cut from a map, which tells no height of its own; give the map");
+    if (header.image_type == 1) refuse("a line profile cut from a map, which contains no heights; open the map");
     if (header.image_type > 2)
         refuse(fmt::format("an image of type {}, expected 0 (map) or 2 (map with spectra)", header.image_type));
-    if (header.compressed) refuse("compressed samples, whose layout is not published; save without compression");
+    if (header.compressed)
+        refuse("compressed samples, whose layout is not published; save the file without compression");
     if (header.data_type > 2)
         refuse(fmt::format("samples of type {}, expected 0 (int16), 1 (int32) or 2 (float32)", header.data_type));
     if (!std::isfinite(header.gain) || !std::isfinite(header.scale) || !std::isfinite(header.offset))
-        refuse("gain, scale or offset are no numbers");
+        refuse("gain, scale or offset are not numbers");
 }
 
 topography::Metadata metadata_of(const ParkHeader& header, const bytes::TiffFile& file, double version) {
@@ -158,7 +159,8 @@ void require_preview(const bytes::TiffFile& file, const bytes::TiffPage& page) {
         if (offsets[k] > file.source.size || counts[k] > file.source.size - offsets[k])
             throw FormatError(
                 file.source.name, {.offset = file.source.size},
-                fmt::format("Park: the file ends here, a strip of its picture should end at byte {}; it is truncated",
+                fmt::format("Park: the file ends here, expected the end of a strip of its picture at byte {}; it is "
+                            "truncated",
                             offsets[k] + counts[k]));
 }
 
@@ -168,7 +170,7 @@ std::vector<Channel> open_park(const bytes::Source& source, const ReadOptions& o
     const auto *header_at = page.find(header_tag), *samples = page.find(samples_tag);
     if (!header_at || !samples)
         throw FormatError(source.name, {.offset = page.offset},
-                          "Park: the tags of header (50435) and samples (50434) are not both there");
+                          "Park: the tags of header (50435) and samples (50434) are not both present");
     const double version = file.number(page, version_tag).value_or(0.0);
     if (version != version_1 && version != version_2)
         throw FormatError(source.name, {.offset = page.offset},
@@ -187,8 +189,8 @@ std::vector<Channel> open_park(const bytes::Source& source, const ReadOptions& o
     if (info.unit.empty()) {
         info.unit = "um";
         info.alerts.push_back({"UNIT_ASSUMED", source.name,
-                               "the header names no unit of the heights, µm was assumed, the unit of its sizes",
-                               "compare with the instrument's own program"});
+                               "the header names no unit of the heights; µm was assumed, the unit of its sizes",
+                               "compare with the program of the instrument"});
     }
     if (!holds_heights(info.name, info.unit)) return {non_height_channel(std::move(info))};
     info.orientation = "rows from the bottom, turned";

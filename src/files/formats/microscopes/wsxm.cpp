@@ -48,9 +48,9 @@ void require_image(const std::vector<std::string_view>& lines, const bytes::Sour
     if (bytes::lowered(kind).starts_with("fz"))
         broken_wsxm(
             source, lines[0].size() + 1,
-            fmt::format(
-                "'{:.40}': force-distance curves, no map of heights; export them as columns of text, which `setae jkr fit` reads",
-                kind));
+            fmt::format("'{:.40}': force-distance curves, not a map of heights; export them as columns of text, which "
+                        "`setae jkr fit` reads",
+                        kind));
     broken_wsxm(source, lines.size() < 2 ? source.size : lines[0].size() + 1,
                 fmt::format("got '{:.40}', expected '{}'; curves, spectra and films are not read", kind, image_line));
 }
@@ -194,8 +194,7 @@ std::vector<Channel> open_wsxm(const bytes::Source& source, const ReadOptions& o
         "rows from the bottom and each from the right, turned by half a turn; not stated in the file, taken as Gwyddion shows it";
     const auto height = amplitude(header.text("general info/z amplitude"));
     if (type.scaled && !height)
-        broken_wsxm(source, header.data_offset,
-                    "the header has no 'Z Amplitude', without which integers have no scale");
+        broken_wsxm(source, header.data_offset, "the header has no 'Z Amplitude', which gives the scale of integers");
     info.unit = height ? height->unit : "";
     const auto unit = tables::try_parse_unit(info.unit);
     if (!info.unit.empty() && info.unit != "A" && (!unit || unit->dimension != dimension::length)) {
@@ -212,7 +211,7 @@ std::vector<Channel> open_wsxm(const bytes::Source& source, const ReadOptions& o
         return {raster_channel(std::move(info), source, raster, {.factor = span / *range}, options)};
     if (info.unit.empty())
         broken_wsxm(source, header.data_offset,
-                    "the header states neither the unit of 'Z Amplitude' nor the integers' range");
+                    "the header states neither the unit of 'Z Amplitude' nor the range of integers");
     auto channel = raster_channel(std::move(info), source, raster, {.factor = span}, options);
     read_as_a_whole(channel, [read = channel.read, span] { return spanning(read(), span); });
     return {std::move(channel)};

@@ -56,8 +56,8 @@ void add_measurements(std::vector<Channel>& channels, const bytes::Source& inner
                                              title_of(measurement, folder), "zag", open_zon, options)) {
             if (hidden)
                 channel.info.alerts.push_back({"HIDDEN_MEASUREMENT", channel.info.name,
-                                               "the file says that this measurement is not to be shown",
-                                               "check whether it belongs to the others"});
+                                               "the file marks this measurement as hidden",
+                                               "check whether this measurement belongs to the others"});
             channels.push_back(std::move(channel));
         }
     }

@@ -66,7 +66,7 @@ PointArray array_of(const bytes::Archive& archive, const char* member, std::int3
     if (array.nx < 1 || array.ny < 1 || array.element_bytes != element_bytes ||
         array.row_bytes / element_bytes < array.nx)
         throw FormatError(content.name, {.offset = 0},
-                          fmt::format("ZON: {} × {} points of {} bytes in rows of {}, expected {} bytes a point",
+                          fmt::format("ZON: {} × {} points of {} bytes in rows of {}, expected {} bytes per point",
                                       array.nx, array.ny, array.element_bytes, array.row_bytes, element_bytes));
     if (!zstd) return array;
     const auto size = array_header + static_cast<std::uint64_t>(array.ny) * static_cast<std::uint64_t>(array.row_bytes);
@@ -125,7 +125,7 @@ bool is_keyence_package(std::string_view head) { return head.starts_with("KPK0")
 bytes::Source keyence_archive(const bytes::Source& source) {
     constexpr std::uint64_t picture = 8;
     bytes::Cursor cursor(source, zon_name);
-    if (!is_keyence_package(cursor.bytes(4))) cursor.fail("it does not begin with 'KPK0' or 'KPK1'");
+    if (!is_keyence_package(cursor.bytes(4))) cursor.fail("the member does not begin with 'KPK0' or 'KPK1'");
     return archive_behind_picture(source, picture, cursor.number<std::uint32_t>(), zon_name);
 }
 

@@ -135,9 +135,11 @@ Channel channel_of(const Hdf5File& file, const StoredArray& array, const bytes::
         bytes::lowered(converter->texts[1]) != bytes::lowered(unit))
         info.alerts.push_back(
             {"UNIT_MISMATCH", source.name,
-             fmt::format("heights are in {} by the attribute Unit, in {} by the Z Converter; the first was used", unit,
-                         converter->texts[1]),
-             "compare the heights with what Mx shows"});
+             fmt::format(
+                 "heights are in {} according to the attribute Unit and in {} according to the Z Converter; the "
+                 "first was used",
+                 unit, converter->texts[1]),
+             "compare the heights with those in Mx"});
     return array_channel(std::move(info), array, FirstIndex::y_downwards,
                          raw_scale(array.attributes, scale ? scale->factor : 1.0), options);
 }

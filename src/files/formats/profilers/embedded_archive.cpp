@@ -20,14 +20,14 @@ bytes::Source archive_behind_picture(const bytes::Source& source, std::uint64_t 
     if (begin > source.size || source.size - begin < signature_bytes)
         throw FormatError(
             source.name, {.offset = source.size},
-            fmt::format("{}: the file ends here, its archive should begin at byte {}; it is truncated or damaged",
-                        format, begin));
+            fmt::format("{}: the file ends here, expected its archive at byte {}; it is truncated or damaged", format,
+                        begin));
     const std::string window = source.bytes(begin, std::min(gap + signature_bytes, source.size - begin));
     for (std::uint64_t skipped = 0; skipped + signature_bytes <= window.size(); ++skipped)
         if (bytes::is_zip(std::string_view(window).substr(skipped)))
             return bytes::part_of(source, source.name, begin + skipped, source.size - begin - skipped);
     throw FormatError(source.name, {.offset = begin},
-                      fmt::format("{}: no ZIP archive behind the picture; the file is damaged", format));
+                      fmt::format("{}: no ZIP archive follows the picture; the file is damaged", format));
 }
 
 std::vector<Channel> member_channels(const bytes::Source& archive, const std::string& member, const std::string& title,

@@ -129,7 +129,7 @@ std::vector<FrtImage> images_of(const FrtBlock& block, bytes::Cursor& cursor) {
         const auto bytes = static_cast<std::uint64_t>(image.raster.nx) * static_cast<std::uint64_t>(image.raster.ny) *
                            bytes_of(image.raster.sample);
         if (bytes > end - image.raster.offset)
-            cursor.fail(fmt::format("an image of {} × {} values leads out of its block; the file is damaged",
+            cursor.fail(fmt::format("an image of {} × {} values extends beyond its block; the file is damaged",
                                     image.raster.nx, image.raster.ny));
         cursor.skip(bytes);
         found.push_back(image);

@@ -115,7 +115,7 @@ double phase_scale(bytes::Cursor& cursor) {
                          static_cast<double>(cursor.number_at<float>(at::wavelength)) /
                          resolutions[static_cast<std::size_t>(resolution)];
     if (!std::isfinite(scale) || scale == 0.0)
-        cursor.fail(fmt::format("heights of {} m a step, expected a length; the header is damaged", scale));
+        cursor.fail(fmt::format("heights of {} m per step, expected a length; the header is damaged", scale));
     return cursor.number_at<std::int16_t>(at::sign) != 0 ? -scale : scale;
 }
 
@@ -167,7 +167,7 @@ std::vector<Channel> open_metropro(const bytes::Source& source, const ReadOption
     }
     if (channels.empty())
         throw FormatError(source.name, {.offset = at::phase_width},
-                          "MetroPro: neither phases nor intensities in the file");
+                          "MetroPro: the file has neither phases nor intensities");
     return channels;
 }
 

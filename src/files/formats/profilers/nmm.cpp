@@ -117,8 +117,8 @@ ScanField read_field(const bytes::Archive& archive, const std::string& member) {
         const double width = length_of(entries, "Scan field width", source);
         if (points_along(width, field.dy, source) != field.lines)
             throw FormatError(source.name, {},
-                              fmt::format("NMM: {} lines {} m apart in a field {} m wide, which do not fit",
-                                          field.lines, field.dy, width));
+                              fmt::format("NMM: {} lines {} m apart do not fit into a field {} m wide", field.lines,
+                                          field.dy, width));
     }
     if (const auto at = entries.find("Creation time"); at != entries.end()) field.date = at->second;
     return field;

@@ -78,9 +78,10 @@ std::vector<Channel> open_nms(const bytes::Source& source, const ReadOptions& op
     const auto points = std::uint64_t{nx} * ny;
     const auto behind = source.size - nms_header_bytes - 2 * points;
     if (behind > 0 && behind < points)
-        throw FormatError(source.name, {.offset = source.size},
-                          fmt::format("NMS: the file ends here, its picture should end at byte {}; it is truncated",
-                                      nms_header_bytes + 3 * points));
+        throw FormatError(
+            source.name, {.offset = source.size},
+            fmt::format("NMS: the file ends here, expected the end of its picture at byte {}; it is truncated",
+                        nms_header_bytes + 3 * points));
     if (behind >= points) {
         picture.name = picture.metadata.name = "Intensity";
         picture.shape = {nx, ny};

@@ -77,8 +77,9 @@ void read_list(bytes::Cursor& cursor, std::uint64_t end, OirContent& content) {
         else if (block == image_prefix) content.prefix = std::move(text);
     }
     if (cursor.position() != end)
-        cursor.fail(fmt::format("a list of metadata goes on to byte {}, its chunk ends at byte {}; the file is damaged",
-                                cursor.position(), end));
+        cursor.fail(
+            fmt::format("a list of metadata extends to byte {}, but its chunk ends at byte {}; the file is damaged",
+                        cursor.position(), end));
 }
 
 /// Points of an image: its name ends in "_0", longer images go on in parts "_1", "_2" …
@@ -87,7 +88,7 @@ void read_points(bytes::Cursor& cursor, std::uint64_t end, OirContent& content) 
     const auto size = cursor.number<std::uint32_t>();
     auto image = cursor.bytes(cursor.number<std::uint32_t>());
     cursor.seek(end);
-    if (cursor.number<std::uint32_t>() != size) cursor.fail("an image tells two sizes; the file is damaged");
+    if (cursor.number<std::uint32_t>() != size) cursor.fail("an image states two sizes; the file is damaged");
     cursor.skip(4);
     image.resize(std::min(image.find('\0'), image.size()));
     content.images[image.substr(0, image.rfind('_'))].push_back({cursor.position(), size});
@@ -194,10 +195,10 @@ Match detect_oir(std::string_view head, const bytes::Source&) {
 std::vector<Channel> open_oir(const bytes::Source& source, const ReadOptions& options) {
     bytes::Cursor cursor(source, oir_name);
     if (cursor.bytes(oir_signature.size()) != oir_signature)
-        cursor.fail(fmt::format("it does not begin with '{}'", oir_signature));
+        cursor.fail(fmt::format("the file does not begin with '{}'", oir_signature));
     if (const auto size = cursor.number_at<std::uint32_t>(32); size > source.size)
         throw FormatError(source.name, {.offset = source.size},
-                          fmt::format("OIR: the file ends here, it announces {} bytes; it is truncated", size));
+                          fmt::format("OIR: the file ends here, but it announces {} bytes; it is truncated", size));
     const auto content = content_of(cursor);
     if (content.properties.empty())
         throw FormatError(source.name, {.offset = source.size},

@@ -70,9 +70,10 @@ OpdFile read_directory(bytes::Cursor& cursor) {
             block.length = std::min<std::uint64_t>(block.length, sizeof(float));
         offset += block.length;
         if (offset > cursor.source().size)
-            throw FormatError(cursor.source().name, {.offset = cursor.source().size},
-                              fmt::format("OPD: the file ends here, block '{}' should end at byte {}; it is truncated",
-                                          block.name, offset));
+            throw FormatError(
+                cursor.source().name, {.offset = cursor.source().size},
+                fmt::format("OPD: the file ends here, expected the end of block '{}' at byte {}; it is truncated",
+                            block.name, offset));
         if (block.length > 0) file.blocks.push_back(std::move(block));
     }
     return file;
@@ -147,7 +148,7 @@ bool holds_heights(const std::string& name, const Common& common) {
 Channel array_channel(const OpdBlock& block, const Common& common, bytes::Cursor& cursor, const ReadOptions& options) {
     if (block.length < array_header_bytes) {
         cursor.seek(block.offset);
-        cursor.fail(fmt::format("array '{}' of {} bytes has no place for its dimensions; the file is damaged",
+        cursor.fail(fmt::format("array '{}' of {} bytes has no space for its dimensions; the file is damaged",
                                 block.name, block.length));
     }
     cursor.seek(block.offset);
@@ -195,7 +196,7 @@ std::vector<Channel> open_opd(const bytes::Source& source, const ReadOptions& op
     std::vector<Channel> channels;
     for (const auto& block : file.blocks) {
         if (channels.size() == most_channels)
-            cursor.fail(fmt::format("more than {} arrays, which no such file has; it is damaged", most_channels));
+            cursor.fail(fmt::format("more than {} arrays, which is not possible; the file is damaged", most_channels));
         if (block.type == array_type) channels.push_back(array_channel(block, common, cursor, options));
         if (block.type != tagged_type) continue;
         const auto item = tagged_value(block, cursor);
@@ -204,7 +205,7 @@ std::vector<Channel> open_opd(const bytes::Source& source, const ReadOptions& op
     }
     if (channels.empty())
         throw FormatError(source.name, {.offset = source.size},
-                          "OPD: no array among the blocks; the file holds no map");
+                          "OPD: no array among the blocks; the file contains no map");
     return channels;
 }
 

@@ -80,9 +80,10 @@ Blob read_blob(const bytes::Source& source) {
         data_behind_marker;
     const auto count = static_cast<std::uint64_t>(points);
     if (data > content.size() || content.size() - data != count * bytes_a_point)
-        throw FormatError(source.name, {.offset = content.size()},
-                          fmt::format("MarWin: {} points should end at byte {}, the profile ends here; it is damaged",
-                                      points, data + count * bytes_a_point));
+        throw FormatError(
+            source.name, {.offset = content.size()},
+            fmt::format("MarWin: expected the end of {} points at byte {}, but the profile ends here; it is damaged",
+                        points, data + count * bytes_a_point));
     blob.positions.resize(points);
     blob.heights.resize(points);
     for (std::uint64_t i = 0; i < count; ++i) {
@@ -136,7 +137,7 @@ topography::Measurement measurement_of(Blob blob, const topography::Metadata& me
     for (Index i = 1; i < blob.positions.size(); ++i)
         if (!(blob.positions[i] > blob.positions[i - 1]))
             throw FormatError(source.name, {},
-                              fmt::format("MarWin: x of point {} is not beyond that of the point before", i + 1));
+                              fmt::format("MarWin: x of point {} is not larger than that of the point before", i + 1));
     topography::Profile profile{blob.positions, blob.heights, metadata};
     if (auto scan = topography::to_line_scan(profile)) return *std::move(scan);
     Index defined = 0;

@@ -118,7 +118,7 @@ SurHeader read_header(bytes::Cursor& cursor) {
     cursor.skip(2 + 4 + 4);  // absolute, gauge resolution, length of spectra
     header.bits = cursor.number<std::uint16_t>();
     if (header.bits != 16 && header.bits != 32)
-        cursor.fail(fmt::format("{} bits a point, expected 16 or 32", header.bits));
+        cursor.fail(fmt::format("{} bits per point, expected 16 or 32", header.bits));
     header.least = cursor.number<std::int32_t>();
     cursor.skip(4);  // greatest
     header.points = cursor.number<std::int32_t>();
@@ -136,7 +136,7 @@ SurHeader read_header(bytes::Cursor& cursor) {
     cursor.skip(128);
     for (auto* axis : {&header.x, &header.y, &header.z}) axis->offset = cursor.number<float>();
     for (const double number : {header.x.spacing, header.y.spacing, header.z.spacing, header.z.offset})
-        if (!std::isfinite(number)) cursor.fail("a spacing or offset is no number; the header is damaged");
+        if (!std::isfinite(number)) cursor.fail("a spacing or offset is not a number; the header is damaged");
     cursor.seek(begin + sur_header_bytes);
     cursor.skip(comment);
     cursor.skip(private_zone);
@@ -154,7 +154,7 @@ bytes::Source compressed_points(const SurHeader& header, bytes::Cursor& cursor) 
     const auto count = cursor.number<std::uint32_t>();
     if (count > cursor.remaining() / 8)
         cursor.fail(fmt::format(
-            "{} compressed streams announced, more than the file has room for; it is truncated or damaged", count));
+            "{} compressed streams are announced, more than fit into the file; it is truncated or damaged", count));
     std::vector<Stream> streams(count);
     for (auto& stream : streams) {
         stream.expanded = cursor.number<std::uint32_t>();
@@ -259,9 +259,11 @@ Channel object_channel(const SurHeader& header, const std::string& title, bool i
     const bool force = type == force_curve || type == force_curve_series;
     throw FormatError(
         source.name, {.offset = 18},
-        force ? "SUR: it holds force curves, no topography; export them as text, which `setae jkr fit` reads"
+        force ? "SUR: the file contains force curves, not a topography; export them as text, which `setae jkr "
+                "fit` reads"
               : fmt::format(
-                    "SUR: objects of type {} are no map and no profile; expected type 1 to 5, 7, 8, 10 to 13, 16 or 18",
+                    "SUR: objects of type {} are neither map nor profile; expected type 1 to 5, 7, 8, 10 to 13, 16 "
+                    "or 18",
                     type));
 }
 

@@ -71,8 +71,8 @@ std::vector<Channel> open_tmd(const bytes::Source& source, const ReadOptions& op
     info.unit = unit.name;
     if (!options.unit)
         info.alerts.push_back({"UNIT_ASSUMED", source.name,
-                               "the file states no unit; lengths and heights are taken as mm, in which TrueMap works",
-                               "give the unit if that is not so, as in --unit um"});
+                               "the file states no unit; lengths and heights are taken as mm, the unit of TrueMap",
+                               "give `unit`, such as \"um\", if this is wrong"});
     info.size = {dimensions.length_x * unit.factor, dimensions.length_y * unit.factor};
     info.orientation = "rows from the top, as stored; not stated in the file";
     cursor.seek(comment_offset);

@@ -42,13 +42,14 @@ public:
 
     VcaItem value(std::string name, std::uint64_t end, int depth) {
         if (++count_ > most_items)
-            cursor_.fail(fmt::format("more than {} entries, which no such file has; it is damaged", most_items));
+            cursor_.fail(fmt::format("more than {} entries, which is not possible; the file is damaged", most_items));
         VcaItem item;
         item.name = std::move(name);
         item.type = static_cast<VcaType>(cursor_.number<std::uint8_t>());
         content(item, depth);
         if (cursor_.position() > end)
-            cursor_.fail(fmt::format("entry '{:.40}' leads out of what holds it; the file is damaged", item.name));
+            cursor_.fail(fmt::format("entry '{:.40}' extends beyond the entry that contains it; the file is damaged",
+                                     item.name));
         return item;
     }
 
@@ -76,7 +77,8 @@ private:
             throw FormatError(
                 cursor_.source().name, {.offset = cursor_.source().size},
                 fmt::format(
-                    "Vision64: the file ends here, an entry of {} bytes begins at byte {}; it is truncated or damaged",
+                    "Vision64: the file ends here, but an entry of {} bytes begins at byte {}; it is truncated or "
+                    "damaged",
                     bytes, cursor_.position()));
         return bytes;
     }
@@ -109,7 +111,7 @@ private:
         const auto bytes = length();
         constexpr std::uint64_t dimensions = 2 * sizeof(std::uint32_t);
         if (bytes < dimensions)
-            cursor_.fail(fmt::format("matrix '{:.40}' of {} bytes has no place for its dimensions; the file is damaged",
+            cursor_.fail(fmt::format("matrix '{:.40}' of {} bytes has no space for its dimensions; the file is damaged",
                                      item.name, bytes));
         item.rows = cursor_.number<std::uint32_t>();
         item.columns = cursor_.number<std::uint32_t>();
@@ -123,7 +125,7 @@ private:
         elements(item);
         constexpr std::uint64_t prefix = 5;  // type of elements, their bytes
         if (item.length < prefix)
-            cursor_.fail(fmt::format("array '{:.40}' of {} bytes has no place for its type; the file is damaged",
+            cursor_.fail(fmt::format("array '{:.40}' of {} bytes has no space for its type; the file is damaged",
                                      item.name, item.length));
         item.element = cursor_.number_at<std::uint8_t>(item.offset);
         item.offset += prefix;
@@ -263,7 +265,7 @@ Channel vca_map_channel(const VcaItem& data, const ChannelInfo& common, const by
     const auto bytes = points > 0 ? matrix->length / points : 0;
     if (bytes * points != matrix->length || (bytes != sizeof(float) && bytes != sizeof(double)))
         throw FormatError(source.name, {.offset = matrix->offset},
-                          fmt::format("{}: matrix '{}' has {} × {} values in {} bytes, expected 4 or 8 bytes a value",
+                          fmt::format("{}: matrix '{}' has {} × {} values in {} bytes, expected 4 or 8 bytes per value",
                                       info.format, info.name, matrix->columns, matrix->rows, matrix->length));
     const Raster raster{.offset = matrix->offset,
                         .nx = matrix->columns,
@@ -292,7 +294,7 @@ Channel vca_line_channel(const VcaItem& data, const ChannelInfo& common, const b
     const auto* announced = data.find("NumPoints");
     if (announced && announced->number != static_cast<double>(points))
         throw FormatError(source.name, {.offset = array->offset},
-                          fmt::format("{}: profile '{}' announces {} points and has {}", info.format, info.name,
+                          fmt::format("{}: profile '{}' announces {} points but has {}", info.format, info.name,
                                       announced->number, points));
     const Raster raster{.offset = array->offset,
                         .nx = static_cast<Index>(points),

@@ -81,7 +81,8 @@ Raster image_raster(bytes::Cursor& cursor, std::uint32_t offset) {
     cursor.seek(offset);
     const auto width = cursor.number<std::uint32_t>(), height = cursor.number<std::uint32_t>(),
                bits = cursor.number<std::uint32_t>();
-    if (bits != 8 && bits != 16 && bits != 32) cursor.fail(fmt::format("{} bits a point, expected 8, 16 or 32", bits));
+    if (bits != 8 && bits != 16 && bits != 32)
+        cursor.fail(fmt::format("{} bits per point, expected 8, 16 or 32", bits));
     cursor.skip(4);  // compression, always none
     const auto bytes = cursor.number<std::uint32_t>();
     const auto bytes_a_point = bits / 8;
@@ -99,7 +100,7 @@ Raster image_raster(bytes::Cursor& cursor, std::uint32_t offset) {
 std::vector<Channel> open_vk4(const bytes::Source& source, const std::string& file, const ReadOptions& options) {
     bytes::Cursor cursor(source, vk_name);
     const auto signature = cursor.bytes(4);
-    if (signature != "VK3_" && signature != "VK4_") cursor.fail("it does not begin with 'VK3_' or 'VK4_'");
+    if (signature != "VK3_" && signature != "VK4_") cursor.fail("the file does not begin with 'VK3_' or 'VK4_'");
     cursor.seek(vk_header_bytes);
     const auto offsets = offsets_of(cursor);
     auto conditions = conditions_of(cursor, offsets);

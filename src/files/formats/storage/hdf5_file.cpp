@@ -240,7 +240,8 @@ std::optional<StoredArray> Hdf5File::array(const std::string& path) const {
         H5get_libversion(&major, &minor, &release);
         StoredArray closed{.name = path, .data = source_};
         closed.refusal = fmt::format(
-            "HDF5: {:.200} cannot be opened; it is damaged, or written for a version after {}.{}.{}, whose h5repack --high=2 makes it older",
+            "HDF5: {:.200} cannot be opened; it is damaged, or written for a version after {}.{}.{}: "
+            "h5repack --high=2 makes it older",
             path, major, minor, release);
         return closed;
     }

@@ -26,7 +26,7 @@ constexpr std::uint64_t most_compact_bytes = 1 << 16;
 
 void refuse_elsewhere(StoredArray& array, const char* where) {
     array.refusal =
-        fmt::format("HDF5: the values of {:.200} lie {}; copy them into one file with h5repack", array.name, where);
+        fmt::format("HDF5: the values of {:.200} are {}; copy them into one file with h5repack", array.name, where);
 }
 
 /// A few values stand in the dataset's header.
@@ -71,7 +71,7 @@ void place_chunked(const Hdf5Dataset& dataset, std::uint64_t bytes, StoredArray&
     if (H5Pget_chunk(dataset.properties, static_cast<int>(chunks.chunk.size()), chunks.chunk.data()) < 0 ||
         bytes::hdf5_product(chunks.chunk) == 0)
         broken_layout(dataset.source,
-                      fmt::format("dataset {:.200} has pieces of no size; the file is damaged", dataset.path));
+                      fmt::format("dataset {:.200} has pieces of size 0; the file is damaged", dataset.path));
     for (int k = 0; k < H5Pget_nfilters(dataset.properties); ++k) {
         unsigned flags = 0, parameter = 0;
         std::size_t parameters = 1;
@@ -79,7 +79,8 @@ void place_chunked(const Hdf5Dataset& dataset, std::uint64_t bytes, StoredArray&
                                        nullptr, nullptr);
         if (!unpacks(id)) {
             array.refusal = fmt::format(
-                "HDF5: dataset {:.200} is packed with filter {}, which setae does not unpack; repack the file with h5repack -f GZIP=4",
+                "HDF5: dataset {:.200} is packed with filter {}, which is not supported; repack the file with "
+                "h5repack -f GZIP=4",
                 dataset.path, static_cast<int>(id));
             return;
         }
@@ -97,9 +98,9 @@ void place_chunked(const Hdf5Dataset& dataset, std::uint64_t bytes, StoredArray&
     for (std::size_t k = 0; k < chunks.chunk.size(); ++k)
         pieces *= (dataset.extents[k] + chunks.chunk[k] - 1) / chunks.chunk[k];
     if (pieces > dataset.source.size / 8 + 4096) {
-        array.refusal =
-            fmt::format("HDF5: dataset {:.200} is cut into {} pieces, more than the file can hold; it is damaged",
-                        dataset.path, pieces);
+        array.refusal = fmt::format(
+            "HDF5: dataset {:.200} is divided into {} pieces, more than the file can contain; it is damaged",
+            dataset.path, pieces);
         return;
     }
     chunks.fill = fill_value(dataset, chunks.value_bytes);

@@ -16,7 +16,7 @@ namespace {
 constexpr Index longest_line_read = 1'000'000;
 constexpr Index largest_packed = Index{1} << 22;  ///< values of an array that is unpacked to look at a few of its lines
 constexpr Index narrowest_map = 4, tallest_table = 16;
-constexpr const char* counting = "whole numbers that count on from value to value: an index";
+constexpr const char* counting = "whole numbers that increase by one from value to value: an index";
 
 bool grows(const Array1D& values) {
     for (Index i = 1; i < values.size(); ++i)
@@ -38,9 +38,9 @@ bool are_even(const Array1D& values) {
 /// Why a line of values that grow or fall throughout is none of heights; empty for others.
 std::string why_monotone(const Array1D& values) {
     if (!grows(values) && !grows(-values)) return {};
-    if (are_whole(values)) return "whole numbers that grow from value to value: an index";
+    if (are_whole(values)) return "whole numbers that increase from value to value: an index";
     if (are_even(values)) return "evenly spaced values: positions";
-    return "values that grow throughout: positions";
+    return "values that increase throughout: positions";
 }
 
 /// Line k of a map's slow index, as stored.
@@ -100,7 +100,7 @@ std::string why_no_map(const LooseArray& loose) {
     if (bytes_of(array.sample) == 1) return "values of 8 bits: a picture or a mask";
     if (loose.integers) return "whole numbers without a unit";
     if (count_on(array)) return counting;
-    return are_coordinates(array) ? "the same in every line, or one value a line: coordinates of the points"
+    return are_coordinates(array) ? "equal values in all lines, or one value per line: coordinates of the points"
                                   : std::string();
 }
 
@@ -110,7 +110,7 @@ std::string why_no_line(const LooseArray& loose) {
     if (const auto why = few ? why_monotone(values_of(array, "array")) : std::string(); !why.empty()) return why;
     if (loose.integers) return "whole numbers without a unit";
     return loose.alone ? std::string()
-                       : "one dimension, and neither its name nor a unit says that it is a line of heights";
+                       : "one dimension, and neither the name nor a unit shows that it is a line of heights";
 }
 
 }  // namespace
@@ -122,7 +122,7 @@ std::string why_no_heights(const LooseArray& loose) {
     try {
         const auto why = line ? why_no_line(loose) : why_no_map(loose);
         const auto quantity = other_quantity(loose.name);
-        return why.empty() && !quantity.empty() ? fmt::format("its name says {}", quantity) : why;
+        return why.empty() && !quantity.empty() ? fmt::format("its name means {}", quantity) : why;
     } catch (const FormatError&) {  // damaged values: reading says how
         return {};
     }

@@ -279,13 +279,15 @@ void require_raster(const Raster& raster, const bytes::Source& source, const std
     const auto samples = static_cast<std::uint64_t>(raster.columns ? raster.ny : raster.nx);
     if (samples > source.size / raster.sample_distance() + 1 ||
         lines > source.size / std::max<std::uint64_t>(raster.row_distance(), 1) + 1)
-        broken(source, format, source.size,
-               fmt::format("the file ends here, it announces {} × {} points of {} bytes; it is truncated or damaged",
-                           raster.nx, raster.ny, bytes_of(raster.sample)));
+        broken(
+            source, format, source.size,
+            fmt::format("the file ends here, but it announces {} × {} points of {} bytes; it is truncated or damaged",
+                        raster.nx, raster.ny, bytes_of(raster.sample)));
     const auto needed = (lines - 1) * raster.row_distance() + line_bytes(raster);
     if (raster.offset > source.size || needed > source.size - raster.offset)
         broken(source, format, source.size,
-               fmt::format("the file ends here, its heights ({} × {} points) should end at byte {}; it is truncated",
+               fmt::format("the file ends here, expected the end of its heights ({} × {} points) at byte {}; it is "
+                           "truncated",
                            raster.nx, raster.ny, raster.offset + needed));
 }
 
@@ -327,8 +329,8 @@ Channel raster_channel(ChannelInfo info, const bytes::Source& source, const Rast
     if (line) return {.info = std::move(info), .read = std::move(read), .no_data_codes = std::move(codes)};
     auto lines = [source, raster, metres](Index first, Index count) {
         if (first < 0 || count < 1 || count > raster.ny - first)
-            throw InvalidArgument(fmt::format("{}: lines {} to {} asked for, the map has lines 0 to {}", source.name,
-                                              first, first + count - 1, raster.ny - 1));
+            throw InvalidArgument(fmt::format("{}: lines {} to {} were requested, but the map has lines 0 to {}",
+                                              source.name, first, first + count - 1, raster.ny - 1));
         return read_raster(source, lines_of(raster, first, count), metres);
     };
     return {

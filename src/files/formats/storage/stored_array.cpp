@@ -44,7 +44,7 @@ void require_readable(const StoredArray& array) {
 Channel refused_channel(ChannelInfo info, const StoredArray& array) {
     info.metadata.file = array.data.name;
     info.alerts.push_back({"UNREADABLE_ARRAY", info.name, array.refusal,
-                           "save the array again without packing it, or as the message says"});
+                           "save the array again without compression, or as the message states"});
     return {std::move(info), [name = array.data.name, refusal = array.refusal]() -> topography::Measurement {
                 throw FormatError(name, {}, refusal);
             }};

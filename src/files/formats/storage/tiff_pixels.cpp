@@ -39,7 +39,7 @@ Sample sample_of(const bytes::TiffFile& file, const bytes::TiffPage& page) {
     const auto bits = entry(file, page, TIFFTAG_BITSPERSAMPLE, 1),
                kind = entry(file, page, TIFFTAG_SAMPLEFORMAT, SAMPLEFORMAT_UINT),
                samples = entry(file, page, TIFFTAG_SAMPLESPERPIXEL, 1);
-    if (samples != 1) broken(file, page.offset, fmt::format("{} samples a pixel, expected one", samples));
+    if (samples != 1) broken(file, page.offset, fmt::format("{} samples per pixel, expected one", samples));
     switch (1000 * kind + bits) {
         case 1000 * SAMPLEFORMAT_UINT + 8: return Sample::uint8;
         case 1000 * SAMPLEFORMAT_UINT + 16: return Sample::uint16;
@@ -86,14 +86,14 @@ void require_pieces(const bytes::TiffFile& file, const Layout& layout) {
     const auto needed = layout.pieces.across() * layout.pieces.down();
     if (layout.offsets.size() < needed || layout.byte_counts.size() < needed)
         broken(file, layout.pieces.directory,
-               fmt::format("{} of the {} strips or tiles of {} × {} pixels are there",
+               fmt::format("{} of the {} strips or tiles of {} × {} pixels are present",
                            std::min(layout.offsets.size(), layout.byte_counts.size()), needed, layout.pieces.nx,
                            layout.pieces.ny));
     std::uint64_t stored = 0;
     for (std::size_t k = 0; k < needed; ++k) {
         if (layout.offsets[k] > file.source.size || layout.byte_counts[k] > file.source.size - layout.offsets[k])
             broken(file, file.source.size,
-                   fmt::format("the file ends here, a strip or tile should end at byte {}; it is truncated",
+                   fmt::format("the file ends here, expected the end of a strip or tile at byte {}; it is truncated",
                                layout.offsets[k] + layout.byte_counts[k]));
         stored += layout.byte_counts[k];
     }
@@ -147,10 +147,10 @@ TiffPixels tiff_pixels(const bytes::TiffFile& file, const bytes::TiffPage& page)
 
 void refuse_tiff(const bytes::Source& source) {
     (void)bytes::open_tiff(source, "TIFF");
-    throw FormatError(
-        source.name, {.offset = 0},
-        "a TIFF picture, it has none of the tags by which JPK, Park Systems and Olympus LEXT keep heights in TIFF; `setae contour` traces outlines in pictures, "
-        "heights that were exported as grey values have lost their scale: export the instrument's own format");
+    throw FormatError(source.name, {.offset = 0},
+                      "a TIFF picture without the tags in which JPK, Park Systems and Olympus LEXT store heights; "
+                      "`setae contour` traces outlines in pictures; heights exported as grey values have lost their "
+                      "scale: export the original format of the instrument");
 }
 
 }  // namespace setae::formats

@@ -34,19 +34,21 @@ TEST(ChannelChoice, TakesNumbersAndNames) {
     EXPECT_EQ(chosen_channels("f", channels, "2"), (std::vector<std::size_t>{2}));
     EXPECT_EQ(chosen_channels("f", channels, "height (r"), (std::vector<std::size_t>{2}));
     EXPECT_EQ(chosen_channels("f", channels, std::nullopt, true), (std::vector<std::size_t>{0, 2}));
-    EXPECT_EQ(message_of([&] { (void)chosen_channels("f", channels, "hei"); }),
-              "f: channel 'hei' may be 0 'Height (trace)', 2 'Height (retrace)'; give the whole name or the number");
-    EXPECT_NE(message_of([&] { (void)chosen_channels("f", channels, "3"); }).find("f: no channel 3, it has 0 'Height"),
-              std::string::npos);
+    EXPECT_EQ(
+        message_of([&] { (void)chosen_channels("f", channels, "hei"); }),
+        "f: channel 'hei' is ambiguous: 0 'Height (trace)', 2 'Height (retrace)'; give the whole name or the number");
+    EXPECT_NE(
+        message_of([&] { (void)chosen_channels("f", channels, "3"); }).find("f: no channel 3; there are 0 'Height"),
+        std::string::npos);
 }
 
 TEST(ChannelChoice, SaysWhyNoneIsTakenForHeights) {
     auto index = channel("i", false);
-    index.info.not_heights = "whole numbers that grow from value to value: an index";
+    index.info.not_heights = "whole numbers that increase from value to value: an index";
     const auto message = message_of([&] {
         (void)chosen_channels("f", {index, channel("phase", false)}, std::nullopt);
     });
-    EXPECT_NE(message.find("none of its 2 channels holds heights; 0 'i' is not heights: whole numbers"),
+    EXPECT_NE(message.find("none of its 2 channels contains heights; 0 'i' is not heights: whole numbers"),
               std::string::npos)
         << message;
 }

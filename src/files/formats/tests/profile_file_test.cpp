@@ -108,14 +108,14 @@ TEST(ProfileFile, DamagedHeadLinesAreNamed) {
         EXPECT_NE(message.find(said), std::string::npos) << message;
     };
     expect("version", "# version: 7", "version '7'");
-    expect("blur", "# blur 1e-10 m", "no 'key: value'");
+    expect("blur", "# blur 1e-10 m", "not 'key: value'");
     expect("blur", "# blur: 1e-10", "blur");
     expect("blur", "# blur: -1e-10 m", "expected a number >= 0");
     expect("step", "# step: 0 m", "expected a number > 0");
     expect("noise_density", "# noise_density: 1e-30 m2", "noise_density");
     expect("foil_thickness", "# foil_thickness: thin", "foil_thickness");
     expect("rotation", "# blur: 1e-10 m", "given twice");
-    expect("reentrant_share", "# : 3", "no 'key: value'");
+    expect("reentrant_share", "# : 3", "not 'key: value'");
 }
 
 TEST(ProfileFile, ResponseStandsAsAWhole) {

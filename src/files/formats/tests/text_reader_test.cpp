@@ -81,7 +81,7 @@ TEST(XyText, ReadsUtf16) {
 }
 
 TEST(XyText, MissingUnitIsAnErrorThatTellsTheOption) {
-    EXPECT_NE(message_of("0 1\n1 2\n2 3\n").find("--unit"), std::string::npos);
+    EXPECT_NE(message_of("0 1\n1 2\n2 3\n").find("`unit`"), std::string::npos);
 }
 
 TEST(XyText, WrongUnitIsRefused) {
@@ -152,7 +152,7 @@ TEST(XyText, RefusesWhatIsNoCurveInOneLine) {
     EXPECT_NE(message_of("x [um], h [um]\n").find("without a row of numbers"), std::string::npos);
     EXPECT_NE(message_of("1 2\n", microns).find("expected at least 2"), std::string::npos);
     EXPECT_NE(message_of("0 nan\n1 nan\n", microns).find("all 2 heights are undefined"), std::string::npos);
-    EXPECT_NE(message_of("1\n2\n3\n", microns).find("--size \"1 mm\""), std::string::npos);
+    EXPECT_NE(message_of("1\n2\n3\n", microns).find("`size`, such as \"1 mm\""), std::string::npos);
     EXPECT_NE(message_of("0 1\nnan 2\n2 3\n", microns).find("x of point 2"), std::string::npos);
 }
 
@@ -179,7 +179,7 @@ TEST(MatrixText, HeaderGivesSizeAndUnit) {
 
 TEST(MatrixText, WithoutHeaderNeedsSizeAndUnit) {
     const char* text = "1 2 3 4\n5 6 7 8\n";
-    EXPECT_NE(message_of(text).find("--size"), std::string::npos);
+    EXPECT_NE(message_of(text).find("`size`"), std::string::npos);
     const TemporaryFolder folder;
     const auto map = std::get<HeightMap>(read(folder.write("m.txt", text), 0, {{{4e-6, 2e-6}}, "nm"}));
     EXPECT_DOUBLE_EQ(map.heights(3, 1), 8e-9);

@@ -32,11 +32,10 @@ Units find_units(const HeightCurve& curve, ChannelInfo& info, const ReadOptions&
     if (tables::is_unit_of(units.x, dimension::wavevector))
         throw FormatError(
             source.name, {.line = 1},
-            fmt::format(
-                "the header gives {} for the first column, so this is a spectrum; expected its density in a unit "
-                "such as um3 (C1D) or um4 (C_iso), got '{}': divide f S(f) by f, square amplitudes, and undo "
-                "logarithms and decibels",
-                units.x, units.heights));
+            fmt::format("the header gives {} for the first column, so that this is a spectrum; expected its density in "
+                        "a unit such as um3 (C1D) or um4 (C_iso), got '{}': divide f S(f) by f, square amplitudes, and "
+                        "undo logarithms and decibels",
+                        units.x, units.heights));
     for (const auto* unit : {&units.x, &units.heights})
         if (!unit->empty() && !is_length_unit(*unit))
             throw FormatError(
@@ -57,8 +56,9 @@ Units find_units(const HeightCurve& curve, ChannelInfo& info, const ReadOptions&
         missing = units.x.empty() ? units.heights : units.x;
         info.alerts.push_back(
             {"UNIT_ASSUMED", source.name,
-             fmt::format("the header states no unit for {}; taken as {} as in the other column", column, missing),
-             "compare the heights with what is known of the surface, or give --unit"});
+             fmt::format("the header states no unit for {}; {} was assumed, the unit of the other column", column,
+                         missing),
+             "compare the heights with what is known about the surface, or give `unit`"});
     }
     info.unit = units.heights;
     compare_unit(info, options, source);
@@ -88,12 +88,11 @@ std::string name_of_pass(const std::string& name, std::size_t number, std::size_
 }
 
 Alert passes_alert(const std::vector<Pass>& passes, const bytes::Source& source) {
-    return {
-        "PASSES_SPLIT", source.name,
-        fmt::format("x runs along the profile in {} passes, {} points in the first: each pass is a channel",
-                    passes.size(), passes.front().last - passes.front().first + 1),
-        "choose one with --channel, in a study with channel; analyse several as measurements of one surface to average "
-        "them"};
+    return {"PASSES_SPLIT", source.name,
+            fmt::format("x runs along the profile in {} passes, with {} points in the first: each pass is a channel",
+                        passes.size(), passes.front().last - passes.front().first + 1),
+            "choose one pass with `channel`; to average passes, analyse several as measurements of one "
+            "surface"};
 }
 
 /// Undefines values that mark missing heights before any height is averaged with them.
@@ -160,9 +159,10 @@ void compare_unit(ChannelInfo& info, const ReadOptions& options, const bytes::So
     if (given.empty() || info.unit.empty() ||
         length_unit(given, source).factor == length_unit(info.unit, source).factor)
         return;
-    info.alerts.push_back({"UNIT_MISMATCH", source.name,
-                           fmt::format("unit {} given, but the file says {}, which was used", given, info.unit),
-                           "check the unit; correct the file's header where it is wrong"});
+    info.alerts.push_back(
+        {"UNIT_MISMATCH", source.name,
+         fmt::format("the unit {} was given, but the file states {}, which was used", given, info.unit),
+         "check the unit; correct the header of the file if it is wrong"});
 }
 
 MapUnits units_of_map(ChannelInfo& info, MapUnits stated, const ReadOptions& options, const bytes::Source& source) {
@@ -170,9 +170,9 @@ MapUnits units_of_map(ChannelInfo& info, MapUnits stated, const ReadOptions& opt
     if (heights.empty() != positions.empty() && !options.unit) {
         info.alerts.push_back(
             {"UNIT_ASSUMED", source.name,
-             fmt::format("the header states no unit for {}; taken as {} as the others",
+             fmt::format("the header states no unit for {}; {} was assumed, the unit of the others",
                          heights.empty() ? "heights" : "x and y", heights.empty() ? positions : heights),
-             "compare the heights with what is known of the surface, or give --unit"});
+             "compare the heights with what is known about the surface, or give `unit`"});
         (heights.empty() ? heights : positions) = heights.empty() ? positions : heights;
     }
     info.unit = heights;
@@ -194,8 +194,8 @@ std::vector<Channel> curve_channels(ChannelInfo info, const HeightCurve& curve, 
     if (passes.size() == 1 && are_scattered(curve.x.values))
         throw FormatError(
             source.name, {},
-            fmt::format("x of {} points jumps to and fro, as positions of scattered points do; expected a "
-                        "profile, x in the order of measurement",
+            fmt::format("x of {} points jumps back and forth, as positions of scattered points do; expected a profile "
+                        "with x in the order of measurement",
                         curve.x.values.size()));
     if (passes.size() == 1) return {curve_channel(std::move(info), curve, units, options.keep_values, source)};
     info.metadata.alerts.push_back(passes_alert(passes, source));

@@ -119,9 +119,10 @@ private:
         const auto positions = evenly_spaced(above->numbers);
         if (!positions && above->corner.empty()) return;  // numbers of another kind
         if (!positions)
-            throw FormatError(lines_.source.name, {.line = lines_.blocks.front().line},
-                              "the line above the numbers holds numbers that are not evenly spaced, expected positions "
-                              "with one step above a map; remove them, and give --size");
+            throw FormatError(
+                lines_.source.name, {.line = lines_.blocks.front().line},
+                "the line above the numbers contains numbers that are not evenly spaced, expected positions "
+                "with one step above a map; remove them, and give `size`");
         const auto first = first_column_from(0);
         if (positions->counts && !above->corner.empty() && first && !first->counts && !is_map_) ask(*first);
         found.x = positions;
@@ -174,8 +175,8 @@ private:
     [[noreturn]] void ask(const AxisLabels& positions) const {
         throw FormatError(
             lines_.source.name, {.line = lines_.blocks.front().line + 1},
-            fmt::format("the first of {} columns runs evenly from {:.6g} to {:.6g}: x of {} profiles, or positions of "
-                        "the rows of a map; say which with --as columns or --as matrix, in a study with layout",
+            fmt::format("the first of {} columns is evenly spaced from {:.6g} to {:.6g}: it contains x of {} profiles, "
+                        "or positions of the rows of a map; set `layout` to columns or matrix",
                         lines_.columns, positions.first, positions.last(), lines_.columns - 1));
     }
 
@@ -187,9 +188,9 @@ private:
 };
 
 std::string axis_described(const char* what, const std::optional<AxisLabels>& axis, const char* counted) {
-    if (!axis) return fmt::format("the first {} holds labels", what);
-    if (axis->counts) return fmt::format("the first {} holds numbers of {}", what, counted);
-    return fmt::format("the first {} holds positions {:.6g} to {:.6g}", what, axis->first, axis->last());
+    if (!axis) return fmt::format("the first {} contains labels", what);
+    if (axis->counts) return fmt::format("the first {} contains numbers of {}", what, counted);
+    return fmt::format("the first {} contains positions {:.6g} to {:.6g}", what, axis->first, axis->last());
 }
 
 }  // namespace
@@ -211,10 +212,11 @@ Array2D without_labels(const Array2D& numbers, const Labels& labels, const table
         for (Index j = above; j < numbers.cols(); ++j) {
             const double expected = labels.y->first + labels.y->step * static_cast<double>(j - above);
             if (!(std::abs(numbers(0, j) - expected) <= 2.0 * rounding_of_labels * std::abs(labels.y->step)))
-                throw FormatError(lines.source.name, {},
-                                  fmt::format("position {} of row {} of numbers; expected {:.6g}, as the first column "
-                                              "of positions goes on",
-                                              numbers(0, j), j + 1, expected));
+                throw FormatError(
+                    lines.source.name, {},
+                    fmt::format("position {} of row {} of numbers; expected {:.6g}, in steps as in the first column of "
+                                "positions",
+                                numbers(0, j), j + 1, expected));
         }
     Array2D heights = numbers.block(left, above, numbers.rows() - left, numbers.cols() - above);
     if (labels.x && labels.x->step < 0.0) heights = heights.colwise().reverse().eval();

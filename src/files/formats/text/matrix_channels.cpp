@@ -40,9 +40,9 @@ Layer layer_of(const tables::NumberLines& lines, const MatrixHeader& header,
     if (header.void_map && lines.rows % 2 != 0)
         throw FormatError(
             name, {.line = lines.lines},
-            fmt::format(
-                "SPIP: {} lines, expected those of the heights and as many that tell void points; the file is truncated",
-                lines.rows));
+            fmt::format("SPIP: {} lines, expected those of the heights and as many that mark void points; the file is "
+                        "truncated",
+                        lines.rows));
     const Index rows = header.void_map ? lines.rows / 2 : lines.rows;
     layer.places.lines_are_columns = header.lines_are_columns;
     layer.nx = header.lines_are_columns ? rows : lines.columns;
@@ -51,9 +51,9 @@ Layer layer_of(const tables::NumberLines& lines, const MatrixHeader& header,
     if (other)
         throw FormatError(
             name, {.line = lines.lines},
-            fmt::format(
-                "the text ends here with {} × {} numbers, its header announces {} × {}; it is truncated or damaged",
-                layer.nx, layer.ny, header.nx.value_or(layer.nx), header.ny.value_or(layer.ny)));
+            fmt::format("the text ends here with {} × {} numbers, but its header announces {} × {}; it is truncated or "
+                        "damaged",
+                        layer.nx, layer.ny, header.nx.value_or(layer.nx), header.ny.value_or(layer.ny)));
     const bool size_of_map = options.size && options.size->size() == 2;
     if (lines.rows == 1 && lines.columns <= 3 && !header.is_map)
         throw FormatError(
@@ -111,8 +111,8 @@ Measurement measured(const tables::NumberLines& lines, const Layer& layer, doubl
 void apply_labels(const Labels& labels, MatrixHeader& header, ChannelInfo& info, const ReadOptions& options,
                   const bytes::Source& source) {
     info.metadata.alerts.push_back({"LABELS_NOT_HEIGHTS", source.name,
-                                    fmt::format("{}, which are no heights", labels.described()),
-                                    "if they are heights, give --keep-values, in a study keep_values = true"});
+                                    fmt::format("{}, which are not heights", labels.described()),
+                                    "if they are heights, set `keep_values` to true"});
     info.orientation = "smallest x at the left, smallest y at the top";
     if (!labels.x || labels.x->counts || !labels.y || labels.y->counts) return;
     const auto units = units_of_map(info, {labels.unit, header.unit}, options, source);
@@ -155,9 +155,9 @@ std::string why_no_map(const tables::NumberLines& lines, const Layer& layer, con
     if (options.keep_values || options.layout == TextLayout::matrix) return {};
     const bool sized = options.size && options.size->size() == 2;
     if (!sized && layer.nx > 1 && layer.nx <= most_columns && layer.ny >= tallest)
-        return fmt::format("{} rows of {} numbers: a table of {} columns; --as matrix takes it as a map", layer.ny,
-                           layer.nx, layer.nx);
-    return count_on(lines) ? "whole numbers that count on from value to value" : std::string();
+        return fmt::format("{} rows of {} numbers: a table of {} columns; set `layout` to matrix to read it as a map",
+                           layer.ny, layer.nx, layer.nx);
+    return count_on(lines) ? "whole numbers that increase by one from value to value" : std::string();
 }
 
 Channel channel_of(const tables::NumberLines& lines, const SectionHeader& section, const ReadOptions& options,

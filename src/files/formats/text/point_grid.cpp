@@ -27,10 +27,10 @@ Axis axis_of(const Array1D& values, const char* name) {
     };
     std::vector<double> sorted(values.begin(), values.end());
     for (const double value : sorted)
-        if (!std::isfinite(value)) return fail("is undefined somewhere");
+        if (!std::isfinite(value)) return fail("is undefined at some points");
     std::sort(sorted.begin(), sorted.end());
     const double range = sorted.back() - sorted.front();
-    if (!(range > 0.0) || !std::isfinite(range)) return fail("is the same everywhere");
+    if (!(range > 0.0) || !std::isfinite(range)) return fail("is equal for all points");
     // a grid of n points has fewer than n positions along each direction, so that steps are longer than range/n
     const double same = most_stray * range / static_cast<double>(sorted.size());
     std::vector<double> positions{sorted.front()};
@@ -58,7 +58,7 @@ Axis axis_of(const Array1D& values, const char* name) {
 }  // namespace
 
 PointGrid grid_of(const Array1D& x, const Array1D& y, const Array1D& heights) {
-    if (x.size() < 4) return {.problem = fmt::format("{} points are no grid", x.size())};
+    if (x.size() < 4) return {.problem = fmt::format("{} points do not form a grid", x.size())};
     const auto along_x = axis_of(x, "x"), along_y = axis_of(y, "y");
     for (const auto* axis : {&along_x, &along_y})
         if (!axis->problem.empty()) return {.problem = axis->problem};

@@ -55,9 +55,10 @@ double quantity(const ProfileKey& key, const std::string& value) {
 void require_entry(std::string_view key, const std::string& value) {
     if (key.empty() || trimmed(key) != key || key.find_first_of(":\r\n") != std::string_view::npos)
         throw InvalidArgument(fmt::format(
-            "'{}' is no key of a profile's file: it is empty or has a colon, line breaks or outer blanks", key));
+            "'{}' is not a key of a profile file: it is empty or has a colon, line breaks or outer blanks", key));
     if (value.find_first_of("\r\n") != std::string::npos || trimmed(value) != value)
-        throw InvalidArgument(fmt::format("the value of '{}' has line breaks or outer blanks; take one line", key));
+        throw InvalidArgument(
+            fmt::format("the value of '{}' has line breaks or outer blanks; write it on one line", key));
     const auto* known = known_key(key);
     if (known && known->dimension) (void)quantity(*known, value);
 }
@@ -89,7 +90,7 @@ ProfileHead read_head(const std::string& text, const std::string& name) {
         const auto entry = trimmed(line.substr(1));
         const auto colon = entry.find(':');
         if (colon == std::string_view::npos || colon == 0)
-            fail(fmt::format("'{:.60}' is no 'key: value'; correct the line or take it out", entry));
+            fail(fmt::format("'{:.60}' is not 'key: value'; correct or remove the line", entry));
         const std::string key(trimmed(entry.substr(0, colon))), value(trimmed(entry.substr(colon + 1)));
         if (!head.entries.emplace(key, value).second) fail(fmt::format("key '{}' is given twice; keep one", key));
         head.line.emplace(key, number);
@@ -99,10 +100,10 @@ ProfileHead read_head(const std::string& text, const std::string& name) {
             fail(error.what());
         }
         if (key == "version" && value != version)
-            fail(fmt::format("version '{}' of setae's profiles; this setae reads version {}", value, version));
+            fail(fmt::format("version '{}' of the profile format is unknown; expected {}", value, version));
     }
     if (!head.text("version"))
-        throw FormatError(name, {.line = 1}, fmt::format("no line '# version: {}' in the head", version));
+        throw FormatError(name, {.line = 1}, fmt::format("the head has no line '# version: {}'", version));
     return head;
 }
 
@@ -115,9 +116,9 @@ std::optional<TraceResponse> response_of(const ProfileHead& head, const std::str
     if (missing)
         throw FormatError(
             name, {.line = head.line.at(given)},
-            fmt::format(
-                "'{}' is given without '{}': the response of a trace is blur, smoothing_length, step and noise_density",
-                given, missing));
+            fmt::format("'{}' is given without '{}': the response of a trace needs blur, smoothing_length, step and "
+                        "noise_density",
+                        given, missing));
     return TraceResponse{*head.number("blur"), *head.number("smoothing_length"), *head.number("step"),
                          *head.number("noise_density")};
 }
@@ -188,8 +189,7 @@ std::string as_profile_file(const Profile& profile) {
     }
     for (const auto& [key, value] : metadata.attributes) {
         if (!is_attribute(key))
-            throw InvalidArgument(
-                fmt::format("attribute '{}' has the name of a key of profiles' files; rename it", key));
+            throw InvalidArgument(fmt::format("attribute '{}' has the name of a key of profile files; rename it", key));
         put(key, value);
     }
     Table table{{{"x", "m", profile.positions}, {"h", "m", profile.heights}}, {}};
@@ -207,7 +207,7 @@ Profile read_profile(const bytes::Source& source) {
     const auto text = bytes::decoded(source.all(), bytes::Encoding::utf8);
     if (!is_profile_file(text))
         throw FormatError(source.name, {.line = 1},
-                          fmt::format("no profile of setae: it begins otherwise than '{}'", format_line));
+                          fmt::format("not a profile file of setae: it does not begin with '{}'", format_line));
     const auto head = read_head(text, source.name);
     const auto table =
         tables::read_raw_table(source, {.encoding = bytes::Encoding::utf8, .separator = ',', .decimal_point = '.'});
@@ -216,7 +216,7 @@ Profile read_profile(const bytes::Source& source) {
     if (!(two && (columns.size() == 2 || (columns.size() == 3 && columns[2].name == "standard_error"))))
         throw FormatError(
             source.name, {},
-            fmt::format("{} columns; expected 'x [m],h [m]' and perhaps 'standard_error [m]'", columns.size()));
+            fmt::format("{} columns; expected 'x [m],h [m]' and optionally 'standard_error [m]'", columns.size()));
     const auto in_metres = [&](const tables::RawTable::RawColumn& column) -> Array1D {
         return column.values * length_unit(column.unit, source).factor;
     };

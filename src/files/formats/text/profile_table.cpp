@@ -109,7 +109,7 @@ std::vector<Channel> profile_channels(const tables::RawTable& table, std::size_t
         info.metadata.file = source.name;
         auto reason = why_no_heights(column);
         const bool named_so = is_position_name(column.name) || is_named_y(column.name);
-        if (reason.empty() && named_so && run_along(column.values)) reason = "its name says positions";
+        if (reason.empty() && named_so && run_along(column.values)) reason = "its name means positions";
         if (reason.empty() && column.values.isNaN().all()) reason = "none of its cells is defined";
         const bool lengths = column.text.empty() && (column.unit.empty() || is_length_unit(column.unit));
         if (!lengths || column.values.isNaN().all()) {

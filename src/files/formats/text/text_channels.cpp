@@ -75,23 +75,15 @@ Choice choose(const tables::RawTable& table, const ReadOptions& options) {
 Alert ambiguous(TextContent content, const bytes::Source& source, const tables::RawTable& table) {
     const auto rows = table.columns.front().values.size();
     const auto taken =
-        content == TextContent::points
-            ? std::string(
-                  "points x, y, z, since x and y lie on a regular grid; --as matrix takes them as rows of a map")
+        content == TextContent::points ? std::string("points x, y, z, because x and y lie on a regular grid")
         : content == TextContent::profiles
-            ? std::string(
-                  "x and the heights of two profiles, since the first runs evenly; --as matrix takes them as rows "
-                  "of a map")
+            ? std::string("x and the heights of two profiles, because the first column is evenly spaced")
         : content == TextContent::curve
-            ? std::string(
-                  "an index, x and height, since the first counts up and the second runs on; --as matrix takes them as rows of a map")
-            : fmt::format(
-                  "a map of 3 × {} points, since the first two lie on no regular grid; --as columns takes them as points x, y, z",
-                  rows);
-    return {"AMBIGUOUS_COLUMNS", source.name,
-            "three columns of numbers without a header that tells what they are, taken as " + taken,
-            content == TextContent::matrix ? "check the shape; give --as columns where it is wrong"
-                                           : "check the shape; give --as matrix where it is wrong"};
+            ? std::string("an index, x and height, because the first column counts rows and the second increases")
+            : fmt::format("a map of 3 × {} points, because the first two columns form no regular grid", rows);
+    return {"AMBIGUOUS_COLUMNS", source.name, "three columns of numbers without a header were taken as " + taken,
+            content == TextContent::matrix ? "check the shape; set `layout` to columns to read them as points x, y, z"
+                                           : "check the shape; set `layout` to matrix to read them as rows of a map"};
 }
 
 /// What tells that of two columns the second holds the positions.
@@ -109,8 +101,9 @@ Exchange exchange_of(const std::vector<tables::RawTable::RawColumn>& columns) {
 
 Alert exchanged(const bytes::Source& source) {
     return {"AMBIGUOUS_COLUMNS", source.name,
-            "the second column runs evenly and the first does not: the second was taken as x, the first as heights",
-            "check the heights; give --as columns where the first is x"};
+            "the second column is evenly spaced and the first is not: the second was taken as x, the first "
+            "as heights",
+            "check the heights; set `layout` to columns if the first column is x"};
 }
 
 HeightCurve curve_of(const tables::RawTable& table) {
@@ -127,7 +120,7 @@ HeightCurve curve_of(const tables::RawTable& table) {
 /// Why two columns are no profile; empty where they may be one.
 std::string why_no_profile(const HeightCurve& curve) {
     if (const auto quantity = other_quantity(curve.x.name); !quantity.empty())
-        return fmt::format("the first column says {}, expected positions", quantity);
+        return fmt::format("the first column is named {}, expected positions", quantity);
     return why_no_heights(curve.heights);
 }
 
@@ -203,12 +196,13 @@ std::vector<Channel> own_profile(const bytes::Source& source) {
 [[noreturn]] void no_surface(const tables::RawTable& table, const bytes::Source& source, const std::string& problem) {
     throw FormatError(
         source.name, {.line = 1},
-        fmt::format(
-            "not heights: {} columns of numbers{}, expected x and the heights of profiles, x named so or in a unit of length, "
-            "or points x, y, z on a regular grid{}; --as matrix with --size takes them as rows of a map, --as columns the "
-            "first as x; force curves are read by `setae jkr fit`",
-            table.columns.size(), is_named(table) ? fmt::format(" named '{}', …", table.columns.front().name) : "",
-            problem.empty() ? "" : " (" + problem + ")"));
+        fmt::format("not heights: {} columns of numbers{}, expected x and the heights of profiles, with a name or "
+                    "unit of length for x, or points x, y, z on a regular grid{}; set `layout` to matrix and give "
+                    "`size` for rows of a map, or set it to columns if the first column is x; force curves are read "
+                    "by `setae jkr fit`",
+                    table.columns.size(),
+                    is_named(table) ? fmt::format(" named '{}', …", table.columns.front().name) : "",
+                    problem.empty() ? "" : " (" + problem + ")"));
 }
 
 /// The numbers of the first bytes; nothing where they make no table.
@@ -258,9 +252,9 @@ void require_clear_commas(const tables::TextStart& start, const MatrixHeader& he
         if (part >= start.source.size - start.begin)
             throw FormatError(
                 start.source.name, {.line = start.line + doubtful->line},
-                fmt::format(
-                    "'{:.40}' is ambiguous, and so is every number with a comma here: a decimal comma or grouped thousands; export with decimal points",
-                    doubtful->cell));
+                fmt::format("'{:.40}' is ambiguous, as is every number with a comma here: it may separate decimals or "
+                            "thousands; export with decimal points",
+                            doubtful->cell));
     }
 }
 
@@ -292,8 +286,9 @@ std::vector<Channel> open_text(const bytes::Source& source, const ReadOptions& o
     const auto start = find_start(source);
     if (!start)
         throw FormatError(source.name, {.line = 1},
-                          source.size == 0 ? "the file is empty; expected rows of numbers"
-                                           : "no row of numbers; expected columns x and height below a header");
+                          source.size == 0
+                              ? "the file is empty; expected rows of numbers"
+                              : "the file has no row of numbers; expected columns x and height below a header");
     if (start->broken) throw FormatError(source.name, {.line = start->broken->line}, tables::described(*start->broken));
     const auto header = parse_matrix_header(start->header, source);
     const auto columns = start->layout.columns;

@@ -144,8 +144,8 @@ std::optional<Trace> scan_with_gaps(const Profile& profile, double last_digit, c
     return Trace{
         scan,
         {{"ROWS_MISSING", subject,
-          fmt::format("{} are missing in {}: steps along x of up to {} times the usual {}; the heights there are "
-                      "undefined, no straight line crosses them",
+          fmt::format("{} are missing in {}: steps along x are up to {} times the usual {}; the heights there are "
+                      "undefined and are not interpolated",
                       count_of(points - n, "row", "rows"), count_of(gaps, "gap", "gaps"), widest,
                       format_value(step, "m")),
           "export all rows, with an empty cell where there is no height"}}};
@@ -179,12 +179,13 @@ Trace averaged(const Profile& profile, const std::string& subject) {
     kept.positions.conservativeResize(to);
     kept.heights.conservativeResize(to);
     if (errors) kept.standard_error.conservativeResize(to);
-    return {std::move(kept),
-            {{"POSITIONS_REPEATED", subject,
-              fmt::format("{} of {} points {} the position of the point before: heights at the same position were "
-                          "averaged, {} points are left",
-                          repeated, n, repeated == 1 ? "has" : "have", to),
-              "look at the profile; export positions with more digits where they are rounded"}}};
+    return {
+        std::move(kept),
+        {{"POSITIONS_REPEATED", subject,
+          fmt::format("{} of {} points {} the position of the point before: heights at equal positions were averaged, "
+                      "{} points remain",
+                      repeated, n, repeated == 1 ? "has" : "have", to),
+          "look at the profile; if positions are rounded, export them with more digits"}}};
 }
 
 /// The profile with x from left to right.

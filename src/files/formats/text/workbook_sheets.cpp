@@ -49,7 +49,7 @@ std::vector<Channel> open_workbook(const bytes::Source& source, const ReadOption
             note(fmt::format("sheet '{}': {}", sheet.sheet, reason_without(error.what(), text.name)));
         }
     }
-    if (channels.empty()) throw FormatError(source.name, {}, "no heights: " + problems);
+    if (channels.empty()) throw FormatError(source.name, {}, "the workbook has no heights: " + problems);
     return channels;
 }
 

@@ -22,12 +22,13 @@ LensOutline lens_outline(const std::string& picture, std::optional<double> pixel
     const auto micrograph = read_micrograph(picture);
     if (!pixel_size && micrograph.pixel_size) pixel_size = micrograph.pixel_size->x;
     if (!pixel_size)
-        throw UndefinedDataError(
-            fmt::format("{}: the file states no pixel size; give it, such as --pixel \"2.0 um\" "
-                        "(setae jkr camera measures it)",
-                        picture));
+        throw UndefinedDataError(fmt::format(
+            "{}: the file states no pixel size; give `pixel`, such as \"2.0 um\" (setae jkr camera measures "
+            "it)",
+            picture));
     const auto trace = trace_contour(micrograph.pixels, {.smoothing_length = 0.0});
-    if (trace.segments.empty()) throw UndefinedDataError(picture + ": no edge of a lens is found in the picture");
+    if (trace.segments.empty())
+        throw UndefinedDataError(picture + ": no edge of a lens is found in the picture; crop the picture to the lens");
     const auto& outline = trace.segments.front();
     const auto bottom = static_cast<double>(micrograph.pixels.rows() - 1);
     auto alerts = trace.alerts;

@@ -246,7 +246,7 @@ void separate_axes(CameraScale& scale) {
 }  // namespace
 
 CameraScale camera_scale(const std::vector<FramePixels>& pictures, const Estimate& pitch) {
-    if (pictures.empty()) throw InvalidArgument("no picture of a stage micrometer");
+    if (pictures.empty()) throw InvalidArgument("no picture of a stage micrometer is given; expected at least one");
     if (!(pitch.value > 0.0))
         throw InvalidArgument(fmt::format("a distance of {} m between lines; expected more than 0", pitch.value));
     CameraScale scale{.width = static_cast<long>(pictures.front().cols()),
@@ -258,14 +258,15 @@ CameraScale camera_scale(const std::vector<FramePixels>& pictures, const Estimat
     for (std::size_t i = 0; i < pictures.size(); ++i) {
         const auto& picture = pictures[i];
         if (picture.cols() != scale.width || picture.rows() != scale.height)
-            throw InvalidArgument(fmt::format("picture {} has {} x {} pixels, the first {} x {}; one camera, one size",
-                                              i + 1, picture.cols(), picture.rows(), scale.width, scale.height));
+            throw InvalidArgument(fmt::format(
+                "picture {} has {} x {} pixels, the first {} x {}; expected pictures of one camera at one size", i + 1,
+                picture.cols(), picture.rows(), scale.width, scale.height));
         const auto upright = ruling_fit(picture, exact, true), lying = ruling_fit(picture, exact, false);
         if (!upright && !lying)
-            throw UndefinedDataError(
-                fmt::format("picture {}: no {} lines at equal distances, neither upright nor lying; "
-                            "turn the ruling along an edge of the picture, or crop it",
-                            i + 1, fewest_lines));
+            throw UndefinedDataError(fmt::format(
+                "picture {}: no {} lines at equal distances are found, neither upright nor horizontal; turn the "
+                "ruling along an edge of the picture, or crop the picture",
+                i + 1, fewest_lines));
         if (upright) scale.across_x = upright;
         if (lying) scale.across_y = lying;
     }
@@ -279,8 +280,8 @@ CameraScale camera_scale(const std::vector<FramePixels>& pictures, const Estimat
                      .method = "lines of a ruling"};
     } else {
         scale.notes.emplace_back(
-            "lines of one direction: pixels are taken for squares; a second picture with the ruling "
-            "turned by 90° tells");
+            "the lines have one direction: pixels are taken as squares; take a second picture with the "
+            "ruling turned by 90° to test it");
     }
     for (auto* fit : {&scale.across_x, &scale.across_y})
         if (*fit && pitch.uncertain()) {
@@ -288,7 +289,8 @@ CameraScale camera_scale(const std::vector<FramePixels>& pictures, const Estimat
             size.standard_error = std::hypot(size.standard_error, size.value * pitch.standard_error / pitch.value);
         }
     if (!pitch.uncertain())
-        scale.notes.emplace_back("the ruling's distance counts as exact; give it with its ±, such as \"10 ± 0.02 um\"");
+        scale.notes.emplace_back(
+            "the distance of the ruling is taken as exact; give it with its ±, such as \"10 ± 0.02 um\"");
     scale.pixel_size = (scale.across_x ? scale.across_x : scale.across_y)->pixel_size;
     return scale;
 }

@@ -20,10 +20,11 @@ constexpr long smallest_frame = 16;
 
 void require_valid(const FramePixels& pixels, const ContactFrameOptions& options) {
     if (!(options.smallest_radius >= 3))
-        throw InvalidArgument(fmt::format(
-            "smallest radius {} px, expected at least 3: smaller discs have no edge to fit", options.smallest_radius));
+        throw InvalidArgument(
+            fmt::format("smallest_radius {} px, expected at least 3: the edge of a smaller disc cannot be fitted",
+                        options.smallest_radius));
     if (!(options.least_confidence >= 0 && options.least_confidence <= 1))
-        throw InvalidArgument(fmt::format("least confidence {}, expected 0 to 1", options.least_confidence));
+        throw InvalidArgument(fmt::format("least_confidence {}, expected 0 to 1", options.least_confidence));
     if (pixels.rows() < smallest_frame || pixels.cols() < smallest_frame)
         throw InvalidArgument(fmt::format("a frame of {} × {} pixels, expected at least {} × {}", pixels.cols(),
                                           pixels.rows(), smallest_frame, smallest_frame));
@@ -82,19 +83,20 @@ ContactFrame as_frame(const EdgeFit& fit, double sign) {
                                                                        : deviation((major - minor) / (major * major),
                                                                                    -(major + minor) / (major * major));
     if (frame.partial)
-        frame.reason = fmt::format("reaches beyond the frame: {:.0f} % of its edge is seen", 100 * fit.visible_share);
+        frame.reason = fmt::format("the contact extends beyond the frame: {:.0f} % of its edge is visible",
+                                   100 * fit.visible_share);
     return frame;
 }
 
 std::string why_not(const ContactFrame& frame, const ContactFrameOptions& options) {
     if (frame.visible_share < least_visible)
-        return fmt::format("{:.0f} % of the edge lies within the frame, {:.0f} % are needed", 100 * frame.visible_share,
+        return fmt::format("{:.0f} % of the edge lies within the frame; {:.0f} % are needed", 100 * frame.visible_share,
                            100 * least_visible);
     if (frame.radius < options.smallest_radius)
-        return fmt::format("the radius would be {:.1f} px, less than the smallest of {:g} px", frame.radius,
+        return fmt::format("the radius would be {:.1f} px, below the smallest radius of {:g} px", frame.radius,
                            options.smallest_radius);
     if (frame.confidence < options.least_confidence)
-        return fmt::format("confidence {:.2f} of {:.2f} needed: {:.0f} % of the rays agree", frame.confidence,
+        return fmt::format("the confidence is {:.2f}, below {:.2f}: {:.0f} % of the rays agree", frame.confidence,
                            options.least_confidence, 100 * frame.agreeing_rays);
     return {};
 }
@@ -104,7 +106,7 @@ std::string why_not(const ContactFrame& frame, const ContactFrameOptions& option
 ContactFrame measure_contact_frame(const FramePixels& pixels, const ContactFrameOptions& options) {
     require_valid(pixels, options);
     constexpr double beyond_doubt = 0.85;  // confidence at which no other candidate is looked at
-    std::string reason = "something stands out, but nothing round";
+    std::string reason = "a structure is visible, but it is not round";
     double highest = -1, best = -1;
     bool structure = false;
     ContactFrame chosen;
@@ -136,7 +138,7 @@ ContactFrame measure_contact_frame(const FramePixels& pixels, const ContactFrame
         if (found.last_level) break;
     }
     if (best > 0) return chosen;
-    if (!structure) return without_radius(FrameState::no_contact, "nothing stands out of noise and illumination");
+    if (!structure) return without_radius(FrameState::no_contact, "no structure exceeds noise and uneven illumination");
     return without_radius(FrameState::not_found, reason);
 }
 

@@ -124,7 +124,7 @@ double pixel_noise(const FramePixels& pixels, const TracedEdge& edge) {
 ContactOutline trace_contact_outline(const FramePixels& pixels, const ContactFrame& contact, double centre_x,
                                      double centre_y, Index angles, double smallest_void) {
     if (contact.state != FrameState::measured || contact.partial)
-        throw InvalidArgument(fmt::format("the outline of a contact that is {}; expected a whole one",
+        throw InvalidArgument(fmt::format("the contact is {}; expected a whole contact, which its outline needs",
                                           contact.partial ? "partly seen" : to_string(contact.state)));
     if (angles < 16) throw InvalidArgument(fmt::format("an outline at {} angles; expected at least 16", angles));
     const double off = std::hypot(contact.ellipse.centre_x - centre_x, contact.ellipse.centre_y - centre_y);
@@ -135,9 +135,10 @@ ContactOutline trace_contact_outline(const FramePixels& pixels, const ContactFra
     const double room = std::min({centre_x, centre_y, static_cast<double>(pixels.cols()) - 2.0 - centre_x,
                                   static_cast<double>(pixels.rows()) - 2.0 - centre_y});
     if (room < contact.ellipse.semi_major + off + levels)
-        throw InvalidArgument(fmt::format(
-            "an edge {:.0f} px from the centre, {:.0f} px from the border of the frame; expected {:.0f} px around it",
-            contact.ellipse.semi_major + off, room, levels));
+        throw InvalidArgument(
+            fmt::format("the edge is {:.0f} px from the centre and {:.0f} px from the border of the frame; expected "
+                        "{:.0f} px around it",
+                        contact.ellipse.semi_major + off, room, levels));
     const double sign = contact.polarity == Polarity::bright ? -1.0 : 1.0;
     const auto polar = sampled(pixels, centre_x, centre_y, first, std::min(last, room), angles);
     const double arc = 2.0 * pi * contact.radius / static_cast<double>(angles);

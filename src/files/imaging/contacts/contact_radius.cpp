@@ -22,12 +22,12 @@ std::vector<const std::string*> exclusions(const FrameSource& source, const std:
     std::vector<const std::string*> reasons(source.size(), nullptr);
     for (const auto& [number, reason] : excluded) {
         if (trimmed(reason).empty())
-            throw InvalidArgument(fmt::format("frame {} is left out without a reason; say why", number));
+            throw InvalidArgument(fmt::format("frame {} is excluded without a reason; give the reason", number));
         std::size_t at = 0;
         while (at < source.size() && source.number(at) != number) ++at;
         if (at == source.size())
             throw InvalidArgument(
-                fmt::format("frame {} is to be left out, but is none of the frames {} to {} looked at", number,
+                fmt::format("frame {} is excluded, but the recording contributes only frames {} to {}", number,
                             source.number(0), source.number(source.size() - 1)));
         reasons[at] = &reason;
     }
@@ -101,7 +101,8 @@ Column column(const ContactRadii& radii, const char* name, const char* unit, Val
 
 ContactRadii measure_contact_radii(const FrameSource& source, const RadiusOptions& options) {
     if (!source.pixel_size())
-        throw InvalidArgument("no pixel size; the files state none, expected it as an option, such as 1.82 um a pixel");
+        throw InvalidArgument(
+            "no pixel size: the files state none; expected it in `pixel`, such as \"1.82 um\" per pixel");
     const auto reasons = exclusions(source, options.excluded);
     ContactRadii radii{.pixel_size = *source.pixel_size(), .frame_rate = source.frame_rate(), .notes = source.notes()};
     radii.frames.resize(source.size());
@@ -131,7 +132,8 @@ ContactRadii measure_contact_radii(const FrameSource& source, const RadiusOption
     radii.summary = summary_of(radii.frames, source.missing().size());
     if (!source.missing().empty())
         radii.notes.push_back(
-            fmt::format("frames missing from the sequence: {}; times keep their place", ranges(source.missing())));
+            fmt::format("frames missing from the sequence: {}; the times of the other frames are unchanged",
+                        ranges(source.missing())));
     return radii;
 }
 

@@ -377,7 +377,8 @@ EdgeFit fit_edge(const FramePixels& pixels, const Outline& start, double sign, d
         const bool sane = correction.solved && correction.outline.semi_minor() > 2 &&
                           correction.largest_step < 0.5 * start.mean_radius + 2;
         if (!sane) {
-            fit.failure = fmt::format("{} of {} rays show an edge, too few for a circle", used.offsets.size(), count);
+            fit.failure =
+                fmt::format("{} of {} rays show an edge, which is too few for a circle", used.offsets.size(), count);
             return fit;
         }
         take_agreement(fit, used, correction, sign, agree);
@@ -408,7 +409,7 @@ EdgeFit fit_edge(const FramePixels& pixels, const Outline& start, double sign, d
         }
     }
     if (last_step > restless)
-        fit.failure = fmt::format("the outline does not come to rest: its last step is {:.1f} px", last_step);
+        fit.failure = fmt::format("the outline did not converge: its last step is {:.1f} px", last_step);
     return fit;
 }
 

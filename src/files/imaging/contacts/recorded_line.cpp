@@ -87,7 +87,7 @@ RecordedLine measure_contact_line(const FrameSource& source, const ContactRadii&
         recorded.voids.push_back(std::move(lines[k].outline.voids));
     }
     if (rows == 0)
-        throw UndefinedDataError(fmt::format("no frame shows its edge whole; {}", recorded.left_out.front()));
+        throw UndefinedDataError(fmt::format("no frame shows the whole edge; {}", recorded.left_out.front()));
     recorded.place_error = std::sqrt(noise / static_cast<double>(rows));
     return recorded;
 }

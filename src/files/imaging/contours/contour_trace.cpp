@@ -35,14 +35,15 @@ void validate(const FramePixels& pixels, const TraceOptions& options) {
     if (!(options.denoise >= 0 && options.denoise <= 20))
         throw InvalidArgument(fmt::format("denoise {} px, expected 0 … 20", options.denoise));
     if (options.least_length && !(*options.least_length >= 0))
-        throw InvalidArgument(fmt::format("least length {} px, expected 0 or more", *options.least_length));
+        throw InvalidArgument(fmt::format("least_length {} px, expected 0 or more", *options.least_length));
     for (std::size_t s = 0; s < options.anchors.size(); ++s)
         for (std::size_t i = 0; i < options.anchors[s].size(); ++i) {
             const auto& a = options.anchors[s][i];
             if (!(a.x >= -0.5 && a.y >= -0.5 && a.x <= static_cast<double>(pixels.cols()) - 0.5 &&
                   a.y <= static_cast<double>(pixels.rows()) - 0.5))
                 throw InvalidArgument(fmt::format(
-                    "anchor {} of segment {} at ({}, {}) lies outside the picture of {} × {} pixels; the centre of its first pixel is (0, 0)",
+                    "anchor {} of segment {} at ({}, {}) lies outside the picture of {} × {} pixels; the centre of "
+                    "the first pixel is (0, 0)",
                     i + 1, s + 1, a.x, a.y, pixels.cols(), pixels.rows()));
         }
 }
@@ -150,7 +151,8 @@ PlaneCurve led_through(const std::vector<PlaneCurve>& curves, const Anchor& anch
     }
     if (best == nullptr)
         throw UndefinedDataError(
-            "a segment with one anchor, and no edge found without help; give the segment two anchors or more, its ends among them");
+            "a segment has one anchor, and no edge is found without anchors; give the segment at least two "
+            "anchors, including its ends");
     const auto detour = static_cast<Index>(std::max(least_detour, 2 * least));
     auto curve = *best;
     if (curve.closed) {  // opened opposite to the anchor
@@ -185,29 +187,31 @@ void add_alerts(ContourTrace& trace, const TwoPhases& phases, bool helped) {
     if (phases.vacuum_assumed)
         trace.alerts.push_back(
             {"VACUUM_ASSUMED", "picture",
-             fmt::format("neither phase has more structure; the {} one was taken for vacuum, as in a bright field",
+             fmt::format("neither phase has more structure than the other; the {} one was taken as vacuum, as in a "
+                         "bright-field image",
                          trace.vacuum == Vacuum::bright ? "brighter" : "darker"),
-             "say which is vacuum (--vacuum bright or dark) where this is wrong"});
+             "set `vacuum` to bright or dark if this is wrong"});
     if (!helped && trace.segments.size() > 1)
         trace.alerts.push_back(
             {"TWO_EDGES", "picture",
-             fmt::format("{} edges, {:.0f} and {:.0f} px long the longest ones; the longest comes first",
+             fmt::format("{} edges; the two longest have {:.0f} and {:.0f} px; segments are sorted by length",
                          trace.segments.size(), trace.segments[0].length, trace.segments[1].length),
-             "choose one by number (--segment), or by anchors"});
+             "choose one edge by its number in `segment`, or by anchors"});
     for (std::size_t i = 0; i < trace.segments.size(); ++i) {
         const auto& segment = trace.segments[i];
         const auto subject = fmt::format("segment {}", i + 1);
         if (segment.contrast_to_noise < faint)
             trace.alerts.push_back(
                 {"LOW_CONTRAST", subject,
-                 fmt::format("the edge is {:.2g} times the noise of a pixel; its places scatter by {:.2g} px",
-                             segment.contrast_to_noise, segment.standard_error.mean()),
-                 "look at the overlay; anchors keep the trace where the eye sees the edge"});
+                 fmt::format(
+                     "the contrast of the edge is {:.2g} times the noise of a pixel; positions of the edge scatter "
+                     "by {:.2g} px",
+                     segment.contrast_to_noise, segment.standard_error.mean()),
+                 "look at the overlay; add anchors where the trace leaves the visible edge"});
         if (!segment.converged)
-            trace.alerts.push_back(
-                {"NOT_CONVERGED", subject,
-                 "more than a twentieth of the trace still moved by more than 0.02 px in its last round",
-                 "look at the overlay; anchors or a given smoothing length settle it"});
+            trace.alerts.push_back({"NOT_CONVERGED", subject,
+                                    "more than 5 % of the trace still moved by more than 0.02 px in the last round",
+                                    "look at the overlay; add anchors or give a smoothing length"});
     }
 }
 
@@ -219,8 +223,9 @@ ContourTrace trace_contour(const FramePixels& pixels, const TraceOptions& option
     ContourTrace trace;
     trace.alerts = picture.alerts;
     if (picture.grey_levels == 1)
-        throw UndefinedDataError(fmt::format("the picture has one grey level, {}: there is no edge",
-                                             static_cast<double>(picture.pixels(0, 0))));
+        throw UndefinedDataError(
+            fmt::format("all pixels of the picture have the grey level {}, so that there is no edge",
+                        static_cast<double>(picture.pixels(0, 0))));
     trace.binary = picture.grey_levels == 2;
     if (trace.binary) {
         const auto mask = divide_binary(picture.pixels, picture.hidden, options.vacuum);
@@ -230,7 +235,7 @@ ContourTrace trace_contour(const FramePixels& pixels, const TraceOptions& option
         trace.segments = binary_segments(mask.sample, options);
         add_alerts(trace, mask, !options.anchors.empty());
         if (trace.segments.empty())
-            throw UndefinedDataError("no outline of the mask is as long as the least length asked for");
+            throw UndefinedDataError("no outline of the mask has the least length that was given");
         return trace;
     }
     auto phases = divide(picture.pixels, picture.hidden, options.vacuum);
@@ -239,8 +244,8 @@ ContourTrace trace_contour(const FramePixels& pixels, const TraceOptions& option
     const bool divided = phases.sample.size() > 0 && phases.gain > least_gain * phases.cells;
     if (!divided && !helped)
         throw UndefinedDataError(fmt::format(
-            "no edge: two phases explain the picture no better than one (ln likelihood {:+.3g} a square, at least {:.2g} expected); "
-            "give anchors along the edge where the eye sees one",
+            "no edge is found: two phases explain the picture no better than one (ln likelihood {:+.3g} per "
+            "square, expected at least {:.2g}); give anchors along the visible edge",
             phases.cells > 0 ? phases.gain / phases.cells : 0.0, least_gain));
     trace.vacuum = divided ? phases.vacuum : options.vacuum == Vacuum::dark ? Vacuum::dark : Vacuum::bright;
     trace.vacuum_level = phases.vacuum_level;
@@ -270,10 +275,11 @@ ContourTrace trace_contour(const FramePixels& pixels, const TraceOptions& option
     std::erase_if(trace.segments, [](const auto& segment) { return !segment.standard_error.isFinite().all(); });
     if (trace.segments.empty() && (helped || !curves.empty()))
         throw UndefinedDataError(
-            "the edge was lost: along it no slope of grey levels stands out; give anchors nearer to it");
+            "the edge was lost: along it, no slope of grey levels exceeds the noise; give anchors closer to "
+            "the edge");
     if (trace.segments.empty())
-        throw UndefinedDataError(fmt::format("no edge is as long as the least length of {} px",
-                                             options.least_length.value_or(default_length)));
+        throw UndefinedDataError(
+            fmt::format("no edge has the least length of {} px", options.least_length.value_or(default_length)));
     add_alerts(trace, phases, helped);
     return trace;
 }

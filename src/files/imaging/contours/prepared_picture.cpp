@@ -24,8 +24,9 @@ void hide(PixelMask& hidden, const std::vector<PictureRegion>& regions) {
     for (const auto& r : regions) {
         if (r.width <= 0 || r.height <= 0 || r.x < 0 || r.y < 0 || r.x + r.width > hidden.cols() ||
             r.y + r.height > hidden.rows())
-            throw InvalidArgument(fmt::format("hidden region {},{},{},{} does not lie in the picture of {} × {} pixels",
-                                              r.x, r.y, r.width, r.height, hidden.cols(), hidden.rows()));
+            throw InvalidArgument(
+                fmt::format("hidden region {},{},{},{} does not lie within the picture of {} × {} pixels", r.x, r.y,
+                            r.width, r.height, hidden.cols(), hidden.rows()));
         hidden.block(r.y, r.x, r.height, r.width) = 1;
     }
 }
@@ -34,7 +35,7 @@ void hide(PixelMask& hidden, const std::vector<PictureRegion>& regions) {
 long fill_undefined(PreparedPicture& picture) {
     const long count = (!picture.pixels.isFinite()).count();
     if (count == 0) return 0;
-    if (count == picture.pixels.size()) throw UndefinedDataError("no pixel of the picture is defined");
+    if (count == picture.pixels.size()) throw UndefinedDataError("all pixels of the picture are undefined");
     std::vector<float> defined;
     for (long i = 0; i < picture.pixels.size(); ++i)
         if (std::isfinite(picture.pixels.data()[i])) defined.push_back(picture.pixels.data()[i]);
@@ -61,7 +62,7 @@ int counted_levels(const PreparedPicture& picture) {
             second = value;
         } else if (value != first && value != second) return 3;
     }
-    if (!any) throw UndefinedDataError("nothing of the picture is left: all of it is hidden");
+    if (!any) throw UndefinedDataError("all pixels of the picture are hidden; hide a smaller region");
     return second_seen ? 2 : 1;
 }
 
@@ -103,13 +104,13 @@ PreparedPicture prepared_picture(const FramePixels& pixels, const TraceOptions& 
     hide(picture.hidden, options.hidden);
     if (const long count = fill_undefined(picture); count > 0)
         picture.alerts.push_back({"UNDEF", "picture", fmt::format("{} pixels are undefined and were left out", count),
-                                  "look at the overlay where they lie"});
+                                  "check their position in the overlay"});
     picture.grey_levels = counted_levels(picture);
     if (picture.grey_levels < 3) return picture;
     if (const long count = remove_spikes(picture.pixels); count > 0)
-        picture.alerts.push_back({"SPIKES", "picture",
-                                  fmt::format("{} pixels stand out of all their neighbours and were replaced", count),
-                                  "nothing, unless they are many: X-rays and dead pixels do this"});
+        picture.alerts.push_back(
+            {"SPIKES", "picture", fmt::format("{} pixels deviate from all their neighbours and were replaced", count),
+             "look at the picture if their number is large; X-rays and dead pixels cause a few of them"});
     if (options.denoise > 0) {
         cv::Mat target = view(picture.pixels);
         cv::GaussianBlur(target, target, {}, options.denoise, options.denoise, cv::BORDER_REPLICATE);

@@ -105,15 +105,15 @@ void AviFile::require_known_codec(const std::string& codec) {
     else
         throw FormatError(
             file_.name, {.offset = 0},
-            fmt::format(
-                "video of codec '{}', whose frames do not stand by themselves; convert it without loss: ffmpeg -i IN.avi -pix_fmt gray frame_%05d.png",
-                printable(codec)));
+            fmt::format("video of codec '{}', whose frames depend on each other; convert it without loss: ffmpeg -i "
+                        "IN.avi -pix_fmt gray frame_%05d.png",
+                        printable(codec)));
     if (layout_ == Layout::rgb && bits_ != 8 && bits_ != 24 && bits_ != 32)
         throw FormatError(
             file_.name, {.offset = 0},
-            fmt::format(
-                "uncompressed video of {} bits a pixel, expected 8, 24 or 32; convert it: ffmpeg -i IN.avi frame_%05d.png",
-                bits_));
+            fmt::format("uncompressed video of {} bits per pixel, expected 8, 24 or 32; convert it: ffmpeg -i IN.avi "
+                        "frame_%05d.png",
+                        bits_));
 }
 
 FrameRead AviFile::uncompressed(const std::string& bytes) const {
@@ -140,14 +140,14 @@ FrameRead AviFile::uncompressed(const std::string& bytes) const {
 
 FrameRead AviFile::read(std::size_t index) const {
     const auto& place = frames_[index];
-    if (place.bytes == 0) return {{}, "dropped by the recorder: an empty frame"};
+    if (place.bytes == 0) return {{}, "the recorder dropped this frame and left it empty"};
     const auto bytes = file_.up_to(place.offset, place.bytes);
     if (bytes.size() < place.bytes)
         return {{}, fmt::format("truncated: {} of {} bytes at byte {}", bytes.size(), place.bytes, place.offset)};
     if (layout_ != Layout::compressed) return uncompressed(bytes);
     if (const auto stated = stated_size(bytes); stated && *stated != size_)
         return {{},
-                fmt::format("{} × {} pixels, the film has {} × {}", stated->width, stated->height, size_.width,
+                fmt::format("{} × {} pixels, but the film has {} × {}", stated->width, stated->height, size_.width,
                             size_.height)};
     return decoded_picture(bytes);
 }

@@ -98,7 +98,7 @@ FrameRead decoded_bmp(std::string_view bytes, PictureSize size) {
     const auto header = bytes::number_in(bytes, 14, 4);
     const bool core = header == core_header;
     if (!core && (header < 40 || 14 + header > bytes.size()))
-        return refused(fmt::format("does not decode: a header of {} bytes; it is damaged", header));
+        return refused(fmt::format("a header of {} bytes cannot be decoded; it is damaged", header));
     Layout layout{.size = size,
                   .top_down = !core && static_cast<std::int32_t>(bytes::number_in(bytes, 22, 4)) < 0,
                   .bits = bytes::number_in(bytes, core ? 24 : 28, 2),
@@ -109,7 +109,9 @@ FrameRead decoded_bmp(std::string_view bytes, PictureSize size) {
                        : packing == masks     ? bits == 16 || bits == 32
                        : packing == runs_of_8 ? bits == 8
                                               : packing == runs_of_4 && bits == 4;
-    if (!known) return refused(fmt::format("does not decode: {} bits a pixel packed as {}", bits, packing));
+    if (!known)
+        return refused(
+            fmt::format("{} bits per pixel packed as {} cannot be decoded; save the picture as PNG", bits, packing));
     if (bits <= 8) layout.palette = palette_in(bytes, 14 + header, core ? 3 : 4, bits);
     if (bits == 16) layout.channels = {0x7C00, 0x03E0, 0x001F};
     if (bits == 32) layout.channels = {0xFF0000, 0xFF00, 0xFF};
@@ -124,7 +126,7 @@ FrameRead decoded_bmp(std::string_view bytes, PictureSize size) {
     std::vector<std::uint8_t> places;
     if (packing == runs_of_8 || packing == runs_of_4) {
         places.resize(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height));
-        if (!expand_runs(rows, layout, places)) return refused("does not decode: its runs are damaged");
+        if (!expand_runs(rows, layout, places)) return refused("its runs are damaged and cannot be decoded");
         rows = {reinterpret_cast<const char*>(places.data()), places.size()};
         stride = static_cast<std::uint64_t>(size.width);
         layout.bits = 8;

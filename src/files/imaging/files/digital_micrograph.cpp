@@ -125,7 +125,7 @@ Micrograph read_digital_micrograph(const bytes::Source& file, const MicrographOp
     const auto* list = tags.root.find("ImageList");
     if (!list || list->tags.empty())
         throw FormatError(file.name, {.offset = tags.root.offset},
-                          "a DigitalMicrograph file without an image; it holds tags alone");
+                          "a DigitalMicrograph file without an image; it contains only tags");
     const auto images = images_of(tags.root, list->tags.size());
     std::vector<ImageEntry> entries;
     for (const auto index : images) entries.push_back(entry_of(list->tags[index]));
@@ -138,13 +138,13 @@ Micrograph read_digital_micrograph(const bytes::Source& file, const MicrographOp
     const auto* dimensions = data ? data->find("Dimensions") : nullptr;
     const auto data_type = data ? index_of(data->number_at("DataType")) : std::nullopt;
     if (!numbers || numbers->bytes == 0 || !dimensions || !data_type)
-        throw damaged("an image without data, dimensions or a type of data: damaged");
+        throw damaged("an image without data, dimensions or a type of data; the file is damaged");
 
     std::vector<std::uint64_t> lengths;
     for (const auto& dimension : dimensions->tags) {
         const auto length = dimension.number;
         if (!length || !(*length >= 1) || *length > 1e15)
-            throw damaged("an image with a dimension without length: damaged");
+            throw damaged("an image has a dimension of length 0; the file is damaged");
         lengths.push_back(static_cast<std::uint64_t>(*length));
     }
     for (std::size_t axis = 0; axis < lengths.size(); ++axis)
@@ -159,9 +159,9 @@ Micrograph read_digital_micrograph(const bytes::Source& file, const MicrographOp
     for (std::size_t axis = 2; axis < lengths.size(); ++axis)
         if (lengths[axis] > 1) {
             add_alert(micrograph, "STACK",
-                      fmt::format("the image is a stack with {} planes along axis {}; the first is read", lengths[axis],
-                                  axis),
-                      "save the plane wanted as a file of its own");
+                      fmt::format("the image is a stack with {} planes along axis {}; the first plane is read",
+                                  lengths[axis], axis),
+                      "to use another plane, save it as a separate file");
             break;
         }
 
@@ -174,12 +174,12 @@ Micrograph read_digital_micrograph(const bytes::Source& file, const MicrographOp
         static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height) * bytes_of(*type);
     if (numbers->bytes < needed)
         throw FormatError(file.name, {.offset = numbers->offset},
-                          fmt::format("{} bytes of pixels, {} × {} of {} bytes need {}: damaged", numbers->bytes,
-                                      size.width, size.height, bytes_of(*type), needed));
+                          fmt::format("{} bytes of pixels, but {} × {} of {} bytes need {}; the file is damaged",
+                                      numbers->bytes, size.width, size.height, bytes_of(*type), needed));
     micrograph.pixels = read_pixels(file, {numbers->offset, *type, tags.big_endian, size});
     if (is_complex(*type))
         add_alert(micrograph, "COMPLEX_MAGNITUDE", "pixels are complex numbers; their magnitude is read",
-                  "save the real image if this is a Fourier transform");
+                  "if this is a Fourier transform, save the real image");
 
     set_pixel_size(micrograph, axis_of(*data, 0), axis_of(*data, 1), fmt::format("DM{} calibration", tags.version));
     describe(micrograph, image);

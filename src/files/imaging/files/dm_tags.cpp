@@ -66,8 +66,8 @@ public:
         word_ = tags.version == 4 ? 8 : 4;
         const auto length = number(word_);
         if (length > file_.size)
-            throw damaged(0,
-                          fmt::format("its header announces {} bytes, the file has {}: truncated", length, file_.size));
+            throw damaged(0, fmt::format("its header announces {} bytes, but the file has {}; it is truncated", length,
+                                         file_.size));
         tags.big_endian = big_endian_ = number(4) == 0;
         tags.root = group(0);
         return tags;
@@ -81,12 +81,13 @@ private:
     /// Bytes at the place of reading, which moves on.
     std::string_view take(std::uint64_t count) {
         if (count > file_.size - at_)
-            throw damaged(at_, fmt::format("{} bytes expected, the file ends at byte {}: truncated or damaged", count,
-                                           file_.size));
+            throw damaged(
+                at_, fmt::format("expected {} bytes, but the file ends at byte {}; it is truncated or damaged", count,
+                                 file_.size));
         if (at_ < window_at_ || at_ + count > window_at_ + window_.size()) {
             window_at_ = at_;
             window_ = file_.up_to(at_, std::max(count, window_bytes));
-            if (window_.size() < count) throw damaged(at_, "the file was cut while it was read");
+            if (window_.size() < count) throw damaged(at_, "the file became shorter while it was read");
         }
         const auto bytes = std::string_view(window_).substr(at_ - window_at_, count);
         at_ += count;
@@ -97,22 +98,24 @@ private:
 
     DmTag group(int depth) {
         if (depth > deepest_group)
-            throw damaged(at_, fmt::format("groups of tags more than {} deep: damaged", deepest_group));
+            throw damaged(at_,
+                          fmt::format("groups of tags nested more than {} deep; the file is damaged", deepest_group));
         (void)take(2);  // sorted, open
         const auto begin = at_;
         const auto count = number(word_);
         if (count > (file_.size - at_) / 3)
-            throw damaged(begin, fmt::format("a group of {} tags in the {} bytes that are left: damaged", count,
+            throw damaged(begin, fmt::format("a group of {} tags in the {} remaining bytes; the file is damaged", count,
                                              file_.size - at_));
         DmTag tag;
         tag.offset = at_;
         for (std::uint64_t i = 0; i < count; ++i) {
-            if (++tags_ > most_tags) throw damaged(at_, fmt::format("more than {} tags: damaged", most_tags));
+            if (++tags_ > most_tags)
+                throw damaged(at_, fmt::format("more than {} tags; the file is damaged", most_tags));
             const auto entry_at = at_;
             const auto kind = static_cast<int>(number(1));
             if (kind != entry_group && kind != entry_data)
-                throw damaged(entry_at, fmt::format("a tag of kind {}, expected {} or {}: damaged", kind, entry_group,
-                                                    entry_data));
+                throw damaged(entry_at, fmt::format("a tag of kind {}, expected {} or {}; the file is damaged", kind,
+                                                    entry_group, entry_data));
             auto name = bytes::field_text(take(number(2)));
             if (word_ == 8) (void)take(8);  // bytes of the entry
             auto member = kind == entry_group ? group(depth + 1) : data();
@@ -124,10 +127,10 @@ private:
 
     DmTag data() {
         const auto begin = at_;
-        if (take(4) != "%%%%") throw damaged(begin, "a tag's data without the mark %%%%: damaged");
+        if (take(4) != "%%%%") throw damaged(begin, "the data of a tag lack the mark %%%%; the file is damaged");
         const auto words = number(word_);
         if (words == 0 || words > most_type_words)
-            throw damaged(begin, fmt::format("a type described by {} numbers: damaged", words));
+            throw damaged(begin, fmt::format("a type described by {} numbers; the file is damaged", words));
         types_.clear();
         for (std::uint64_t i = 0; i < words; ++i) types_.push_back(number(word_));
         DmTag tag;
@@ -158,13 +161,15 @@ private:
         if (kind == kind_structure && from + 2 < types_.size()) {
             const auto fields = types_[from + 2];
             if (fields > (types_.size() - from - 3) / 2)
-                throw damaged(begin, fmt::format("a structure of {} fields that are not described: damaged", fields));
+                throw damaged(
+                    begin, fmt::format("a structure of {} fields without a description; the file is damaged", fields));
             std::uint64_t bytes = 0;
             for (std::uint64_t i = 0; i < fields; ++i) {
                 const auto field = bytes_of_type(types_[from + 4 + 2 * i]);
                 if (!field)
-                    throw damaged(begin, fmt::format("a field of type {} in a structure: unknown or damaged",
-                                                     types_[from + 4 + 2 * i]));
+                    throw damaged(begin,
+                                  fmt::format("a field of type {} in a structure is unknown, or the file is damaged",
+                                              types_[from + 4 + 2 * i]));
                 bytes += *field;
             }
             return bytes;
@@ -173,13 +178,14 @@ private:
             const auto inner = element_bytes(from + 1, begin);
             return times(types_[types_.size() - 1 - from], inner, begin);  // counts stand outermost last
         }
-        throw damaged(begin, fmt::format("a tag of type {}: unknown or damaged", kind));
+        throw damaged(begin, fmt::format("a tag of type {} is unknown, or the file is damaged", kind));
     }
 
     [[nodiscard]] std::uint64_t times(std::uint64_t count, std::uint64_t bytes, std::uint64_t begin) const {
         if (bytes > 0 && count > file_.size / bytes)
-            throw damaged(begin, fmt::format("{} elements of {} bytes in a file of {} bytes: truncated or damaged",
-                                             count, bytes, file_.size));
+            throw damaged(
+                begin, fmt::format("{} elements of {} bytes in a file of {} bytes; it is truncated or damaged", count,
+                                   bytes, file_.size));
         return count * bytes;
     }
 
@@ -193,8 +199,9 @@ private:
         if (tag.bytes > file_.size - tag.offset)
             throw damaged(
                 begin,
-                fmt::format("{} bytes of data, the file ends {} bytes after their beginning: truncated or damaged",
-                            tag.bytes, file_.size - tag.offset));
+                fmt::format(
+                    "{} bytes of data, but the file ends {} bytes after their beginning; it is truncated or damaged",
+                    tag.bytes, file_.size - tag.offset));
         at_ = tag.offset + tag.bytes;
     }
 

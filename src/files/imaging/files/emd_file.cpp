@@ -125,20 +125,20 @@ FramePixels plane_of(const bytes::Source& file, hid_t data, const std::vector<hs
     const Handle type(H5Dget_type(data), &H5Tclose);
     const auto kind = H5Tget_class(type);
     if (kind != H5T_INTEGER && kind != H5T_FLOAT)
-        throw damaged("pixels that are no plain numbers; convert complex or coloured images to real ones");
+        throw damaged("the pixels are not plain numbers; convert complex or coloured images to real ones");
     const Handle properties(H5Dget_create_plist(data), &H5Pclose);
     if (H5Pget_external_count(properties) > 0 || H5Pget_layout(properties) == H5D_VIRTUAL)
-        throw damaged("pixels that lie in other files; copy them into one");
+        throw damaged("the pixels are in other files; copy them into one file");
     if (H5Pget_layout(properties) == H5D_CHUNKED) {
         std::vector<hsize_t> chunk(sides.size());
         H5Pget_chunk(properties, static_cast<int>(chunk.size()), chunk.data());
         double bytes = static_cast<double>(H5Tget_size(type));
         for (const auto side : chunk) bytes *= static_cast<double>(side);
         if (bytes > static_cast<double>(cache_bytes_a_pixel) * static_cast<double>(options.most_pixels))
-            throw damaged(
-                fmt::format("pixels packed in pieces of {:.3g} bytes; export the image as a file of its own", bytes));
+            throw damaged(fmt::format(
+                "the pixels are packed in pieces of {:.3g} bytes; export the image as a separate file", bytes));
     } else if (H5Dget_storage_size(data) > file.size) {
-        throw damaged("more pixels than the file has bytes: truncated or damaged");
+        throw damaged("more pixels than the file has bytes; it is truncated or damaged");
     }
     const Handle space(H5Dget_space(data), &H5Sclose);
     const std::vector<hsize_t> start(sides.size(), 0);
@@ -146,12 +146,12 @@ FramePixels plane_of(const bytes::Source& file, hid_t data, const std::vector<hs
     count[plane.row_axis] = sides[plane.row_axis];
     count[plane.column_axis] = sides[plane.column_axis];
     if (H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr) < 0)
-        throw damaged("a plane HDF5 cannot select: damaged");
+        throw damaged("HDF5 cannot select a plane of the image; the file is damaged");
     const hsize_t numbers = sides[plane.row_axis] * sides[plane.column_axis];
     const Handle memory(H5Screate_simple(1, &numbers, nullptr), &H5Sclose);
     FramePixels pixels(size.height, size.width);
     if (H5Dread(data, H5T_NATIVE_FLOAT, memory, space, H5P_DEFAULT, pixels.data()) < 0)
-        throw damaged("HDF5 cannot read the pixels: truncated or damaged");
+        throw damaged("HDF5 cannot read the pixels; the file is truncated or damaged");
     return pixels;
 }
 
@@ -160,13 +160,15 @@ void note_planes(Micrograph& micrograph, const std::vector<hsize_t>& sides, Plan
     for (std::size_t axis = 0; axis < sides.size(); ++axis)
         if (axis != plane.row_axis && axis != plane.column_axis) planes *= static_cast<double>(sides[axis]);
     if (planes > 1)
-        add_alert(micrograph, "STACK", fmt::format("the image is a stack of {:g} planes; the first is read", planes),
-                  "save the plane wanted as a file of its own");
+        add_alert(micrograph, "STACK",
+                  fmt::format("the image is a stack of {:g} planes; the first plane is read", planes),
+                  "to use another plane, save it as a separate file");
 }
 
 void read_ncem(const bytes::Source& file, hid_t group, Micrograph& micrograph, const MicrographOptions& options) {
     const Handle data(H5Dopen2(group, "data", H5P_DEFAULT), &H5Dclose);
-    if (!data) throw FormatError(file.name, {.offset = 0}, "an image whose data is no dataset: damaged");
+    if (!data)
+        throw FormatError(file.name, {.offset = 0}, "the data of an image are not a dataset; the file is damaged");
     const auto sides = sides_of(data);
     std::vector<AxisScale> axes;
     for (std::size_t axis = 0; axis < sides.size(); ++axis) {
@@ -221,7 +223,7 @@ std::string json_text(const nlohmann::json& json, const std::string& path) {
 
 void read_velox(const bytes::Source& file, hid_t image, Micrograph& micrograph, const MicrographOptions& options) {
     const Handle data(H5Dopen2(image, "Data", H5P_DEFAULT), &H5Dclose);
-    if (!data) throw FormatError(file.name, {.offset = 0}, "an image whose Data is no dataset: damaged");
+    if (!data) throw FormatError(file.name, {.offset = 0}, "Data of an image is not a dataset; the file is damaged");
     const auto sides = sides_of(data);
     if (sides.size() < 2)
         throw FormatError(
@@ -355,11 +357,12 @@ Micrograph read_image(const bytes::Source& file, const MicrographOptions& option
                 entries.size() > 1 ? "; choose another image of the file" : "; choose the file with the image"));
     const Handle image(H5Oopen(root, chosen.path.empty() ? "/" : chosen.path.c_str(), H5P_DEFAULT), &H5Oclose);
     if (!image || H5Iget_type(image) != H5I_GROUP)
-        throw FormatError(file.name, {.offset = 0}, fmt::format("{} is no group: damaged", chosen.path));
+        throw FormatError(file.name, {.offset = 0}, fmt::format("{} is not a group; the file is damaged", chosen.path));
     if (is_velox) read_velox(file, image, micrograph, options);
     else read_ncem(file, image, micrograph, options);
-    add_alert(micrograph, "UNTESTED_FORMAT", "EMD is read from its description, no real file was at hand",
-              "compare picture and pixel size with another program's");
+    add_alert(micrograph, "UNTESTED_FORMAT",
+              "EMD is read according to its description and was not tested on an instrument file",
+              "compare picture and pixel size with those of another program");
     return micrograph;
 }
 

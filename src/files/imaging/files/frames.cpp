@@ -36,7 +36,7 @@ Overloaded(F...) -> Overloaded<F...>;  // clang 16 does not deduce it
 
 Store opened(std::vector<std::string> paths) {
     if (paths.empty())
-        throw InvalidArgument("no frames; expected a TIFF stack, an AVI, a folder of pictures or pictures");
+        throw InvalidArgument("no frames are given; expected a TIFF stack, an AVI, a folder of pictures or pictures");
     if (paths.size() == 1 && (std::filesystem::is_directory(paths.front()) || bytes::is_archive(paths.front()))) {
         const auto folder = paths.front();
         paths = pictures_in(folder);
@@ -49,7 +49,7 @@ Store opened(std::vector<std::string> paths) {
         case PictureKind::tiff: return TiffStack(path);
         case PictureKind::none:
             throw FormatError(path, {.offset = 0},
-                              "no frames; expected a TIFF, an AVI, or pictures as PNG, JPEG or BMP");
+                              "the file contains no frames; expected a TIFF, an AVI, or pictures as PNG, JPEG or BMP");
         default: return Pictures{{path}};
     }
 }
@@ -104,7 +104,7 @@ Stated stated_by(const Store& store) {
 }
 
 std::string other_size(PictureSize found, PictureSize first) {
-    return fmt::format("{} × {} pixels, the first frame has {} × {}", found.width, found.height, first.width,
+    return fmt::format("{} × {} pixels, but the first frame has {} × {}", found.width, found.height, first.width,
                        first.height);
 }
 
@@ -151,7 +151,8 @@ struct FrameSource::Recording {
                             region.x <= size.width - region.width && region.y <= size.height - region.height;
         if (!inside)
             throw InvalidArgument(fmt::format(
-                "region {},{},{},{} lies outside the frames of {} × {} pixels; expected x,y,width,height within",
+                "region {},{},{},{} lies outside the frames of {} × {} pixels; expected x,y,width,height within "
+                "the frames",
                 region.x, region.y, region.width, region.height, size.width, size.height));
     }
 
@@ -161,7 +162,7 @@ struct FrameSource::Recording {
                 numbers.numbers[i] <= options.last.value_or(numbers.numbers.back()))
                 chosen.push_back(i);
         if (chosen.empty())
-            throw InvalidArgument(fmt::format("{}: no frame from {} to {}; the recording has {} to {}", where,
+            throw InvalidArgument(fmt::format("{}: no frame from {} to {}; the recording has frames {} to {}", where,
                                               options.first.value_or(numbers.numbers.front()),
                                               options.last.value_or(numbers.numbers.back()), numbers.numbers.front(),
                                               numbers.numbers.back()));
@@ -176,24 +177,27 @@ struct FrameSource::Recording {
         if (stated.pixel_size && !options.ignore_stated_pixel_size) {
             if (pixel_size && std::abs(*pixel_size / *stated.pixel_size - 1.0) > agreement_of_sizes)
                 throw InvalidArgument(fmt::format(
-                    "{}: the file states {} a pixel, the options {}; leave the option out, or ignore what the file states",
+                    "{}: the file states {} per pixel, but {} was given; leave out the given value, or ignore the "
+                    "stated one",
                     where, format_value(*stated.pixel_size, "m"), format_value(*pixel_size, "m")));
             if (!pixel_size) {
                 pixel_size = stated.pixel_size;
-                notes.push_back(fmt::format("pixel size {} as the file states", format_value(*pixel_size, "m")));
+                notes.push_back(fmt::format("pixel size {}, stated by the file", format_value(*pixel_size, "m")));
             }
         }
         if (options.frame_rate) {
             frame_rate = *options.frame_rate;
             if (stated.frame_rate && std::abs(frame_rate / *stated.frame_rate - 1.0) > agreement_of_sizes)
-                notes.push_back(fmt::format("frame rate {:g} 1/s as given, the file states {:g} 1/s", frame_rate,
+                notes.push_back(fmt::format("frame rate {:g} 1/s, given; the file states {:g} 1/s", frame_rate,
                                             *stated.frame_rate));
         } else if (stated.frame_rate) {
             frame_rate = *stated.frame_rate;
-            notes.push_back(fmt::format("frame rate {:g} 1/s as the file states", frame_rate));
+            notes.push_back(fmt::format("frame rate {:g} 1/s, stated by the file", frame_rate));
         } else {
             throw InvalidArgument(
-                where + ": no frame rate; the files state none, expected it as an option, such as 20 frames a second");
+                where +
+                ": no frame rate: the files state none; expected it in `frame_rate`, such as 20 frames per "
+                "second");
         }
     }
 };
@@ -250,9 +254,9 @@ FrameRead FrameSource::read(std::size_t index) const {
     if (r.region.width != r.size.width || r.region.height != r.size.height)
         frame.pixels = FramePixels(frame.pixels.block(r.region.y, r.region.x, r.region.height, r.region.width));
     if (const auto undefined = frame.pixels.size() - frame.pixels.isFinite().count(); undefined > 0)
-        return {{}, fmt::format("{} pixels without a number", undefined)};
+        return {{}, fmt::format("pixels that are not numbers: {}", undefined)};
     if (frame.pixels.minCoeff() == frame.pixels.maxCoeff())
-        return {{}, fmt::format("one grey level, {:g}", frame.pixels(0, 0))};
+        return {{}, fmt::format("all pixels have the grey level {:g}", frame.pixels(0, 0))};
     return frame;
 }
 

@@ -90,14 +90,14 @@ void mix_inks(std::vector<JSAMPLE>& pixels) {
 FrameRead decoded_jpeg(std::string_view bytes, PictureSize size) {
     Reader reader;
     const auto damaged = [&] {
-        return FrameRead{{}, fmt::format("does not decode: {}", reader.faults.message.data())};
+        return FrameRead{{}, fmt::format("cannot be decoded: {}", reader.faults.message.data())};
     };
     if (!read_header(reader, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size())) return damaged();
     const int channels = reader.jpeg.output_components;
     const auto height = static_cast<std::size_t>(size.height),
                stride = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(channels);
     if (reader.jpeg.output_height != height || reader.jpeg.output_width * static_cast<std::size_t>(channels) != stride)
-        return {{}, "does not decode: two sizes are stated; it is damaged"};
+        return {{}, "cannot be decoded: two sizes are stated; the file is damaged"};
     std::vector<JSAMPLE> pixels(stride * height);
     std::vector<JSAMPROW> rows(height);
     for (std::size_t row = 0; row < height; ++row) rows[row] = pixels.data() + row * stride;

@@ -52,12 +52,12 @@ Micrograph read_micrograph_file(const bytes::Source& file, const MicrographOptio
             case Kind::none: break;
         }
         throw FormatError(file.name, {.offset = 0},
-                          "no picture setae knows; expected DM3, DM4, TIFF, PNG, JPEG, BMP, SER, EMD or MRC");
+                          "unknown kind of picture; expected DM3, DM4, TIFF, PNG, JPEG, BMP, SER, EMD or MRC");
     }();
     if (const auto undefined = micrograph.pixels.size() - micrograph.pixels.isFinite().count(); undefined > 0)
         throw FormatError(
             file.name, {},
-            fmt::format("{} pixels without a number; replace them and save the picture again", undefined));
+            fmt::format("pixels that are not numbers: {}; replace them and save the picture again", undefined));
     return micrograph;
 }
 
@@ -73,7 +73,8 @@ std::vector<std::string> micrographs_in(const std::string& folder) {
     auto paths =
         files_in(folder, [](const bytes::Source& file) { return is_micrograph(file.head(picture_head_bytes)); });
     if (paths.empty())
-        throw FormatError(folder, {}, "no pictures; expected DM3, DM4, TIFF, PNG, JPEG, BMP, SER, EMD or MRC files");
+        throw FormatError(folder, {},
+                          "no pictures are found; expected DM3, DM4, TIFF, PNG, JPEG, BMP, SER, EMD or MRC files");
     return paths;
 }
 

@@ -76,9 +76,9 @@ void set_pixel_size(Micrograph& micrograph, const AxisScale& x, const AxisScale&
             return add_alert(micrograph, "RECIPROCAL_UNITS",
                              fmt::format("{} has axes in '{}': a diffraction pattern or a Fourier transform", source,
                                          micrograph.unit),
-                             "read the image itself");
+                             "read the image itself instead of the diffraction pattern or transform");
         return add_alert(micrograph, "UNKNOWN_UNIT",
-                         fmt::format("{} has the unit '{}', which is no length", source, micrograph.unit), remedy);
+                         fmt::format("{} has the unit '{}', which is not a length", source, micrograph.unit), remedy);
     }
     const PixelSize size{std::abs(x.scale) * *metres_x,
                          std::abs(y.scale) * *metres_y};  // a negative scale turns an axis round
@@ -91,7 +91,7 @@ void set_pixel_size(Micrograph& micrograph, const AxisScale& x, const AxisScale&
     if (std::abs(size.x / size.y - 1.0) > square_within)
         add_alert(micrograph, "PIXELS_NOT_SQUARE",
                   fmt::format("pixels are {} wide and {} high", format_value(size.x, "m"), format_value(size.y, "m")),
-                  "nothing, both sizes are used; check them if the camera has square pixels");
+                  "check both sizes, which are both used, if the camera has square pixels");
 }
 
 bool is_energy(std::string_view unit) {
@@ -113,9 +113,9 @@ PictureSize picture_size(const bytes::Source& file, std::uint64_t offset, std::u
     if (width > most / height)
         throw FormatError(
             file.name, {.offset = offset},
-            fmt::format(
-                "{} × {} pixels, more than the {} that are read; crop the picture to the edge, or bin it, with ImageJ or the microscope's program",
-                width, height, most));
+            fmt::format("{} × {} pixels, more than the {} that can be read; crop the picture to the edge, or bin it, "
+                        "with ImageJ or the program of the microscope",
+                        width, height, most));
     return {static_cast<long>(width), static_cast<long>(height)};
 }
 
@@ -151,9 +151,9 @@ std::size_t choose_image(Micrograph& micrograph, std::vector<ImageEntry> images,
     }
     if (images.size() > 1)
         add_alert(micrograph, "SEVERAL_IMAGES",
-                  fmt::format("the file holds {} images: {}; number {} is read", images.size(), listed_images(images),
-                              chosen),
-                  "ask for another with --image, by its number, counted from 0, or its title");
+                  fmt::format("the file contains {} images: {}; number {} is read", images.size(),
+                              listed_images(images), chosen),
+                  "choose another with `image`, by its number, counted from 0, or by its title");
     micrograph.images = std::move(images);
     micrograph.image = chosen;
     return chosen;

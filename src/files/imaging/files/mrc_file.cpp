@@ -66,16 +66,18 @@ void set_cell(Micrograph& micrograph, std::array<double, 2> cell, std::array<std
     const bool positive = cell[0] > 0.0 && cell[1] > 0.0 && std::isfinite(cell[0]) && std::isfinite(cell[1]) &&
                           sampling[0] > 0 && sampling[1] > 0;
     if (!positive)
-        return add_alert(micrograph, "BAD_CALIBRATION",
-                         fmt::format("the cell is {:g} × {:g} Å for {} × {} samples, expected positive lengths; it "
-                                     "gives no pixel size",
-                                     cell[0], cell[1], sampling[0], sampling[1]),
-                         "give the pixel size, or calibrate on the scale bar");
+        return add_alert(
+            micrograph, "BAD_CALIBRATION",
+            fmt::format("the cell is {:g} × {:g} Å for {} × {} samples, expected positive lengths; it gives no pixel "
+                        "size",
+                        cell[0], cell[1], sampling[0], sampling[1]),
+            "give the pixel size, or calibrate on the scale bar");
     set_pixel_size(micrograph, {cell[0] / sampling[0], "angstrom"}, {cell[1] / sampling[1], "angstrom"}, source);
     if (cell[0] == sampling[0] && cell[1] == sampling[1])
         add_alert(micrograph, "DEFAULT_CALIBRATION",
-                  "the cell has as many Å as samples, so a pixel is 1 Å: programs write that where nobody told them",
-                  "check the pixel size, or give it with --pixel and --ignore-stated-pixel-size");
+                  "the cell has as many Å as samples, so that a pixel is 1 Å; programs write this value if no "
+                  "pixel size is known",
+                  "check the pixel size, or give `pixel` and set `ignore_stated_pixel_size`");
 }
 
 }  // namespace
@@ -91,7 +93,7 @@ Micrograph read_mrc(const bytes::Source& file, const MicrographOptions& options)
     const auto header = file.up_to(0, header_bytes);
     if (header.size() < header_bytes)
         throw FormatError(file.name, {.offset = header.size()},
-                          fmt::format("an MRC begins with {} bytes of header: truncated", header_bytes));
+                          fmt::format("an MRC begins with a header of {} bytes; this one is truncated", header_bytes));
     const bool big_endian = header[at::stamp] == 0x11;
     const auto whole = [&](std::size_t offset) {
         return static_cast<std::int32_t>(bytes::number_in(header, offset, 4, big_endian));
@@ -109,19 +111,21 @@ Micrograph read_mrc(const bytes::Source& file, const MicrographOptions& options)
     const auto section_bytes =
         static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height) * bytes_of(*type);
     if (section_bytes > file.size || image > file.size / section_bytes)
-        throw FormatError(file.name, {.offset = header_bytes},
-                          fmt::format("sections of {} bytes in a file of {}: truncated", section_bytes, file.size));
+        throw FormatError(
+            file.name, {.offset = header_bytes},
+            fmt::format("sections of {} bytes in a file of {}; it is truncated", section_bytes, file.size));
     micrograph.pixels = read_pixels(file, {header_bytes + extended + image * section_bytes, *type, big_endian, size});
     if (is_complex(*type))
         add_alert(micrograph, "COMPLEX_MAGNITUDE", "pixels are complex numbers; their magnitude is read",
-                  "read the real image if this is a Fourier transform");
+                  "if this is a Fourier transform, read the real image");
 
     const bool from_fei = extended > 0 && std::string_view(header).substr(at::extended_kind, 3) == "FEI" &&
                           read_fei_header(file, image, micrograph);
     if (!from_fei)
         set_cell(micrograph, {real(at::cell), real(at::cell + 4)}, {whole(at::sampling), whole(at::sampling + 4)});
-    add_alert(micrograph, "UNTESTED_FORMAT", "MRC is read from its description, no real file was at hand",
-              "compare picture and pixel size with another program's");
+    add_alert(micrograph, "UNTESTED_FORMAT",
+              "MRC is read according to its description and was not tested on an instrument file",
+              "compare picture and pixel size with those of another program");
     return micrograph;
 }
 

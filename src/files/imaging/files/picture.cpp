@@ -74,9 +74,10 @@ std::optional<PictureSize> stated_size(std::string_view bytes) {
 
 FrameRead decoded_picture(std::string_view bytes) {
     if (!ends_whole(bytes))
-        return {{}, fmt::format("truncated or damaged: {} bytes without the end its format has", bytes.size())};
+        return {{},
+                fmt::format("truncated or damaged: {} bytes without the end that the format requires", bytes.size())};
     const auto size = stated_size(bytes);
-    if (!size || size->width <= 0 || size->height <= 0) return {{}, "damaged: its header states no size"};
+    if (!size || size->width <= 0 || size->height <= 0) return {{}, "its header states no size; the file is damaged"};
     switch (picture_kind(bytes)) {
         case PictureKind::png: return decoded_png(bytes, *size);
         case PictureKind::jpeg: return decoded_jpeg(bytes, *size);

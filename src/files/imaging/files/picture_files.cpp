@@ -36,8 +36,8 @@ DigitRun digits_from(std::string_view text, std::size_t at) {
 constexpr long most_missing = 100;  // times the number of files: beyond, numbers are dates or serial numbers
 
 std::string too_large(PictureSize size, long most_pixels) {
-    return fmt::format("{} × {} pixels, more than the {} a frame may have; crop the frames", size.width, size.height,
-                       most_pixels);
+    return fmt::format("{} × {} pixels, more than the {} that a frame may have; crop the frames", size.width,
+                       size.height, most_pixels);
 }
 
 }  // namespace
@@ -84,7 +84,8 @@ std::vector<std::string> files_in(const std::string& folder, const std::function
 std::vector<std::string> pictures_in(const std::string& folder) {
     auto paths = files_in(
         folder, [](const bytes::Source& file) { return picture_kind(file.up_to(0, 32)) != PictureKind::none; });
-    if (paths.empty()) throw FormatError(folder, {}, "no pictures; expected PNG, JPEG, TIFF or BMP files");
+    if (paths.empty())
+        throw FormatError(folder, {}, "the folder contains no pictures; expected PNG, JPEG, TIFF or BMP files");
     return paths;
 }
 
@@ -109,14 +110,14 @@ FrameNumbers numbers_of(const std::vector<std::string>& paths) {
             after = name.substr(last + 1);
         }
         if (name.substr(0, begin) != before || name.substr(last + 1) != after)
-            return counted("names differ by more than a number; frames are counted from 1");
+            return counted("the names differ not only by a number; frames are counted from 1");
         if (!found.numbers.empty() && *number <= found.numbers.back())
-            return counted(fmt::format("number {} comes twice or out of order; frames are counted from 1", *number));
+            return counted(fmt::format("number {} is repeated or out of order; frames are counted from 1", *number));
         found.numbers.push_back(*number);
     }
     const long span = found.numbers.back() - found.numbers.front() + 1;
     if (span / most_missing > static_cast<long>(paths.size()))
-        return counted("the numbers of names have gaps too long for frames; frames are counted from 1");
+        return counted("the numbers in the names have too long gaps; frames are counted from 1");
     for (std::size_t i = 1; i < found.numbers.size(); ++i)
         for (long number = found.numbers[i - 1] + 1; number < found.numbers[i]; ++number)
             found.missing.push_back(number);
@@ -148,7 +149,8 @@ FrameRead read_picture(const std::string& path, long most_pixels) {
         if (picture_kind(bytes) != PictureKind::tiff) return decoded_picture(bytes);
         const TiffStack stack(path);
         if (stack.size() > 1)
-            return {{}, fmt::format("{} pages; a stack among single pictures, open it by itself", stack.size())};
+            return {{},
+                    fmt::format("{} pages: this is a stack among single pictures; open it separately", stack.size())};
         return stack.read(0);
     } catch (const Error& error) {
         return {{}, error.what()};

@@ -31,14 +31,15 @@ Micrograph read_plain_picture(const bytes::Source& file, const MicrographOptions
     (void)choose_image(micrograph, 1, options);
     const auto stated = stated_size(bytes);
     if (!stated || stated->width <= 0 || stated->height <= 0)
-        throw FormatError(file.name, {.offset = 0}, "a picture whose header states no size: truncated or damaged");
+        throw FormatError(file.name, {.offset = 0},
+                          "the header of the picture states no size; the file is truncated or damaged");
     const auto size = picture_size(file, 0, static_cast<std::uint64_t>(stated->width),
                                    static_cast<std::uint64_t>(stated->height), options);
     auto frame = decoded_picture(bytes);
     if (!frame.fault.empty()) throw FormatError(file.name, {.offset = bytes.size()}, frame.fault);
     if (frame.pixels.cols() != size.width || frame.pixels.rows() != size.height)
         throw FormatError(file.name, {.offset = 0},
-                          "the decoded picture has another size than its header states: damaged");
+                          "the decoded picture has another size than its header states; the file is damaged");
     micrograph.pixels = std::move(frame.pixels);
     if (micrograph.format == "png")
         if (const auto pixel = png_pixel_size(bytes); pixel && pixel->x < coarsest_pixel && pixel->y < coarsest_pixel)

@@ -103,8 +103,8 @@ bool write(Writer& writer, png_uint_32 width, png_uint_32 height, int colour, pn
 
 FrameRead decoded_png(std::string_view bytes, PictureSize size) {
     Reader reader(bytes);
-    const auto damaged = [&] { return FrameRead{{}, fmt::format("does not decode: {}", reader.message.data())}; };
-    if (!reader.info) return {{}, "does not decode: no memory"};
+    const auto damaged = [&] { return FrameRead{{}, fmt::format("cannot be decoded: {}", reader.message.data())}; };
+    if (!reader.info) return {{}, "cannot be decoded: memory does not suffice"};
     if (!read_header(reader)) return damaged();
     const auto stride = png_get_rowbytes(reader.png, reader.info);
     const int channels = png_get_channels(reader.png, reader.info);

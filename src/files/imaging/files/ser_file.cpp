@@ -56,34 +56,35 @@ Micrograph read_ser(const bytes::Source& file, const MicrographOptions& options)
                           "a series of spectra, not a picture; choose the file with the image");
     if (kind != data_2d)
         throw FormatError(file.name, {.offset = 6},
-                          fmt::format("data of type {:#x}, expected {:#x}: damaged", kind, data_2d));
-    if (valid == 0) throw FormatError(file.name, {.offset = 18}, "a series without an image");
+                          fmt::format("data of type {:#x}, expected {:#x}; the file is damaged", kind, data_2d));
+    if (valid == 0) throw FormatError(file.name, {.offset = 18}, "the series has no image");
     const std::uint64_t image = choose_image(micrograph, valid, options);
     const auto place = file.up_to(offsets, word * (image + 1));
     if (place.size() < word * (image + 1))
         throw FormatError(file.name, {.offset = offsets},
-                          "the list of images lies beyond the end of the file: truncated");
+                          "the list of images lies beyond the end of the file, which is truncated");
     const auto start = bytes::number_in(place, word * image, word);
     constexpr std::uint64_t element_bytes = 2 * 20 + 2 + 8;
     const auto element = file.up_to(start, element_bytes);
     if (element.size() < element_bytes)
-        throw FormatError(file.name, {.offset = start}, "an image lies beyond the end of the file: truncated");
+        throw FormatError(file.name, {.offset = start}, "an image lies beyond the end of the file, which is truncated");
     const auto type = sample_type(bytes::number_in(element, 40, 2));
     if (!type)
         throw FormatError(
             file.name, {.offset = start + 40},
-            fmt::format("pixels of type {}, expected 1 to 10: damaged", bytes::number_in(element, 40, 2)));
+            fmt::format("pixels of type {}, expected 1 to 10; the file is damaged", bytes::number_in(element, 40, 2)));
     const auto size =
         picture_size(file, start + 42, bytes::number_in(element, 42, 4), bytes::number_in(element, 46, 4), options);
     micrograph.pixels = read_pixels(file, {start + element_bytes, *type, false, size});
     micrograph.pixels.colwise().reverseInPlace();
     if (is_complex(*type))
         add_alert(micrograph, "COMPLEX_MAGNITUDE", "pixels are complex numbers; their magnitude is read",
-                  "read the real image if this is a Fourier transform");
+                  "if this is a Fourier transform, read the real image");
     const auto real = [&](std::size_t offset) { return std::bit_cast<double>(bytes::number_in(element, offset, 8)); };
     set_pixel_size(micrograph, {real(8), "m"}, {real(28), "m"}, "SER calibration");
-    add_alert(micrograph, "UNTESTED_FORMAT", "SER is read from its description, no real file was at hand",
-              "compare picture and pixel size with another program's");
+    add_alert(micrograph, "UNTESTED_FORMAT",
+              "SER is read according to its description and was not tested on an instrument file",
+              "compare picture and pixel size with those of another program");
     return micrograph;
 }
 

@@ -57,8 +57,9 @@ std::optional<double> fei_number(const std::map<std::string, Section>& sections,
     if (text.empty()) return std::nullopt;
     const auto number = number_of(text);
     if (!number)
-        add_alert(micrograph, "BAD_NUMBER", fmt::format("[{}] {} is '{}', no number", section, key, text),
-                  "nothing, it is left out");
+        add_alert(micrograph, "BAD_NUMBER",
+                  fmt::format("[{}] {} is '{}', which is not a number; this field is left out", section, key, text),
+                  "if you need this field, read its value in the program of the microscope");
     return number;
 }
 
@@ -149,7 +150,8 @@ bool read_zeiss(const TiffStack& stack, const bytes::TiffPage& page, Micrograph&
         const AxisScale axis{*number, std::string(trimmed(value.substr(blank)))};
         set_pixel_size(micrograph, axis, axis, "Zeiss metadata");
         add_alert(micrograph, "UNTESTED_FORMAT",
-                  "tags of Zeiss are read from their description, no real file was at hand",
+                  "tags of Zeiss are read according to their description and were not tested on an instrument "
+                  "file",
                   "compare the pixel size with the scale bar");
         return true;
     }
@@ -186,7 +188,7 @@ bool read_jeol(const TiffStack& stack, const bytes::TiffPage& page, Micrograph& 
     const auto text = stack.text(page, tag::description);
     const auto untested = [&] {
         add_alert(micrograph, "UNTESTED_FORMAT",
-                  "tags of JEOL are read from their description, no real file was at hand",
+                  "tags of JEOL are read according to their description and were not tested on an instrument file",
                   "compare the pixel size with the scale bar");
         return true;
     };

@@ -50,7 +50,7 @@ Micrograph read_tiff(const bytes::Source& file, const MicrographOptions& options
     auto frame = stack.read(index);
     if (!frame.fault.empty()) throw damaged(frame.fault);
     if (frame.pixels.cols() != size.width || frame.pixels.rows() != size.height)
-        throw damaged("the decoded picture has another size than its directory states: damaged");
+        throw damaged("the decoded picture has another size than its directory states; the file is damaged");
     micrograph.pixels = std::move(frame.pixels);
     read_tiff_calibration(stack, index, micrograph);
     return micrograph;

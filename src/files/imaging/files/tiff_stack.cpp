@@ -132,7 +132,8 @@ std::optional<double> TiffStack::pixel_size() const {
     if (!stated && size > coarsest_pixel) return std::nullopt;
     if (y && std::abs(*y / *x - 1.0) > 1e-3)
         throw InvalidArgument(fmt::format(
-            "{}: pixels are {:.6g} m wide and {:.6g} m high; a contact radius needs square pixels, resample the frames",
+            "{}: pixels are {:.6g} m wide and {:.6g} m high; a contact radius needs square pixels: resample "
+            "the frames",
             file_.source.name, size, *unit / *y));
     return size;
 }
@@ -149,7 +150,7 @@ std::string TiffStack::fault(std::size_t index) const {
     if (index < file_.pages.size()) return file_.pages[index].fault;
     const bool there = first_pixel_ && *first_pixel_ + index * picture_bytes() < file_.source.size;
     return there ? ""
-                 : fmt::format("ImageJ announces {} images, the file holds fewer: truncated",
+                 : fmt::format("ImageJ announces {} images, but the file contains fewer; it is truncated",
                                description("images").value_or(""));
 }
 
@@ -165,12 +166,12 @@ std::vector<TiffStack::Part> TiffStack::parts(std::size_t index, std::string& fa
                        file_.integers(page, tiled ? stack_tag::tile_offsets : stack_tag::strip_offsets, most_parts),
                    counts = file_.integers(page, tiled ? stack_tag::tile_bytes : stack_tag::strip_bytes, most_parts);
         if (offsets.empty() || counts.size() < offsets.size())
-            fault = offsets.empty() || counts.empty() ? "damaged: its directory names no pixels"
-                                                      : "damaged: its directory is incomplete";
+            fault = offsets.empty() || counts.empty() ? "its directory names no pixels; the file is damaged"
+                                                      : "its directory is incomplete; the file is damaged";
         std::uint64_t total = 0;
         for (std::size_t i = 0; i < offsets.size() && fault.empty(); ++i) {
             total += std::min(counts[i], bytes);
-            if (total > bytes) fault = "truncated or damaged: its pixels are more than the file";
+            if (total > bytes) fault = "truncated or damaged: it announces more pixels than the file has bytes for";
             parts.push_back({offsets[i], counts[i]});
         }
     }
@@ -198,7 +199,7 @@ FrameRead TiffStack::read(std::size_t index) const {
     if (!fault.empty()) return {{}, fault};
     const auto& page = this->page(index);
     const auto size = size_of(index);
-    if (size.width <= 0 || size.height <= 0) return {{}, "damaged: its directory states no size"};
+    if (size.width <= 0 || size.height <= 0) return {{}, "its directory states no size; the file is damaged"};
     const auto places = parts(index, fault);
     if (!fault.empty()) return {{}, fault};
     const auto channels = number(page, stack_tag::samples).value_or(1),
@@ -224,10 +225,10 @@ FrameRead TiffStack::read(std::size_t index) const {
                                 : std::min(number(page, stack_tag::rows_a_strip).value_or(pieces.ny), pieces.ny);
         if (pieces.piece_nx == 0 || pieces.piece_ny == 0 ||
             (tiled && (pieces.piece_nx > most_tile_pixels || pieces.piece_ny > most_tile_pixels / pieces.piece_nx)))
-            return {{}, fmt::format("damaged: tiles of {} × {} pixels", pieces.piece_nx, pieces.piece_ny)};
+            return {{}, fmt::format("tiles of {} × {} pixels; the file is damaged", pieces.piece_nx, pieces.piece_ny)};
         if (bits <= 8) return colours(pieces);
         if (!type || !interleaved)
-            return {{}, fmt::format("{} numbers of {} bits a pixel, which no picture has", channels, bits)};
+            return {{}, fmt::format("{} numbers of {} bits per pixel, which is not a picture", channels, bits)};
         pieces.pixel_bytes = channels * bytes_of(*type);
         values = bytes::expanded_tiff(file_.source, "TIFF", pieces, memory_for(pieces, file_.source.size));
         layout.type = *type;

@@ -18,7 +18,8 @@ namespace {
 constexpr double agreement_of_sizes = 0.01;
 constexpr double equally_good = 0.1;  // of confidence
 constexpr const char* ways_out =
-    "give the pixel size (--pixel \"0.05 nm\") or what the scale bar stands for (--scale-bar \"5 nm\")";
+    "give `pixel`, such as \"0.05 nm\", or the length of the scale bar in `scale_bar`, such as \"5 "
+    "nm\"";
 
 /// A pixel size that is known, in words for messages.
 struct KnownSize {
@@ -77,7 +78,8 @@ std::string ambiguity(const std::vector<FoundBar>& found, const std::optional<do
             std::hypot(best.length_standard_error / best.length, other.length_standard_error / other.length);
         if (std::abs(ratio - 1) <= std::max(agreement_of_sizes, 3 * error)) continue;
         return fmt::format(
-            "two scale bars are as good, of {:.1f} px at x {:.0f}, y {:.0f} and of {:.1f} px at x {:.0f}, y {:.0f}; the first was taken",
+            "two scale bars are equally good, of {:.1f} px at x {:.0f}, y {:.0f} and of {:.1f} px at x "
+            "{:.0f}, y {:.0f}; the first was used",
             best.length, best.begin_x, best.y, other.length, other.begin_x, other.y);
     }
     return {};
@@ -93,9 +95,10 @@ public:
         if (micrograph.pixel_size) require_positive(*micrograph.pixel_size, where_, "the file states a pixel size of");
         found_ = found_bars(scaled_levels(micrograph.pixels));
         if (options.scale_bar_length && found_.empty())
-            throw InvalidArgument(fmt::format(
-                "{}no scale bar found, the options say that it stands for {}; give the pixel size in its place (--pixel \"0.05 nm\")",
-                where_, in_words(*options.scale_bar_length)));
+            throw InvalidArgument(
+                fmt::format("{}no scale bar is found, although its length {} was given; give the pixel size instead in "
+                            "`pixel`, such as \"0.05 nm\"",
+                            where_, in_words(*options.scale_bar_length)));
     }
 
     [[nodiscard]] Calibration made() {
@@ -109,11 +112,11 @@ public:
                                 .scale_bar = bar()};
         if (known_.size() == 1 && chosen.of_bar && !options_.scale_bar_length)
             alert("SCALE_BAR_UNCONFIRMED",
-                  fmt::format("the label of the scale bar was read as '{}' ({:.1f} px); nothing else says so",
+                  fmt::format("the label of the scale bar was read as '{}' ({:.1f} px); nothing else confirms it",
                               bar()->label, bar()->length),
-                  fmt::format("look at the picture and confirm it: --scale-bar \"{}\"", bar()->label));
+                  fmt::format("look at the picture and confirm the length in `scale_bar`: \"{}\"", bar()->label));
         if (const auto words = ambiguity(found_, options_.scale_bar_length); !words.empty())
-            alert("SCALE_BAR_AMBIGUOUS", words, "give the pixel size: --pixel \"0.05 nm\"");
+            alert("SCALE_BAR_AMBIGUOUS", words, "give the pixel size in `pixel`, such as \"0.05 nm\"");
         calibration.alerts = std::move(alerts_);
         return calibration;
     }
@@ -129,7 +132,7 @@ private:
 
     /// Sizes in the order in which they count.
     void collect() {
-        if (options_.pixel_size) known_.push_back({*options_.pixel_size, 0, false, "given", "the option"});
+        if (options_.pixel_size) known_.push_back({*options_.pixel_size, 0, false, "given", "the given value"});
         std::vector<KnownSize> stated;
         if (micrograph_.pixel_size)
             stated.push_back({*micrograph_.pixel_size, 0, false, "file: " + micrograph_.pixel_size_source, "the file"});
@@ -149,25 +152,27 @@ private:
                 const bool same_bar = first.of_bar && second.of_bar;
                 if (same_bar ? std::abs(first.size.x / second.size.x - 1) <= 1e-6 : !contradict(first, second))
                     continue;
-                const auto message = fmt::format("{} says {} a pixel, {} {}", first.words, in_words(first.size),
+                const auto message = fmt::format("{} gives {} per pixel, {} {}", first.words, in_words(first.size),
                                                  second.words, in_words(second.size));
                 if (!options_.ignore_stated_pixel_size)
                     throw InvalidArgument(fmt::format(
-                        "{}{}; correct the one that is wrong, or go by the first of option and scale bar (--ignore-stated-pixel-size)",
+                        "{}{}; correct the wrong one, or set `ignore_stated_pixel_size` to use the first of the given "
+                        "value and the scale bar",
                         where_, message));
                 alert(first.of_bar || second.of_bar ? "SCALE_BAR_DISAGREES" : "PIXEL_SIZE_DISAGREES",
-                      message + "; the first was taken", "look at the picture and at what the file says");
+                      message + "; the first was used", "compare the picture with the pixel size that the file states");
             }
     }
 
     [[noreturn]] void refuse() const {
         if (found_.empty())
             throw InvalidArgument(
-                fmt::format("{}no pixel size: the file states none and no scale bar was found; {}", where_, ways_out));
+                fmt::format("{}no pixel size: the file states none, and no scale bar was found; {}", where_, ways_out));
         const auto& best = found_.front();
-        throw InvalidArgument(fmt::format(
-            "{}no pixel size: the file states none, and of the scale bar of {:.1f} px at x {:.0f}, y {:.0f} the label gives none ({}); {}",
-            where_, best.bar.length, best.bar.begin_x, best.bar.y, best.label_fault, ways_out));
+        throw InvalidArgument(
+            fmt::format("{}no pixel size: the file states none, and the label of the scale bar of {:.1f} px at x "
+                        "{:.0f}, y {:.0f} gives none ({}); {}",
+                        where_, best.bar.length, best.bar.begin_x, best.bar.y, best.label_fault, ways_out));
     }
 
     const Micrograph& micrograph_;
@@ -194,10 +199,11 @@ void check_same_magnification(const Calibration& calibration, const Micrograph& 
         own.push_back(size_by(bars.front(), *bars.front().labelled_length, "read as"));
     for (const auto& other : own)
         if (contradict(kept, other))
-            throw InvalidArgument(fmt::format(
-                "{}{}{} says {} a pixel, the calibration ({}) {}; calibrate pictures of another magnification by themselves",
-                micrograph.file, micrograph.file.empty() ? "" : ": ", other.words, in_words(other.size),
-                calibration.source, in_words(calibration.pixel_size)));
+            throw InvalidArgument(
+                fmt::format("{}{}{} gives {} per pixel, the calibration ({}) {}; calibrate pictures of another "
+                            "magnification separately",
+                            micrograph.file, micrograph.file.empty() ? "" : ": ", other.words, in_words(other.size),
+                            calibration.source, in_words(calibration.pixel_size)));
 }
 
 }  // namespace setae::imaging

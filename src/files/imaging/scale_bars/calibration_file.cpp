@@ -42,8 +42,7 @@ public:
     }
     [[nodiscard]] double not_negative(const char* key) {
         const double value = number(key);
-        if (!(value >= 0 && std::isfinite(value)))
-            fail(key, fmt::format("{:g}, expected a number of at least 0", value));
+        if (!(value >= 0 && std::isfinite(value))) fail(key, fmt::format("{:g}, expected a number >= 0", value));
         return value;
     }
     [[nodiscard]] std::string text(const char* key) {
@@ -119,7 +118,7 @@ ScaleBar scale_bar(ObjectReader reader) {
 }
 
 Json parsed(const std::string& path) {
-    return bytes::parsed_json<Json>(bytes::read_file(path), path, "no calibration: JSON that does not parse");
+    return bytes::parsed_json<Json>(bytes::read_file(path), path, "the calibration is not valid JSON");
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ LabelMeaning meaning_of_label(std::string_view reading) {
     const auto unit_text = digits == std::string::npos ? std::string() : text.substr(digits);
     if (unit_text.find('/') != std::string::npos || unit_text.ends_with("-1") || unit_text.ends_with("\u207b\u00b9")) {
         meaning.fault =
-            fmt::format("label '{}' is a reciprocal length, of a diffraction pattern and not of an image", text);
+            fmt::format("label '{}' is a reciprocal length: the picture is a diffraction pattern, not an image", text);
         return meaning;
     }
     const auto* unit =
@@ -59,13 +59,14 @@ LabelMeaning meaning_of_label(std::string_view reading) {
     const bool is_number = number > 0 && number_text.front() != '.';
     const bool leading_zero = number_text.size() > 1 && number_text[0] == '0' && number_text[1] != '.';
     if (!is_number || unit == units.end()) {
-        meaning.fault = fmt::format("label read as '{}', which is no number with a unit of length", text);
+        meaning.fault = fmt::format("label read as '{}', which is not a number with a unit of length", text);
         return meaning;
     }
     meaning.text = fmt::format("{} {}", number_text, unit->printed);
     meaning.unit = unit->name;
     if (leading_zero || !usual(number)) {
-        meaning.fault = fmt::format("label read as '{}', which bars hardly have; it may be misread", meaning.text);
+        meaning.fault =
+            fmt::format("label read as '{}', which is rare for a scale bar; it may be misread", meaning.text);
         return meaning;
     }
     meaning.length = number / std::pow(10.0, -unit->exponent);  // a power of ten that is exact

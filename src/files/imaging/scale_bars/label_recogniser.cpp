@@ -72,7 +72,8 @@ struct LabelRecogniser::Engine {
         calls.SetVariable(api, "debug_file", "/dev/null");
         if (calls.Init2(api, nullptr, "eng", tesseract::OEM_LSTM_ONLY) != 0) {
             fault =
-                "no data of Tesseract for English; install tesseract-ocr-eng, or set TESSDATA_PREFIX to the folder of eng.traineddata";
+                "Tesseract has no data for English; install tesseract-ocr-eng, or set TESSDATA_PREFIX to the "
+                "folder of eng.traineddata";
             return;
         }
         calls.SetVariable(api, "debug_file", "/dev/null");

@@ -95,11 +95,12 @@ LabelMeaning checked(const LetterLine& line, const std::string& reading) {
     const auto digits =
         std::count_if(text.begin(), text.end(), [](char letter) { return letter >= '0' && letter <= '9'; });
     if (meaning.unit == "A" ? !last_letter_closed(line) : shape != meaning.unit.front())
-        unsure("the letters of the unit do not have that shape");
+        unsure("the letters of the unit have another shape");
     else if (!digits_whole(line, digits, meaning.unit))
-        unsure("the letters of the number are not whole, or not as many");
-    else if (points != static_cast<long>(line.points.size())) unsure("its points are not those of the picture");
-    else if (points > 0 && line.specks > 0) unsure("the point may be a speck");
+        unsure("the letters of the number are incomplete, or their count differs");
+    else if (points != static_cast<long>(line.points.size()))
+        unsure("its decimal points differ from those of the picture");
+    else if (points > 0 && line.specks > 0) unsure("the decimal point may be a speck");
     return meaning;
 }
 
@@ -146,9 +147,9 @@ std::optional<BarLabel> agreed(const std::vector<Reading>& readings) {
         if (agrees) masks.insert(reading.ink);
     }
     BarLabel label{.text = best->meaning.text, .box = best->box};
-    if (other > 0) label.fault = fmt::format("label read as '{}' and as something else", label.text);
+    if (other > 0) label.fault = fmt::format("label read as '{}', and differently in other attempts", label.text);
     else if (agreeing < 3 || masks.size() < 2)
-        label.fault = fmt::format("label read as '{}' in some ways and not in others", label.text);
+        label.fault = fmt::format("label read as '{}' in some attempts, but not in others", label.text);
     else label.length = best->meaning.length;
     return label;
 }
@@ -228,7 +229,7 @@ BarLabel read_label(const cv::Mat1f& levels, const DrawnBar& bar, LabelRecognise
         label.box = reading.box + patch.tl();
         label.fault = reading.meaning.fault;
     }
-    if (!label.box) label.fault = "no letters beside the bar";
+    if (!label.box) label.fault = "no letters next to the bar";
     return label;
 }
 

@@ -219,9 +219,9 @@ ForceCurves open_force_curves(const bytes::Source& source, const ForceCurveOptio
                     return PlacedCurve{described_table(data, options, name, format), data.x, data.y};
                 }};
     }
-    throw FormatError(
-        source.name, {},
-        "no force curve setae reads (JPK, Nanoscope, Nanosurf, AFM Workshop, Asylum, NT-MDT text); import tables by a mapping");
+    throw FormatError(source.name, {},
+                      "unknown kind of force curve; expected JPK, Nanoscope, Nanosurf, AFM Workshop, Asylum or NT-MDT "
+                      "text; import tables with a mapping");
 }
 
 ForceCurves open_force_curves(const std::string& path, const ForceCurveOptions& options) {
@@ -231,10 +231,12 @@ ForceCurves open_force_curves(const std::string& path, const ForceCurveOptions& 
 Table read_force_curve(const bytes::Source& source, const ForceCurveOptions& options) {
     const auto curves = open_force_curves(source, options);
     if (curves.numbers.size() != 1)
-        throw FormatError(source.name, {},
-                          fmt::format("{} force curves, expected one; `setae jkr fit` fits them all, --curve-number "
-                                      "takes one of {} to {}",
-                                      curves.numbers.size(), curves.numbers.front(), curves.numbers.back()));
+        throw FormatError(
+            source.name, {},
+            fmt::format(
+                "{} force curves, expected one; `setae jkr fit` fits all of them, `curve_number` selects one of "
+                "{} to {}",
+                curves.numbers.size(), curves.numbers.front(), curves.numbers.back()));
     return curves.read(curves.numbers.front()).table;
 }
 

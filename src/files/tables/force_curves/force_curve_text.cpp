@@ -34,9 +34,9 @@ ForceSegment segment_of(const char* name, const Array1D& height, const Array1D& 
     for (Index i = 0; i < rows; ++i)
         if (std::isnan(height[i]) || std::isnan(reading[i]))
             throw FormatError(source.name, {},
-                              fmt::format("channels of different length: row {} of the {} branch has {} alone", i + 1,
+                              fmt::format("channels of different length: row {} of the {} branch has only {}", i + 1,
                                           name, std::isnan(height[i]) ? "a force" : "a height"));
-    if (rows == 0) throw FormatError(source.name, {}, fmt::format("the {} branch holds no number at all", name));
+    if (rows == 0) throw FormatError(source.name, {}, fmt::format("the {} branch has no numbers", name));
     return {name, height.head(rows), reading.head(rows), 0.0};
 }
 
@@ -150,7 +150,8 @@ ForceCurveData read_nt_mdt_text(const bytes::Source& source) {
             throw FormatError(source.name, {}, fmt::format("column {} has undefined values", k + 1));
         const auto first = after_padding(reading);
         if (first + 1 == reading.size())
-            throw FormatError(source.name, {}, fmt::format("column {} is constant: no force curve", k + 1));
+            throw FormatError(source.name, {},
+                              fmt::format("column {} is constant, so that the table is not a force curve", k + 1));
         const auto count = reading.size() - first;
         return std::pair<Array1D, Array1D>(height.tail(count), reading.tail(count) * nano);
     };
@@ -160,7 +161,7 @@ ForceCurveData read_nt_mdt_text(const bytes::Source& source) {
     data.travel_sign = -1.0;
     data.segments.push_back({"extend", approach.first.reverse(), approach.second.reverse(), 0.0});
     data.segments.push_back({"retract", retraction.first, retraction.second, 0.0});
-    data.metadata["units"] = "assumed nm and nA: the file states none";
+    data.metadata["units"] = "nm and nA were assumed: the file states no units";
     return data;
 }
 

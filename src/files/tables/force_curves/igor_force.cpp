@@ -73,10 +73,11 @@ Wave wave_of(const std::string& head, std::endian order, const bytes::Source& so
             fmt::format("a wave of {} × {} × {}, expected samples by channels", wave.rows, wave.columns, layers));
     const auto data_end = header_bytes + wave.rows * wave.columns * wave.number_bytes;
     if (data_end > source.size)
-        throw FormatError(source.name, {.offset = source.size},
-                          fmt::format("the file ends here, the numbers up to byte {}; it is truncated", data_end));
+        throw FormatError(
+            source.name, {.offset = source.size},
+            fmt::format("the file ends here, but its numbers extend to byte {}; it is truncated", data_end));
     if (size(4) + wave_begins < data_end)
-        throw FormatError(source.name, {.offset = 4}, "the wave is announced shorter than its numbers");
+        throw FormatError(source.name, {.offset = 4}, "the announced length of the wave is shorter than its numbers");
     wave.note_at = wave_begins + size(4) + size(8);
     wave.note_bytes = size(12);
     wave.labels_at = wave.note_at + wave.note_bytes + size(16);
@@ -177,8 +178,9 @@ ForceCurveData read_igor_force(const bytes::Source& source) {
     const auto deflection = column(names, {"Defl", "Deflection"}),
                height = column(names, {"ZSnsr", "ZSensor", "Raw", "Height"});
     if (!deflection || !height)
-        throw FormatError(source.name, {},
-                          fmt::format("no channels of deflection and height, it has: {}", fmt::join(names, ", ")));
+        throw FormatError(
+            source.name, {},
+            fmt::format("no channels of deflection and height; the file has: {}", fmt::join(names, ", ")));
     const auto note = note_of(wave, source);
     ForceCurveData data;
     data.constants = {positive(note, "SpringConstant"), positive(note, "InvOLS")};

@@ -80,7 +80,7 @@ std::optional<MapGrid> grid_of(const JpkArchive& archive) {
         const auto found = finite(header, pattern + "grid." + key);
         if (!found)
             throw FormatError(archive.source().name, {},
-                              fmt::format("member 'header.properties': no number '{}grid.{}'", pattern, key));
+                              fmt::format("member 'header.properties' has no number '{}grid.{}'", pattern, key));
         return *found;
     };
     const double columns = value("ilength"), rows = value("jlength");
@@ -93,10 +93,11 @@ std::optional<MapGrid> grid_of(const JpkArchive& archive) {
                        .angle = value("theta")};
     if (!(columns >= 1.0 && rows >= 1.0 && columns * rows <= static_cast<double>(most_map_points)) ||
         !(grid.width > 0.0 && grid.height > 0.0))
-        throw FormatError(archive.source().name, {},
-                          fmt::format("member 'header.properties': a grid of {} × {} curves over {} m × {} m, expected "
-                                      "at least one and at most {} on a positive area; it is damaged",
-                                      columns, rows, grid.width, grid.height, most_map_points));
+        throw FormatError(
+            archive.source().name, {},
+            fmt::format("member 'header.properties': a grid of {} × {} curves over {} m × {} m, expected at least one "
+                        "and at most {} on a positive area; it is damaged",
+                        columns, rows, grid.width, grid.height, most_map_points));
     return grid;
 }
 

@@ -85,7 +85,7 @@ std::string JpkSegment::required(const std::string& channel, const std::string& 
 
 double JpkSegment::number(const std::string& text, const std::string& key) const {
     const auto value = spelled<double>(text);
-    if (!value || !std::isfinite(*value)) fail(fmt::format("{} = '{:.40}' is no number", key, text));
+    if (!value || !std::isfinite(*value)) fail(fmt::format("{} = '{:.40}' is not a number", key, text));
     return *value;
 }
 
@@ -113,7 +113,7 @@ JpkSegment::Scaling JpkSegment::chain(const std::string& channel, const std::str
     std::vector<std::string> seen;
     for (std::string at = slot; defines(channel, at);) {
         if (std::find(seen.begin(), seen.end(), at) != seen.end())
-            fail(fmt::format("channel '{}': the conversions to '{}' run in a circle", channel, slot));
+            fail(fmt::format("channel '{}': the conversions to '{}' form a loop", channel, slot));
         seen.push_back(at);
         const auto prefix = fmt::format("conversion-set.conversion.{}.", at);
         const auto step = scaling(channel, prefix);
@@ -129,13 +129,13 @@ JpkSegment::Scaling JpkSegment::chain(const std::string& channel, const std::str
 Array1D JpkSegment::base_values(const std::string& channel) const {
     const auto type = of_channel(channel, "encoder.type").value_or(of_channel(channel, "type").value_or(""));
     const auto coder = encoder(type);
-    if (!coder) fail(fmt::format("channel '{}' is encoded as '{}', which setae does not know", channel, type));
+    if (!coder) fail(fmt::format("channel '{}' is encoded as '{}', which is not known", channel, type));
     const auto file = folder_ + required(channel, "file.name");
     const auto bytes = archive_.read(file);
     if (bytes.size() % coder->bytes != 0)
         throw FormatError(
             archive_.source().name, {},
-            fmt::format("member '{}': {} bytes are no whole number of values of {} bytes; it is truncated", file,
+            fmt::format("member '{}': {} bytes are not a whole number of values of {} bytes; it is truncated", file,
                         bytes.size(), coder->bytes));
     const auto values = coder->read(bytes);
     const Array1D raw = Eigen::Map<const Array1D>(values.data(), static_cast<Index>(values.size()));
@@ -161,7 +161,7 @@ JpkSegment::HeightChannel JpkSegment::found_height() const {
         for (const char* slot : {sensor ? "nominal" : "calibrated", sensor ? "calibrated" : "nominal", "absolute"})
             if (defines(name, slot)) return {name, slot};
     }
-    fail(fmt::format("no channel of height in metres, it has: {}", fmt::join(there, ", ")));
+    fail(fmt::format("no channel of height in metres; the file has: {}", fmt::join(there, ", ")));
 }
 
 std::string JpkSegment::height_channel() const {
@@ -184,7 +184,7 @@ ForceSegment JpkSegment::read() const {
     if (const auto announced = property(own_, "force-segment-header.num-points")) {
         const auto points = number(*announced, "num-points");
         if (points != static_cast<double>(result.reading.size()))
-            fail(fmt::format("{} values in channel '{}', the header announces {}; the file is truncated",
+            fail(fmt::format("{} values in channel '{}', but the header announces {}; the file is truncated",
                              result.reading.size(), deflection_channel, points));
     }
     if (const auto duration = find("duration")) result.duration = number(*duration, "duration");

@@ -108,10 +108,10 @@ std::optional<TextColumn> column_named(const TextSegment& segment, std::initiali
 TextColumn required_column(const JpkText& text, const TextSegment& segment, const char* what,
                            std::initializer_list<const char*> names) {
     if (const auto column = column_named(segment, names)) return *column;
-    refuse(
-        text, segment,
-        fmt::format("no column of {} with a unit, the segment has '{}' in '{}'; export it with JPK's data processing",
-                    what, entry_of(segment.entries, "columns"), entry_of(segment.entries, "units")));
+    refuse(text, segment,
+           fmt::format("no column of {} with a unit; the segment has '{}' in '{}'; export it with the data processing "
+                       "of JPK",
+                       what, entry_of(segment.entries, "columns"), entry_of(segment.entries, "units")));
 }
 
 /// Columns of a segment's rows in SI, in the order asked for.
@@ -163,7 +163,7 @@ ForceCurveData curve_of(const JpkText& text, long number) {
                         "smoothedCapacitiveSensorHeight", "smoothedStrainGaugeHeight", "height"}),
                    deflection = required_column(text, segment, "deflection", {"vDeflection"});
         const auto kind = reading_of(text, segment, deflection);
-        if (!first && kind != data.reading) refuse(text, segment, "segments whose deflection has different units");
+        if (!first && kind != data.reading) refuse(text, segment, "the deflection of the segments has different units");
         data.reading = kind;
         std::vector<TextColumn> wanted{height, deflection};
         const auto time = column_named(segment, {"time", "seriesTime"});

@@ -72,7 +72,7 @@ std::optional<ForceBlock> block_of(const NanoscopeSection& section, const bytes:
     block.retract = leading<std::uint64_t>(samples).value_or(block.extend);
     if (block.bytes != 2 && block.bytes != 4)
         throw FormatError(source.name, {},
-                          fmt::format("Nanoscope: force curves of {} bytes a value, expected 2 or 4", block.bytes));
+                          fmt::format("Nanoscope: force curves of {} bytes per value, expected 2 or 4", block.bytes));
     const auto per_curve = block.extend < (1u << 24) && block.retract < (1u << 24) ? block.curve_bytes() : 0;
     if (per_curve == 0 || length < per_curve)
         throw FormatError(source.name, {},
@@ -83,7 +83,8 @@ std::optional<ForceBlock> block_of(const NanoscopeSection& section, const bytes:
         throw FormatError(
             source.name, {.offset = source.size},
             fmt::format(
-                "Nanoscope: the file ends here, force curves of '{:.40}' should end at byte {}; it is truncated",
+                "Nanoscope: the file ends here, expected the end of the force curves of '{:.40}' at byte {}; it "
+                "is truncated",
                 block.name, block.offset + block.curves * per_curve));
     const auto stated = nanoscope_scale(*scale);
     const auto unit =
@@ -257,7 +258,7 @@ ForceCurveData curve_of(const NanoscopeForce& force, std::uint64_t curve, const 
             data.segments.push_back(std::move(segment));
     if (data.segments.empty())
         throw FormatError(source.name, {.offset = force.deflection.offset},
-                          fmt::format("Nanoscope: force curve {} holds no measured sample", curve));
+                          fmt::format("Nanoscope: force curve {} has no measured sample", curve));
     const auto& first = data.segments.front();
     const double way = first.height[first.height.size() - 1] - first.height[0];
     data.travel_sign = (way < 0.0) == (first.name == "extend") ? -1.0 : 1.0;

@@ -136,9 +136,9 @@ std::map<std::pair<std::string, std::string>, CurveChannel> curve_channels(const
         if (integers.bytes() > source.size || at > source.size - integers.bytes())
             throw FormatError(
                 source.name, {.offset = source.size},
-                fmt::format("Nanosurf: the file ends here, channel '{}' needs {} bytes from byte {}; it is "
-                            "truncated",
-                            text_entry(section, "Dim2Name"), integers.bytes(), at));
+                fmt::format(
+                    "Nanosurf: the file ends here, but channel '{}' needs {} bytes from byte {}; it is truncated",
+                    text_entry(section, "Dim2Name"), integers.bytes(), at));
         const auto unit = try_parse_unit(text_entry(section, "Dim2Unit"));
         if (const auto frame = text_entry(section, "Frame"); frame.starts_with("Spec") && unit)
             channels.emplace(std::pair{frame, text_entry(section, "Dim2Name")},
@@ -170,9 +170,7 @@ NanosurfCurves curves_of(const bytes::Source& source) {
                                         curves.reading != *reading)))
             throw FormatError(
                 source.name, {.offset = 0},
-                fmt::format("Nanosurf: the channels of '{}' have other points, curves or units than those "
-                            "beside them",
-                            phase.frame));
+                fmt::format("Nanosurf: the channels of '{}' differ in points, curves or units", phase.frame));
         curves.reading = *reading;
         curves.phases.push_back({phase.name, height->second, deflection->second,
                                  number_in_brackets(text_entry(times, phase.duration), dimension::time).value_or(0.0)});
@@ -253,10 +251,9 @@ bool is_nanosurf_force(const bytes::Source& source) {
 ForceCurveFile open_nanosurf_force(const bytes::Source& source) {
     const auto curves = std::make_shared<const NanosurfCurves>(curves_of(source));
     if (curves->phases.empty())
-        throw FormatError(
-            source.name, {.offset = 0},
-            "Nanosurf: no stretch of spectroscopy has a Z-Axis in metres beside its Deflection in metres, "
-            "newtons or volts");
+        throw FormatError(source.name, {.offset = 0},
+                          "Nanosurf: no part of the spectroscopy has a Z-Axis in metres together with a Deflection in "
+                          "metres, newtons or volts");
     ForceCurveFile file;
     for (std::size_t line = 0; line < curves->places.size(); ++line) file.numbers.push_back(static_cast<long>(line));
     file.read = [curves, source](long number) {

@@ -26,9 +26,9 @@ void require_forwards(const Array1D& time, const std::string& subject) {
         if (!std::isfinite(time[i]))
             throw InvalidArgument(fmt::format("{}: time is undefined in row {} of {}", subject, i + 1, time.size()));
         if (i > 0 && time[i] <= time[i - 1])
-            throw InvalidArgument(
-                fmt::format("{}: time {} from row {} to {}, from {} s to {} s; expected times that grow", subject,
-                            time[i] < time[i - 1] ? "runs backwards" : "stands still", i, i + 1, time[i - 1], time[i]));
+            throw InvalidArgument(fmt::format(
+                "{}: time {} from row {} to {}, from {} s to {} s; expected times that increase", subject,
+                time[i] < time[i - 1] ? "runs backwards" : "does not change", i, i + 1, time[i - 1], time[i]));
     }
 }
 
@@ -67,11 +67,11 @@ void require_one_clock(const Table& table, const std::string& subject) {
         const auto* column = table.find(name);
         if (!column) continue;
         const auto last = last_defined(column->values);
-        if (last < 0) throw InvalidArgument(fmt::format("{}: column '{}' holds no number at all", subject, name));
+        if (last < 0) throw InvalidArgument(fmt::format("{}: column '{}' has no numbers", subject, name));
         if (last + 1 < table.rows())
             throw InvalidArgument(fmt::format(
-                "{}: channels of different length: column '{}' ends in row {} of {}; cut the others there or bring "
-                "them onto one clock",
+                "{}: channels of different length: column '{}' ends in row {} of {}; cut the others there or "
+                "bring all onto one clock",
                 subject, name, last + 1, table.rows()));
     }
     if (const auto* time = table.find("time")) require_forwards(time->values, subject);
@@ -84,13 +84,14 @@ Table merged_by_time(const Table& force_table, const Table& camera_table, double
     const auto& frames = required(camera_table, "time", "s", "camera record");
     const auto& radius = required(camera_table, "contact_radius", "m", "camera record");
     if (force_table.find("contact_radius"))
-        throw InvalidArgument("force record: it has a contact radius already; leave that column out of its mapping");
+        throw InvalidArgument("force record: it already has a contact radius; leave this column out of its mapping");
     if (time.size() < 2 || frames.size() < 1)
         throw InvalidArgument(
-            fmt::format("{} samples of force and {} frames, expected two of force and one frame at least", time.size(),
+            fmt::format("{} samples of force and {} frames, expected at least two of force and one frame", time.size(),
                         frames.size()));
     if (frames.size() != radius.size())
-        throw InvalidArgument(fmt::format("camera record: {} times for {} radii", frames.size(), radius.size()));
+        throw InvalidArgument(fmt::format("camera record: {} times for {} radii; expected one time per radius",
+                                          frames.size(), radius.size()));
     require_forwards(time, "force record");
     require_forwards(frames, "camera record");
 

@@ -56,7 +56,7 @@ RoleCandidate column_chosen(const ColumnGuess& guess, const std::string& role, c
     if (found.size() != 1)
         throw FormatError(
             guess.path, {},
-            fmt::format("{} column '{}' was chosen for {}, the file has {}", found.empty() ? "no" : "more than one",
+            fmt::format("{} column '{}' was chosen for {}; the file has {}", found.empty() ? "no" : "more than one",
                         text, role, fmt::join(all_labels(guess), ", ")));
     RoleCandidate candidate{found.front(), 1.0, "chosen"};
     const auto& column = guess.columns[found.front()];
@@ -98,16 +98,17 @@ std::optional<RoleCandidate> decided(const ColumnGuess& guess, const RoleGuess& 
 void require_numbers(const ColumnGuess& guess, const std::string& role, std::size_t column) {
     const auto& shown = guess.columns[column];
     if (shown.note.starts_with("text"))
-        refuse(guess, role, column, fmt::format("holds {}, expected numbers", shown.note));
-    if (shown.note == ColumnGuess::undefined_note) refuse(guess, role, column, "holds no number at all");
+        refuse(guess, role, column, fmt::format("has {}, expected numbers", shown.note));
+    if (shown.note == ColumnGuess::undefined_note) refuse(guess, role, column, "has no numbers");
 }
 
 /// What is wrong with a unit of another dimension: "is in g, a unit of mass; …".
 std::string misfit(const ColumnGuess& guess, const std::string& role, std::size_t column, const std::string& unit) {
     if (role == "force" && !weight_unit(unit).empty())
         return fmt::format(
-            "is in {}, a unit of mass; expected a force. Where a balance showed it, the force is its weight: {}", unit,
-            column_option({{role, fmt::format("{}[{}]", expression_name(guess, column), weight_unit(unit))}}));
+            "is in {}, a unit of mass; expected a force: if a balance measured it, the force is its weight: "
+            "{}",
+            unit, column_option({{role, fmt::format("{}[{}]", expression_name(guess, column), weight_unit(unit))}}));
     return fmt::format("is in {}, expected a unit of {} such as {}", unit, si_unit(dimension_of_role(role)),
                        usual_unit(role));
 }
@@ -119,7 +120,7 @@ void require_unit(const ColumnGuess& guess, const std::string& role, const RoleC
     const auto unit = try_parse_unit(text);
     if (!unit)
         refuse(guess, role, candidate.column,
-               fmt::format("has the unit '{}', which setae does not know; give one that it knows: {}", text,
+               fmt::format("has the unknown unit '{}'; give a known one: {}", text,
                            column_option({{role, fmt::format("{}[{}]", expression_name(guess, candidate.column),
                                                              usual_unit(role))}})));
     const bool area = candidate.derivation == Derivation::radius_of_area && unit->dimension == dimension::area;
@@ -150,7 +151,7 @@ std::size_t column_in_expression(const ColumnGuess& guess, const std::string& ro
     }
     if (found.size() == 1) return found.front();
     throw FormatError(guess.path, {},
-                      fmt::format("{} column '{}' of the expression for {}, the file has {}",
+                      fmt::format("{} column '{}' of the expression for {}; the file has {}",
                                   found.empty() ? "no" : "more than one", name, role, fmt::join(names, ", ")));
 }
 
@@ -165,14 +166,13 @@ void add_expression(const ColumnGuess& guess, const std::string& role, const std
         else if (shown.unit.empty()) candidate.unit = "1";
         if (const auto unit = candidate.unit.value_or(shown.unit); !try_parse_unit(unit))
             refuse(guess, role, candidate.column,
-                   fmt::format("has the unit '{}', which setae does not know; give one that it knows: {}[{}]", unit,
-                               name, usual_unit(role)));
+                   fmt::format("has the unknown unit '{}'; give a known one: {}[{}]", unit, name, usual_unit(role)));
         const auto column = mapped(guess, name, candidate);
         const auto known = std::find_if(mapping.columns.begin(), mapping.columns.end(),
                                         [&](const MappedColumn& other) { return other.name == name; });
         if (known == mapping.columns.end()) mapping.columns.push_back(column);
         else if (*known != column)
-            refuse(guess, role, candidate.column, "is given two units; give it one in all expressions");
+            refuse(guess, role, candidate.column, "has two units; give one unit in all expressions");
     }
     mapping.constants.insert(mapping.constants.end(), parts.constants.begin(), parts.constants.end());
     mapping.results.push_back({role, parts.expression, dimension_of_role(role)});
@@ -232,8 +232,8 @@ void add_checked(const ColumnGuess& guess, const std::string& role, const RoleCa
     }
     throw FormatError(
         guess.path, {},
-        fmt::format("{} {} no unit; write it into the header, as in 'force [mN]', or state the unit in "
-                    "which the numbers are: {}",
+        fmt::format("{} {} no unit; write it into the header, as in 'force [mN]', or give the unit of the numbers: "
+                    "{}",
                     fmt::join(names, " and "), columns.size() == 1 ? "has" : "have", column_option(stated)));
 }
 
@@ -261,7 +261,7 @@ std::string likely_position(const ColumnGuess& guess, const std::string& role) {
     const auto wrong = misfit_among(guess, role);
     throw FormatError(
         guess.path, {},
-        fmt::format("no column found for {}, the file has {}{}", force ? "displacement or contact_radius" : "force",
+        fmt::format("no column is found for {}; the file has {}{}", force ? "displacement or contact_radius" : "force",
                     fmt::join(all_labels(guess), ", "),
                     wrong.empty() ? fmt::format("; name it by its header or position: {}",
                                                 column_option({{role, likely_position(guess, role)}}))
@@ -317,8 +317,8 @@ Mapping mapping_from(const ColumnGuess& guess, const ChosenColumns& chosen, Loop
         const auto candidate = decided(guess, role, chosen);
         if (!candidate) continue;
         if (guess.columns[candidate->column].note == ColumnGuess::undefined_note && !chosen.contains(role.role)) {
-            mapping.notes.push_back(
-                fmt::format("{}: {} left out, it holds no number at all", role.role, label(guess, candidate->column)));
+            mapping.notes.push_back(fmt::format("{}: {} was left out, since it has no numbers", role.role,
+                                                label(guess, candidate->column)));
             continue;
         }
         add_checked(guess, role.role, *candidate, mapping, without_unit);
@@ -359,7 +359,7 @@ std::string mapping_template(const ColumnGuess& guess, const ChosenColumns& chos
     constexpr const char* question = "?";
     Mapping mapping;
     mapping.file = guess.file;
-    mapping.notes.emplace_back("A \"?\" asks for what the file does not say: put the answer in its place.");
+    mapping.notes.emplace_back("A \"?\" marks information that the file does not contain: replace it by the answer.");
     mapping.notes.push_back(fmt::format("The file has {}.", fmt::join(all_labels(guess), ", ")));
     for (const auto& role : guess.roles) {
         if (const auto choice = chosen.find(role.role);
@@ -373,14 +373,14 @@ std::string mapping_template(const ColumnGuess& guess, const ChosenColumns& chos
         if (!candidate) {
             mapping.columns.push_back({role.role + "_column", question, {}, question});
             mapping.results.push_back({role.role, role.role + "_column", dimension_of_role(role.role)});
-            mapping.notes.push_back(role.role + ": no column found");
+            mapping.notes.push_back(role.role + ": no column is found");
             continue;
         }
         const auto unit = candidate->unit.value_or(guess.columns[candidate->column].unit);
         if (!try_parse_unit(unit)) candidate->unit = question;
         add_column(guess, role.role, *candidate, mapping);
         if (role.candidates.size() > 1 && !chosen.contains(role.role))
-            mapping.notes.back() += "; it may be " + labels(guess, role);
+            mapping.notes.back() += "; other candidates: " + labels(guess, role);
     }
     return as_toml(mapping);
 }

@@ -19,7 +19,7 @@ namespace {
 constexpr double by_unit = 0.5, derived = 0.6;
 
 std::string with_unit(const std::string& reason, const std::string& unit) {
-    return unit.empty() ? reason + "; it has no unit" : fmt::format("{}, {} its unit", reason, unit);
+    return unit.empty() ? reason + "; the column has no unit" : fmt::format("{}, {} its unit", reason, unit);
 }
 
 /// Words may be known of two roles ("contact radius" also as a radius): the best one counts.
@@ -180,7 +180,8 @@ std::string describe(const ColumnGuess& guess) {
                                 label(guess, candidate.column), candidate.confidence, candidate.reason);
     }
     return text +
-           "signs are taken as they are: force positive where it presses, displacement growing into the contact\n";
+           "signs are used as they are: force positive in compression, displacement increasing into the "
+           "contact\n";
 }
 
 }  // namespace setae::tables

@@ -21,16 +21,14 @@ namespace {
 /// @throws InvalidArgument for what muParser takes and an expression over columns is not: a value given to a column, a
 /// list of expressions of which the last one counts, and text behind a zero byte.
 void require_one_value(const std::string& text) {
-    if (text.find('\0') != std::string::npos) throw InvalidArgument("the expression has a zero byte");
+    if (text.find('\0') != std::string::npos) throw InvalidArgument("the expression contains a zero byte");
     constexpr std::string_view before_equals = "=<>!";
     for (auto at = text.find('='); at != std::string::npos; at = text.find('=', at + 1)) {
         const bool compares = (at > 0 && before_equals.find(text[at - 1]) != std::string_view::npos) ||
                               (at + 1 < text.size() && text[at + 1] == '=');
         if (!compares)
-            throw InvalidArgument(
-                fmt::format("'{}' gives a value to a column, expected an expression without '='; "
-                            "'==' compares",
-                            text));
+            throw InvalidArgument(fmt::format(
+                "'{}' assigns a value to a column, expected an expression without '='; '==' compares", text));
     }
 }
 
@@ -127,7 +125,8 @@ bool has_dimension_here(Expression& expression, const std::vector<Dimension>& di
 
 [[noreturn]] void refuse_dimension(const Dimension& expected) {
     throw InvalidArgument(
-        fmt::format("the expression is no {}; give its constants their units, as in \"3.01 N/m\"", si_unit(expected)));
+        fmt::format("the expression does not have the unit {}; give its constants their units, as in \"3.01 N/m\"",
+                    si_unit(expected)));
 }
 
 }  // namespace

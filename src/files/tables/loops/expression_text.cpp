@@ -73,8 +73,8 @@ void add_name(const FoundName& found, ExpressionText& result) {
     if (!found.unit) return;
     const auto [known, added] = result.units.emplace(found.name, *found.unit);
     if (!added && known->second != *found.unit)
-        throw InvalidArgument(
-            fmt::format("column '{}' has the units {} and {}; give one", found.name, known->second, *found.unit));
+        throw InvalidArgument(fmt::format("column '{}' has the units {} and {}; give one of them", found.name,
+                                          known->second, *found.unit));
 }
 
 /// Letters without accents, so that names may be typed as the header has them; Å is a unit.

@@ -59,12 +59,15 @@ Estimate quantity(const LoopKey& key, const std::string& value) {
 
 void require_entry(const std::string& key, const std::string& value) {
     if (!is_key(key))
-        throw InvalidArgument(fmt::format(
-            "'{}' is no key of a loop file; take lower-case letters, digits and _, beginning with a letter", key));
+        throw InvalidArgument(
+            fmt::format("'{}' is not a key of a loop file; use lower-case letters, digits and _, beginning with a "
+                        "letter",
+                        key));
     if (value.find_first_of("\r\n") != std::string::npos || trimmed(value) != value ||
         value.find('\0') != std::string::npos)
-        throw InvalidArgument(fmt::format("the value of '{}' has line breaks or outer blanks; take one line", key));
-    if (!is_utf8(value)) throw InvalidArgument(fmt::format("the value of '{}' is no UTF-8", key));
+        throw InvalidArgument(
+            fmt::format("the value of '{}' has line breaks or outer blanks; write it on one line", key));
+    if (!is_utf8(value)) throw InvalidArgument(fmt::format("the value of '{}' is not UTF-8", key));
     const auto* known = known_key(key);
     if (known && known->expected) (void)quantity(*known, value);
 }
@@ -103,9 +106,8 @@ void read_names(Reader& reader, Table& table) {
         const auto parsed = parse_header_cell(cell);
         const auto unit = try_parse_unit(parsed.unit);
         if (!unit && !parsed.unit.empty() && parsed.unit != "°C")
-            reader.fail(
-                fmt::format("column '{}' has the unit '{}', which setae does not know", parsed.name, parsed.unit));
-        if (!names.insert(parsed.name).second) reader.fail(fmt::format("two columns '{}'", parsed.name));
+            reader.fail(fmt::format("column '{}' has the unknown unit '{}'", parsed.name, parsed.unit));
+        if (!names.insert(parsed.name).second) reader.fail(fmt::format("two columns are named '{}'", parsed.name));
         table.columns.push_back({parsed.name, unit ? si_unit(unit->dimension) : parsed.unit, {}});
     }
 }
@@ -124,16 +126,16 @@ void read_numbers(Reader& reader, Table& table) {
         if (text.empty() || text.front() == '#') continue;
         split_cells(text, ',', cells);
         if (cells.size() != values.size())
-            reader.fail(fmt::format("{} cells, expected {} as there are names; the file may be truncated here",
-                                    cells.size(), values.size()));
+            reader.fail(fmt::format("{} cells, expected {}, one per name; the file may be truncated here", cells.size(),
+                                    values.size()));
         for (std::size_t k = 0; k < cells.size(); ++k) {
             double value = undefined;
             if (!parse_cell(cells[k], '.', value))
-                reader.fail(fmt::format("'{:.40}' for {} is no number", cells[k], table.columns[k].name));
+                reader.fail(fmt::format("'{:.40}' for {} is not a number", cells[k], table.columns[k].name));
             values[k].push_back(value * factors[k]);
         }
     }
-    if (values.front().empty()) reader.fail("no rows of numbers below the names");
+    if (values.front().empty()) reader.fail("no rows of numbers follow the names");
     for (std::size_t k = 0; k < values.size(); ++k)
         table.columns[k].values = Eigen::Map<const Array1D>(values[k].data(), static_cast<Index>(values[k].size()));
 }
@@ -158,9 +160,10 @@ void require_columns(const Table& table) {
             parse_header_cell(column.unit.empty() ? column.name : fmt::format("{} [{}]", column.name, column.unit));
         if (column.name.empty() || column.name.front() == '#' || cell.name != column.name || cell.unit != column.unit ||
             !is_utf8(column.name))
-            throw InvalidArgument(
-                fmt::format("column name '{}' cannot be written: it is empty or would be read otherwise", column.name));
-        if (!names.insert(column.name).second) throw InvalidArgument(fmt::format("two columns '{}'", column.name));
+            throw InvalidArgument(fmt::format(
+                "column name '{}' cannot be written: it is empty, or would be read differently", column.name));
+        if (!names.insert(column.name).second)
+            throw InvalidArgument(fmt::format("two columns are named '{}'", column.name));
     }
 }
 
@@ -246,7 +249,8 @@ Table read_loop(const std::string& path) {
     if (!is_loop_file(text))
         throw FormatError(
             path, {.line = 1},
-            fmt::format("no loop file: it begins otherwise than '{}'; import other tables by a mapping", format_line));
+            fmt::format("not a loop file: it does not begin with '{}'; import other tables with a mapping",
+                        format_line));
     Table table;
     for (; reader.line < reader.lines.size(); ++reader.line) {
         const auto line = trimmed(reader.lines[reader.line]);
@@ -255,7 +259,7 @@ Table read_loop(const std::string& path) {
         read_entry(reader, table);
     }
     if (table.metadata["version"] != "1")
-        reader.fail(fmt::format("version '{}' of the loop format, setae knows version 1", table.metadata["version"]));
+        reader.fail(fmt::format("version '{}' of the loop format is unknown; expected 1", table.metadata["version"]));
     read_names(reader, table);
     read_numbers(reader, table);
     table.metadata["file"] = path;
@@ -265,7 +269,7 @@ Table read_loop(const std::string& path) {
 
 std::optional<Estimate> loop_quantity(const Table& loop, const std::string& key) {
     const auto* known = known_key(key);
-    if (!known || !known->expected) throw InvalidArgument(fmt::format("'{}' is no quantity of a loop file", key));
+    if (!known || !known->expected) throw InvalidArgument(fmt::format("'{}' is not a quantity of a loop file", key));
     const auto entry = loop.metadata.find(key);
     if (entry == loop.metadata.end()) return std::nullopt;
     return quantity(*known, entry->second);

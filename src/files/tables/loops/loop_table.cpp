@@ -91,8 +91,8 @@ void require_loop_columns(const Table& table, const std::string& path, LoopColum
     const auto missing = [&](const char* what) {
         throw FormatError(
             path, {},
-            fmt::format("no column {}; a loop needs 'force' and 'displacement' or 'contact_radius', the table has: {}; "
-                        "name the columns by a mapping file, which `setae jkr import --save-map` makes",
+            fmt::format("no column {}; a loop needs 'force' and 'displacement' or 'contact_radius', and the table has: "
+                        "{}; name the columns in a mapping file, which `setae jkr import --save-map` writes",
                         what, column_list(table)));
     };
     if (!table.find("force")) missing("'force'");

@@ -46,7 +46,7 @@ Unit unit_of(const bytes::TomlReader& reader, const char* key, const std::string
 
 void require_name(const bytes::TomlReader& reader, const std::string& name) {
     if (!is_identifier(name))
-        reader.fail(name.c_str(), fmt::format("'{}' is no name expressions can use; take letters, digits and _", name));
+        reader.fail(name.c_str(), fmt::format("'{}' cannot be a name in expressions; use letters, digits and _", name));
 }
 
 /// "3.01 N/m": the number and the unit behind it.
@@ -67,13 +67,14 @@ MappedConstant parse_constant(bytes::TomlReader& reader, const std::string& name
 MappedColumn parse_column(const std::string& name, bytes::TomlReader reader) {
     MappedColumn column{name, reader.text("header"), {}, reader.text("unit")};
     if (const auto position = reader.integer("position")) {
-        if (*position < 1) reader.fail("position", "position is counted from 1");
+        if (*position < 1) reader.fail("position", "the position of a column starts at 1");
         column.position = static_cast<Index>(*position);
     }
     if (column.header.has_value() == column.position.has_value())
         reader.fail("header", fmt::format("column '{}' needs either header or position", name));
     if (column.header == "?" || column.unit == "?")
-        reader.fail(column.unit == "?" ? "unit" : "header", "a \"?\" asks for what no file says; put the answer there");
+        reader.fail(column.unit == "?" ? "unit" : "header",
+                    "a \"?\" marks information that the file does not contain; replace it by the answer");
     if (column.unit) (void)unit_of(reader, "unit", *column.unit);
     reader.finish();
     return column;
@@ -226,21 +227,20 @@ struct SiColumn {
 SiColumn in_si(const RawTable::RawColumn& column, const MappedColumn& wanted, const std::string& path) {
     if (!column.text.empty())
         throw FormatError(path, {},
-                          fmt::format("column '{}' holds text ({}), expected numbers", wanted.name, column.text));
+                          fmt::format("column '{}' contains text ({}), expected numbers", wanted.name, column.text));
     if (column.values.isNaN().all())
-        throw FormatError(path, {},
-                          fmt::format("column '{}' holds no number at all: all {} values are undefined", wanted.name,
-                                      column.values.size()));
+        throw FormatError(
+            path, {},
+            fmt::format("column '{}' has no numbers: all {} values are undefined", wanted.name, column.values.size()));
     const auto name = wanted.unit ? *wanted.unit : column.unit;
     if (name.empty())
         throw FormatError(
             path, {},
-            fmt::format("column '{}' has no unit; write unit = \"mN\", or what it is, into [columns.{}] of the mapping",
+            fmt::format("column '{}' has no unit; write unit = \"mN\", or the right unit, into [columns.{}] of the "
+                        "mapping",
                         wanted.name, wanted.name));
     const auto unit = try_parse_unit(name);
-    if (!unit)
-        throw FormatError(path, {},
-                          fmt::format("column '{}' has the unit '{}', which setae does not know", wanted.name, name));
+    if (!unit) throw FormatError(path, {}, fmt::format("column '{}' has the unknown unit '{}'", wanted.name, name));
     return {column.values * unit->factor, unit->dimension};
 }
 

@@ -47,9 +47,8 @@ std::string mapping_path(const std::string& name, const std::string& folder) {
     if (std::find(names.begin(), names.end(), name) != names.end())
         return (fs::path(folder) / (name + ending_of_mappings)).string();
     const auto nearest = nearest_match(name, names);
-    throw FileError(fmt::format("{}: no such file, and no mapping of that name{}; by name there {}: {}", name,
+    throw FileError(fmt::format("{}: no such file, and no mapping of this name{}; mappings in this folder: {}", name,
                                 nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest),
-                                names.size() == 1 ? "is" : "are",
                                 names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
 }
 

@@ -16,7 +16,7 @@ std::string key(const std::string& name) { return is_identifier(name) ? name : b
 
 void require_name(const std::string& name) {
     if (!is_identifier(name))
-        throw InvalidArgument(fmt::format("'{}' is no name expressions can use; take letters, digits and _", name));
+        throw InvalidArgument(fmt::format("'{}' cannot be a name in expressions; use letters, digits and _", name));
 }
 
 const char* word(bytes::Encoding encoding) {

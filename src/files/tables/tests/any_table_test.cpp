@@ -36,7 +36,7 @@ TEST(AnyTable, NamesThatEndLikeUnitsKeepTheirEnds) {
 
 TEST(AnyTable, TwoUnitsForOneColumnAreRefused) {
     const auto message = message_of([] { (void)table_of("force [mN],time [s]\nN,s\n1,2\n2,3\n"); });
-    EXPECT_TRUE(holds(message, "mixed units: column 'force' is in mN by its name and in N")) << message;
+    EXPECT_TRUE(holds(message, "mixed units: column 'force' is in mN according to its name and in N")) << message;
 }
 
 TEST(AnyTable, KeyedCommentsAreKeptAsMetadata) {
@@ -91,7 +91,7 @@ TEST(AnyTable, NumbersInQuotesKeepTheirSeparators) {
 TEST(AnyTable, PointsThatNoWayOfWritingDecimalsGivesAreAsked) {
     const std::string text = "x [um];z [nm]\n0;1.234\n1;999\n2;12.000\n";
     EXPECT_TRUE(holds(message_of([&] { (void)table_of(text); }),
-                      "t.csv:2: '1.234' is ambiguous, and so is every number with a point"));
+                      "t.csv:2: '1.234' is ambiguous, as is every number with a point"));
     EXPECT_DOUBLE_EQ(table_of(text, {.decimal_point = ','}).columns[1].values[2], 12000.0);
     EXPECT_DOUBLE_EQ(table_of("x [um];z [nm]\n0;1.234\n1;999.000\n2;12.000\n").columns[1].values[2], 12.0);
     EXPECT_DOUBLE_EQ(table_of("x [um];z [nm]\n0;1.234\n1;999\n2;12.5\n").columns[1].values[0], 1.234);
@@ -121,7 +121,7 @@ TEST(AnyTable, ColumnsOfTextAreKeptApart) {
 TEST(AnyTable, BrokenRowsAreNamed) {
     EXPECT_TRUE(holds(message_of([] { (void)table_of("a,b\n1,2\n3,4\n5\n6,7\n"); }), "t.csv:4: 1 columns, expected 2"));
     EXPECT_TRUE(holds(message_of([] { (void)table_of("a,b\n1,2\n3,oops\n5,6\n6,7\n"); }),
-                      "t.csv:3: 'oops' in column 2 is no number"));
+                      "t.csv:3: 'oops' in column 2 is not a number"));
     EXPECT_TRUE(holds(message_of([] { (void)table_of("only words here\nand there\n"); }), "no row of numbers"));
     EXPECT_TRUE(holds(message_of([] { (void)table_of(""); }), "is empty"));
 }
@@ -150,8 +150,8 @@ TEST(Spreadsheet, SheetsAreChosenByName) {
     EXPECT_EQ(read_raw_table(book).metadata.at("other_sheets"), "two");
     EXPECT_DOUBLE_EQ(read_raw_table(book, {.sheet = "two"}).columns[0].values[1], 7.0);
     EXPECT_TRUE(holds(message_of([&] { (void)read_raw_table(book, {.sheet = "three"}); }),
-                      "no sheet 'three', the workbook has 'one', 'two'"));
-    EXPECT_TRUE(holds(message_of([] { (void)table_of("1 2\n3 4\n", {.sheet = "one"}); }), "is no workbook"));
+                      "no sheet 'three'; the workbook has 'one', 'two'"));
+    EXPECT_TRUE(holds(message_of([] { (void)table_of("1 2\n3 4\n", {.sheet = "one"}); }), "is not a workbook"));
 }
 
 TEST(Spreadsheet, MistakesAreNamedByCell) {
@@ -161,17 +161,17 @@ TEST(Spreadsheet, MistakesAreNamedByCell) {
         });
     };
     EXPECT_TRUE(holds(message(xlsx_sheet({})), "sheet 'S' is empty"));
-    EXPECT_TRUE(holds(message(xlsx_sheet({{{"A1", "words"}}, {{"A2", "more"}}})), "has no two rows of numbers"));
+    EXPECT_TRUE(holds(message(xlsx_sheet({{{"A1", "words"}}, {{"A2", "more"}}})), "does not have two rows of numbers"));
     const auto text = xlsx_sheet({{{"A1", "a"}, {"B1", "b"}},
                                   {{"A2", "1"}, {"B2", "2"}},
                                   {{"A3", "3"}, {"B3", "oops"}},
                                   {{"A4", "5"}, {"B4", "6"}}});
-    EXPECT_TRUE(holds(message(text), "sheet 'S': 'oops' in cell B3 is no number"));
-    EXPECT_TRUE(holds(message(xlsx_sheet({{{"A1", "s:7"}}})), "shared string '7' is not among the 0"));
-    EXPECT_TRUE(holds(message(xlsx_sheet({{{"ZZZZ1", "1"}}})), "'ZZZZ1' is no cell"));
-    EXPECT_TRUE(holds(message("<worksheet>"), "is no XML"));
+    EXPECT_TRUE(holds(message(text), "sheet 'S': 'oops' in cell B3 is not a number"));
+    EXPECT_TRUE(holds(message(xlsx_sheet({{{"A1", "s:7"}}})), "shared string '7' does not exist; there are 0"));
+    EXPECT_TRUE(holds(message(xlsx_sheet({{{"ZZZZ1", "1"}}})), "'ZZZZ1' is not a cell"));
+    EXPECT_TRUE(holds(message("<worksheet>"), "is not XML"));
     EXPECT_TRUE(holds(message(R"(<worksheet><sheetData><row r="0"><c><v>1</v></c></row></sheetData></worksheet>)"),
-                      "'0' is no row"));
+                      "'0' is not a row"));
 }
 
 TEST(Spreadsheet, OneLongStringInManyCellsIsRefused) {

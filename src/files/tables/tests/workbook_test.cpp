@@ -64,7 +64,7 @@ TEST(Workbook, TheSheetOfALoopGoesBeforeOthers) {
     EXPECT_EQ(table.columns[1].unit, "mN");
     EXPECT_EQ(read_spreadsheet(source, "summary").columns[1].name, "Mean");
     EXPECT_TRUE(holds(message_of([&] { (void)read_spreadsheet(source, "nothing"); }),
-                      "no sheet 'nothing', the workbook has 'Summary', 'Test 1', 'Test 2'"));
+                      "no sheet 'nothing'; the workbook has 'Summary', 'Test 1', 'Test 2'"));
 }
 
 TEST(Workbook, SheetsThatAreNotShownComeLast) {
@@ -126,7 +126,7 @@ TEST(Workbook, FormulasWithoutResultsAreRefused) {
         (void)read_spreadsheet(
             book({{"S", rows({{words("x"), words("z")}, {number(1), formula}, {number(2), formula}})}}));
     });
-    EXPECT_TRUE(holds(message, "2 formulas whose results are not stored, the first in cell B2")) << message;
+    EXPECT_TRUE(holds(message, "2 formulas without stored results, the first in cell B2")) << message;
 }
 
 TEST(Workbook, SheetsAsTextHoldTheirColumnsOfNumbers) {
@@ -138,7 +138,7 @@ TEST(Workbook, SheetsAsTextHoldTheirColumnsOfNumbers) {
                                                {number(0), number(0.5), words("me"), number(3)},
                                                {number(1), number(1.0), words("me"), number(4)}})}}));
     ASSERT_EQ(texts.size(), 2u);
-    EXPECT_TRUE(holds(texts[0].problem, "sheet 'Notes' has no two rows of numbers"));
+    EXPECT_TRUE(holds(texts[0].problem, "sheet 'Notes' does not have two rows of numbers"));
     EXPECT_EQ(texts[1].text, "made with\ta stylus\nindex\tx [um]\tz [nm]\n0\t0.5\t3\n1\t1\t4\n");
 }
 

@@ -49,7 +49,7 @@ std::vector<Sheet> listed_sheets(const pugi::xml_document& book, const bytes::Ar
         if (target != targets.end() && archive.has(target->second))
             sheets.push_back({node.attribute("name").value(), target->second, state.ends_with("idden")});
     }
-    if (sheets.empty()) throw FormatError(source.name, {}, "workbook without a sheet of cells");
+    if (sheets.empty()) throw FormatError(source.name, {}, "the workbook has no sheet with cells");
     return sheets;
 }
 
@@ -143,7 +143,7 @@ struct Shared {
         const auto index = spelled<std::size_t>(value);
         if (!index || *index >= strings.size())
             throw FormatError(source.name, {},
-                              fmt::format("sheet '{}', cell {}: shared string '{}' is not among the {} there are",
+                              fmt::format("sheet '{}', cell {}: shared string '{}' does not exist; there are {}",
                                           sheet.name, cell.attribute("r").value(), value, strings.size()));
         return strings[*index];
     }
@@ -164,13 +164,14 @@ SheetRows rows_of(const Shared& shared, const Sheet& sheet) {
         std::size_t column = 0;
         row = line.attribute("r") ? line.attribute("r").as_ullong() - 1 : row;
         if (row >= most_sheet_rows)
-            throw FormatError(shared.source.name, {},
-                              fmt::format("sheet '{}': '{:.20}' is no row", sheet.name, line.attribute("r").value()));
+            throw FormatError(
+                shared.source.name, {},
+                fmt::format("sheet '{}': '{:.20}' is not a row", sheet.name, line.attribute("r").value()));
         for (const auto& cell : line.children()) {
             const std::string_view reference = cell.attribute("r").value();
             if (!reference.empty() && !parse_reference(reference, row, column))
                 throw FormatError(shared.source.name, {},
-                                  fmt::format("sheet '{}': '{:.20}' is no cell", sheet.name, reference));
+                                  fmt::format("sheet '{}': '{:.20}' is not a cell", sheet.name, reference));
             put_cell(rows, row, column, shared.text(cell, sheet), bytes, sheet, shared.source);
             ++column;
         }

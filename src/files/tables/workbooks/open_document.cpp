@@ -91,7 +91,7 @@ struct OpenDocument {
                 sheets.push_back({std::string(attribute(table, "name")), fmt::format("{}", sheets.size()),
                                   is_hidden(document, attribute(table, "style-name"))});
             }
-        if (sheets.empty()) throw FormatError(from.name, {}, "spreadsheet without a table");
+        if (sheets.empty()) throw FormatError(from.name, {}, "the spreadsheet has no table");
     }
 
     bytes::Source source;

@@ -64,8 +64,8 @@ void require_results(const SheetRows& rows, const Sheet& sheet, const bytes::Sou
     if (formulas > 1 && 2 * formulas >= numbers)
         throw FormatError(
             source.name, {},
-            fmt::format("sheet '{}' has {} formulas whose results are not stored, the first in cell {}; open "
-                        "the workbook in Excel or LibreOffice and save it again",
+            fmt::format("sheet '{}' has {} formulas without stored results, the first in cell {}; open the workbook in "
+                        "Excel or LibreOffice and save it again",
                         sheet.name, formulas, first));
 }
 
@@ -156,9 +156,10 @@ RawTable table_of(const SheetRows& rows, const Place& place, const Sheet& sheet,
                 const auto where =
                     fmt::format("'{:.40}' in cell {}", cell->second, cell_name(row->first, place.columns[k]));
                 if (!place.text[k])
-                    throw FormatError(source.name, {},
-                                      fmt::format("sheet '{}': {} is no number, expected one as in the cells above",
-                                                  sheet.name, where));
+                    throw FormatError(
+                        source.name, {},
+                        fmt::format("sheet '{}': {} is not a number, expected a number as in the cells above",
+                                    sheet.name, where));
                 if (table.columns[k].text.empty()) table.columns[k].text = where;
             }
             values[k].push_back(place.text[k] ? undefined : value);
@@ -188,7 +189,7 @@ std::string listed(const std::vector<Sheet>& sheets) {
 /// Why a sheet has no table.
 std::string without_table(const SheetRows& rows, const Sheet& sheet) {
     return fmt::format("sheet '{}' {}; expected columns of numbers below their names", sheet.name,
-                       rows.empty() ? "is empty" : "has no two rows of numbers");
+                       rows.empty() ? "is empty" : "does not have two rows of numbers");
 }
 
 }  // namespace
@@ -302,7 +303,7 @@ RawTable read_spreadsheet(const bytes::Source& workbook, const std::optional<std
     }
     if (found.empty())
         throw FormatError(workbook.name, {},
-                          fmt::format("no sheet '{}', the workbook has {}", sheet.value_or(""), listed(book.sheets())));
+                          fmt::format("no sheet '{}'; the workbook has {}", sheet.value_or(""), listed(book.sheets())));
     std::erase_if(found, [](const SheetTable& candidate) { return !candidate.table; });
     if (found.empty()) throw FormatError(workbook.name, {}, problems);
     auto chosen =

@@ -58,7 +58,7 @@ Workbook::Workbook(const bytes::Source& source) : content_(std::make_unique<Cont
     const auto refuse = [&](const char* kind) {
         throw FormatError(
             source.name, {.offset = 0},
-            fmt::format("{}, which is not read; save it as .xlsx or .ods with Excel or LibreOffice", kind));
+            fmt::format("{}, which cannot be read; save it as .xlsx or .ods with Excel or LibreOffice", kind));
     };
     switch (workbook_kind(source)) {
         case WorkbookKind::office_open_xml:
@@ -73,7 +73,7 @@ Workbook::Workbook(const bytes::Source& source) : content_(std::make_unique<Cont
         case WorkbookKind::binary_excel: refuse("a binary workbook of Excel (.xlsb)"); break;
         case WorkbookKind::none: break;
     }
-    throw FormatError(source.name, {.offset = 0}, "no workbook; expected .xlsx or .ods");
+    throw FormatError(source.name, {.offset = 0}, "not a workbook; expected .xlsx or .ods");
 }
 
 Workbook::~Workbook() = default;

@@ -36,7 +36,7 @@ pugi::xml_document parsed_member(const bytes::Archive& archive, const std::strin
     if (!result)
         throw FormatError(
             source.name, {},
-            fmt::format("member '{}' is no XML: {} at byte {}", member, result.description(), result.offset));
+            fmt::format("member '{}' is not XML: {} at byte {}", member, result.description(), result.offset));
     return document;
 }
 

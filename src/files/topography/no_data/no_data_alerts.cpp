@@ -35,13 +35,12 @@ std::vector<Alert> alerts_of(const NoDataReport& report, const std::string& subj
                                        report.defined, percent, mark.count == 1 ? "is" : "are exactly", value,
                                        told(report.least, unit), told(report.greatest, unit));
         if (mark.no_height)
-            alerts.push_back({"NO_DATA", subject,
-                              found + ": this value marks missing heights, which were taken as undefined",
-                              "if they are heights, give --keep-values, in a study keep_values = true"});
+            alerts.push_back({"NO_DATA", subject, found + ": this value marks missing heights, which are now undefined",
+                              "if they are heights, set `keep_values` to true"});
         else
             alerts.push_back({"NO_DATA_SUSPECTED", subject,
                               found + ": this value may mark missing heights; it was kept as a height",
-                              fmt::format("if it is none, give the step --step 'undefine value=\"{}\"'",
+                              fmt::format("if it is not a height, add the step `undefine value=\"{}\"`",
                                           exactly_told(mark.value, unit))});
     }
     return alerts;

@@ -20,6 +20,14 @@ TEST(AlertKinds, SayWhatEachThresholdRestsOn) {
     EXPECT_GT(with_threshold, 30);
 }
 
+TEST(AlertKinds, SayTheirEffectAndWhatToDoInFullSentences) {
+    for (const auto& kind : alert_kinds())
+        for (const auto* text : {&kind.said, &kind.effect, &kind.action}) {
+            ASSERT_FALSE(text->empty()) << kind.code;
+            EXPECT_EQ(text->back(), '.') << kind.code << ": " << *text;
+        }
+}
+
 TEST(AlertKinds, AreListedOnce) {
     std::set<std::string> codes;
     for (const auto& kind : alert_kinds()) EXPECT_TRUE(codes.insert(kind.code).second) << kind.code;

@@ -127,7 +127,7 @@ TEST_F(FittedSpectrum, SaysWhichFilesItHasToDoWithout) {
                                     [](const Alert& a) { return a.code == "FILES_LEFT_OUT"; });
     ASSERT_NE(alert, result.alerts.end());
     EXPECT_NE(alert->message.find("1 of 2"), std::string::npos);
-    EXPECT_NE(alert->message.find("in place of the likelihood"), std::string::npos);
+    EXPECT_NE(alert->message.find("replaces the likelihood"), std::string::npos);
     EXPECT_FALSE(has_alert(study::analyse_surface(surface("two", {walk(1), walk(2)}), {}, {1}), "FILES_LEFT_OUT"));
 }
 

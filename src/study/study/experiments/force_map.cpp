@@ -73,14 +73,16 @@ ForceMap fit_force_map(const std::string& file, const tables::ForceCurveOptions&
     });
     if (std::none_of(map.curves.begin(), map.curves.end(),
                      [](const MappedCurve& curve) { return static_cast<bool>(curve.summary); }))
-        throw UndefinedDataError(fmt::format("{}: none of {} force curves could be read and fitted; the first: {}",
-                                             file, map.curves.size(), map.curves.front().summary.reason));
+        throw UndefinedDataError(
+            fmt::format("{}: none of {} force curves could be read and fitted; reason of the first: {}", file,
+                        map.curves.size(), map.curves.front().summary.reason));
     return map;
 }
 
 std::vector<formats::QuantityMap> quantities_on_grid(const ForceMap& map) {
     if (!map.grid)
-        throw UndefinedDataError(fmt::format("{}: no maps: the file states no grid of its curves", map.file));
+        throw UndefinedDataError(
+            fmt::format("{}: the file states no grid of its curves, so that no maps can be made", map.file));
     std::vector<formats::QuantityMap> quantities;
     for (const auto& quantity : loops::curve_quantities()) {
         Array2D values = Array2D::Constant(map.grid->columns, map.grid->rows, undefined);

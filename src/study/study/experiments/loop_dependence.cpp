@@ -110,8 +110,8 @@ LoopDependence dependence_of(const LoopNumbers& of_loop, const std::vector<Uncer
             if (!std::isfinite(of_loop.*number.value)) continue;
             const double slope = derivatives[i].*number.value;
             if (!std::isfinite(slope)) {
-                dependence.lost.push_back(
-                    fmt::format("how far {} moves with {} could not be found", number.name, inputs[i].name));
+                dependence.lost.push_back(fmt::format("the derivative of {} with respect to {} could not be computed",
+                                                      number.name, inputs[i].name));
                 continue;
             }
             if (slope == 0.0) continue;

@@ -81,7 +81,7 @@ loops::GlobalBranch branch_to_share(const std::string& name, const loops::LoopAn
 loops::GlobalFit shared_fit(const std::vector<loops::GlobalBranch>& loops, const LoopModelOptions& options) {
     if (loops.size() < 2)
         throw UndefinedDataError(
-            fmt::format("{} of the loops can be fitted together, a shared fit needs at least 2", loops.size()));
+            fmt::format("{} of the loops can be fitted together; a shared fit needs at least 2", loops.size()));
     return loops::fit_globally(loops, {.share_contact_modulus = options.share_contact_modulus,
                                        .share_work_of_adhesion = options.share_work_of_adhesion,
                                        .fit = options_of(options, options.shared_model())});

@@ -75,17 +75,18 @@ OpenedLoop read_unmapped(const LoopSource& source) {
         source.file, source.camera ? tables::LoopColumns::force_record : tables::LoopColumns::complete, source.columns);
     OpenedLoop opened{.table = std::move(loop.table), .channels = std::move(loop.channels)};
     if (const auto others = opened.table.metadata.find("other_sheets"); others != opened.table.metadata.end())
-        opened.alerts.push_back({"SHEET_CHOSEN", source.file,
-                                 fmt::format("the sheet '{}' was read; sheets with a table besides: {}",
-                                             opened.table.metadata.at("sheet"), others->second),
-                                 "read another with `setae jkr import --sheet NAME`, or a mapping file that names it"});
+        opened.alerts.push_back(
+            {"SHEET_CHOSEN", source.file,
+             fmt::format("the sheet '{}' was read; other sheets with a table: {}", opened.table.metadata.at("sheet"),
+                         others->second),
+             "to read another sheet, use `setae jkr import --sheet NAME` or a mapping file that names it"});
     for (const auto& sentence : loop.taken)
-        opened.alerts.push_back({"COLUMN_GUESSED", source.file, sentence,
-                                 "name another by --column ROLE=COLUMN (in a study columns = { ROLE = \"COLUMN\" })"});
+        opened.alerts.push_back(
+            {"COLUMN_GUESSED", source.file, sentence, "to use another column, set columns = { ROLE = \"COLUMN\" }"});
     if (!loop.unused.empty())
         opened.alerts.push_back({"COLUMN_UNUSED", source.file,
                                  fmt::format("not used: {}", fmt::join(loop.unused, ", ")),
-                                 "name it force, displacement, contact_radius or time where it is one of them"});
+                                 "if one of them is force, displacement, contact_radius or time, name it so"});
     return opened;
 }
 
@@ -106,7 +107,7 @@ Table radii_of(const CameraInput& camera, std::vector<Alert>& alerts) {
     if (const auto lost = found.not_found + found.bad; lost > 0)
         alerts.push_back({"FRAMES_BAD", camera.file,
                           fmt::format("{} of {} frames have no contact radius", lost, found.frames),
-                          "see `setae jkr radius` with --overlay for what is wrong with them"});
+                          "look at these frames in the overlay of `setae jkr radius`"});
     return imaging::as_table(radii);
 }
 
@@ -124,10 +125,11 @@ void align(OpenedLoop& opened, const LoopSource& source) {
         });
         offset = opened.clock->offset.value;
         if (!opened.clock->doubt.empty())
-            opened.alerts.push_back({"CLOCK_DOUBTFUL", source.file,
-                                     fmt::format("the camera's clock was set {:.4g} s behind the force's, but {}",
-                                                 offset, opened.clock->doubt),
-                                     "compare jump-in and pull-off in both records and give the offset"});
+            opened.alerts.push_back(
+                {"CLOCK_DOUBTFUL", source.file,
+                 fmt::format("the clock of the camera was set {:.4g} s after that of the force, but {}", offset,
+                             opened.clock->doubt),
+                 "compare jump-in and pull-off in both records and give the offset"});
     }
     opened.table = naming(source.camera->file, [&] { return tables::merged_by_time(opened.table, camera, offset); });
     if (opened.clock)
@@ -169,7 +171,7 @@ void require_constants(const Table& curve, const std::string& file) {
     if (const auto missing = curve.metadata.find("missing"); missing != curve.metadata.end())
         throw FormatError(
             file, {},
-            fmt::format("the file does not say the {}; give it: --spring-constant, --sensitivity", missing->second));
+            fmt::format("the file does not state the {}; give `spring_constant` and `sensitivity`", missing->second));
 }
 
 OpenedLoop open_loop(const LoopSource& source) {
@@ -197,11 +199,12 @@ void add_small_work(loops::LoopAnalysis& analysis, const loops::LensAndCounterBo
     const double power = 3.0 * std::round(std::log10(usual / work.value) / 3.0);
     analysis.alerts.push_back(
         {"UNITS_IMPLAUSIBLE", file,
-         fmt::format(
-             "W = {} is below {}: forces of {} are too small for a radius of {}, the likely factor is 10^{:.0f}",
-             format_value(work.value, "J/m2", 3), format_value(least_work_of_adhesion, "J/m2", 3),
-             format_value(1.5 * pi * bodies.radius * work.value, "N", 3), format_value(bodies.radius, "m", 3), power),
-         "check the units of force and radius"});
+         fmt::format("W = {} is below {}: forces of {} are too small for a sphere radius of {}, and the likely "
+                     "factor is 10^{:.0f}",
+                     format_value(work.value, "J/m2", 3), format_value(least_work_of_adhesion, "J/m2", 3),
+                     format_value(1.5 * pi * bodies.radius * work.value, "N", 3), format_value(bodies.radius, "m", 3),
+                     power),
+         "check the units of force and sphere radius"});
 }
 
 }  // namespace

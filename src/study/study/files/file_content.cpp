@@ -54,8 +54,8 @@ FileContent content_of_toml(const std::string& file) {
         content.study = read_study(file);
     } else {
         throw FormatError(file, {},
-                          "TOML without a key that setae knows; expected a study ([surfaces.NAME], [[experiments]] …), "
-                          "a recipe ([protocols.NAME]), a mapping ([columns.NAME], [table]) or processing ([[steps]])");
+                          "TOML without a known key; expected a study ([surfaces.NAME], [[experiments]] …), a recipe "
+                          "([protocols.NAME]), a mapping ([columns.NAME], [table]) or processing ([[steps]])");
     }
     return content;
 }
@@ -236,8 +236,9 @@ FileContent content_of_measurement(const std::string& file, const bytes::Source&
             throw;
         }
     }
-    return content_of_foreign_loop(file, named.force ? "no column of displacement or contact radius"
-                                                     : "no column of force; a mapping says how the others make one");
+    return content_of_foreign_loop(file, named.force
+                                             ? "no column of displacement or contact radius"
+                                             : "no column of force; a mapping can define force from the other columns");
 }
 
 bool ends_with_any(const std::string& file, std::initializer_list<const char*> endings) {

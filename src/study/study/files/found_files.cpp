@@ -91,10 +91,10 @@ FoundFiles found_files(const std::vector<std::string>& paths) {
             found.unreadable.push_back(
                 {path,
                  found.own.size() > own
-                     ? fmt::format("{}: a folder that holds nothing but what setae wrote; name its files to look "
-                                   "at them",
+                     ? fmt::format("{}: the folder contains only files that setae wrote; name its files to read them",
                                    path)
-                     : fmt::format("{}: a folder without files; hidden files and linked folders are left out", path)});
+                     : fmt::format("{}: the folder contains no files; hidden files and linked folders are left out",
+                                   path)});
     }
     return found;
 }

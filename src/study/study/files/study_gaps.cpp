@@ -153,9 +153,9 @@ private:
             const auto spectrum = tables::read_power_spectrum_table(*surface.power_spectrum, surface.spectrum_units);
             if (spectrum.metadata.contains("units"))
                 add(line, shown(*surface.power_spectrum),
-                    "no units: taken as q [1/m] and C1D [m3]; power_spectrum_unit says them");
+                    "the table states no units: q [1/m] and C1D [m3] are assumed; state them in power_spectrum_unit");
             if (spectrum.find("standard_error") == nullptr)
-                add(line, shown(*surface.power_spectrum), "no errors: ± of what follows from it leave its own out");
+                add(line, shown(*surface.power_spectrum), "no standard errors: the ± of all results leave them out");
         });
     }
 
@@ -173,8 +173,9 @@ private:
         const bool member = info.metadata.attributes.contains("member");
         const auto item = shown(input.file) + (member ? fmt::format(" ({})", info.name) : "");
         if (info.unit.empty())
-            add(lines_.asking(line, {"unit"}), item, "no unit of its heights: it cannot be read without");
-        if (info.size.empty()) add(lines_.asking(line, {"size"}), item, "no size: it cannot be read without");
+            add(lines_.asking(line, {"unit"}), item, "no unit of heights, without which the file cannot be read");
+        if (info.size.empty())
+            add(lines_.asking(line, {"size"}), item, "no size, without which the file cannot be read");
         const auto& stated = info.metadata.instrument;
         const bool probe = input.tip_radius || input.tip_file || input.resolution || input.numerical_aperture ||
                            input.foil_thickness || stated.tip_radius || stated.resolution ||
@@ -197,14 +198,16 @@ private:
         const auto line = StudyLines::line_of(lines_.at("elastomers", elastomer.name));
         if (!loops)
             add(lines_.asking(line, {"youngs_modulus"}), "elastomer " + elastomer.name,
-                "no modulus, neither youngs_modulus nor a loop on it: nothing is predicted of it");
+                "no modulus: neither youngs_modulus nor a loop is given, so that nothing can be predicted for "
+                "this elastomer");
     }
 
     void look_at(const ExperimentInput& experiment, std::size_t line) {
         if (!experiment.sphere_radius && !study_.elastomer(experiment.elastomer)->sphere_radius)
             add(lines_.asking(line, {"sphere_radius"}), shown(experiment.file),
-                fmt::format("no sphere_radius, neither of the experiment nor of elastomer '{}': it cannot be fitted",
-                            experiment.elastomer));
+                fmt::format(
+                    "no sphere_radius, neither for the experiment nor for elastomer '{}': the loop cannot be fitted",
+                    experiment.elastomer));
         // contact radii in pictures take minutes to find
         if (experiment.camera)
             try_to_open(line, experiment.camera->file, [&] {

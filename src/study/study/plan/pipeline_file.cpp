@@ -74,7 +74,7 @@ public:
         std::set<std::string> seen;
         for (const auto& item : items) {
             if (!seen.insert(item.key).second)
-                fail(item.line, fmt::format("key '{}' stands twice in a step", item.key));
+                fail(item.line, fmt::format("key '{}' is given twice in a step", item.key));
             if (item.key == name_key) continue;
             if (item.key == switch_key) entry.on = flag(item);
             else guarded(item.line, [&] { processing::set_parameter(entry.step, {item.key, item.value}); });
@@ -133,11 +133,12 @@ Pipeline from_yaml(const std::string& text, const std::string& path) {
     const auto root = bytes::parsed_yaml(text, path);
     if (!root.IsMap()) builder.fail(1, fmt::format("expected a key '{}' with a list of steps", list_key));
     for (const auto& entry : root) {
-        if (!entry.first.IsScalar()) builder.fail(line_of(entry.first), "a key that is no text");
+        if (!entry.first.IsScalar()) builder.fail(line_of(entry.first), "a key is not a text");
         if (entry.first.Scalar() != list_key) builder.refuse_key({entry.first.Scalar(), "", line_of(entry.first)});
         if (entry.second.IsNull()) continue;
         if (!entry.second.IsSequence())
-            builder.fail(line_of(entry.second), fmt::format("{}: expected a list, a dash before each step", list_key));
+            builder.fail(line_of(entry.second),
+                         fmt::format("{}: expected a list, with a dash before each step", list_key));
         for (const auto& step : entry.second) {
             if (step.IsScalar()) {
                 builder.add_line({"", step.Scalar(), line_of(step)});
@@ -148,7 +149,7 @@ Pipeline from_yaml(const std::string& text, const std::string& path) {
                              fmt::format("expected a step: a key '{}' and its parameters, or one text", name_key));
             std::vector<Item> items;
             for (const auto& pair : step) {
-                if (!pair.first.IsScalar()) builder.fail(line_of(pair.first), "a key that is no text");
+                if (!pair.first.IsScalar()) builder.fail(line_of(pair.first), "a key is not a text");
                 items.push_back(
                     {pair.first.Scalar(), value_of(pair.second, pair.first.Scalar(), builder), line_of(pair.first)});
             }
@@ -225,8 +226,9 @@ Ending ending_of(const std::string& path) {
 Pipeline read_pipeline(const std::string& path) {
     const auto source = bytes::file_source(path);
     if (source.size > longest_file)
-        throw FormatError(path, {},
-                          fmt::format("{} bytes are no pipeline; expected at most {}", source.size, longest_file));
+        throw FormatError(
+            path, {},
+            fmt::format("{} bytes are too many for a pipeline; expected at most {}", source.size, longest_file));
     return ending_of(path) == Ending::yaml ? from_yaml(source.all(), path) : from_toml(path);
 }
 

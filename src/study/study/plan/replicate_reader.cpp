@@ -52,7 +52,7 @@ struct Places {
 };
 
 [[noreturn]] void fail(const tables::TextTable& table, const std::string& what) {
-    throw FormatError(table.path, {}, what + "; it has " + table.names());
+    throw FormatError(table.path, {}, what + "; the columns are " + table.names());
 }
 
 std::size_t required(const tables::TextTable& table, const std::string& name, const std::string& remedy) {
@@ -66,7 +66,7 @@ Places places_of(const tables::TextTable& table, const ReplicateColumns& wanted,
     Places places;
     if (!wanted.value_column.empty()) places.value = required(table, wanted.value_column, "");
     else if (const auto found = table.find(names_of(wanted.quantity))) places.value = *found;
-    else fail(table, fmt::format("no column of '{}'; name it by --value", wanted.quantity));
+    else fail(table, fmt::format("no column of '{}'; name it in `value`", wanted.quantity));
     const auto& value = table.columns[places.value];
     if (!wanted.error_column.empty()) places.error = required(table, wanted.error_column, "");
     else places.error = table.find(error_names(value.name));
@@ -87,7 +87,7 @@ Places places_of(const tables::TextTable& table, const ReplicateColumns& wanted,
     if (unit.empty())
         throw FormatError(
             table.path, {},
-            fmt::format("column '{}' has no unit; write it as \"{} [mJ/m2]\" or give --unit", value.name, value.name));
+            fmt::format("column '{}' has no unit; write it as \"{} [mJ/m2]\" or give `unit`", value.name, value.name));
     const auto parsed = parse_unit(unit);
     places.factor = places.error_factor = parsed.factor;
     places.unit = si_unit(parsed.dimension);
@@ -117,7 +117,7 @@ std::vector<std::string> levels_of(const std::vector<tables::TextTable>& tables,
         if (std::all_of(tables.begin(), tables.end(), has)) levels.emplace_back(name);
         else if (levels.empty()) break;
     }
-    if (levels.empty()) fail(tables.front(), "no column 'surface'; name the groups by --group-by, outermost first");
+    if (levels.empty()) fail(tables.front(), "no column 'surface'; name the groups in `group_by`, outermost first");
     return levels;
 }
 
@@ -186,7 +186,7 @@ std::vector<Candidate> chosen_rows(const std::vector<tables::TextTable>& tables,
         if (!choice.wanted.empty() || (named_primary && choice.column == &Places::method)) continue;
         if (const auto seen = kinds(choice.column); seen.size() > 1)
             throw InvalidArgument(
-                fmt::format("several kinds of '{}': {}; the same loop would count more than once, choose one by --{}",
+                fmt::format("several kinds of '{}': {}; one loop would count several times; choose one with `{}`",
                             choice.what, fmt::join(seen, ", "), choice.what));
     }
     // a contact's whole loop and its cycles are the same energy twice
@@ -202,7 +202,8 @@ void require_complete(const ExclusionRule& rule) {
     if (rule.reason.empty())
         throw InvalidArgument(fmt::format("exclusion '{}' without a reason; add reason=…", rule.where));
     if (rule.conditions.empty())
-        throw InvalidArgument(fmt::format("exclusion '{}' names no row; expected such as file=loop.csv", rule.where));
+        throw InvalidArgument(
+            fmt::format("exclusion '{}' names no row; expected for instance file=loop.csv", rule.where));
 }
 
 }  // namespace
@@ -250,7 +251,7 @@ std::vector<ExclusionRule> read_exclusions(const std::string& path) {
             }
             if (rule.reason.empty()) entry.fail("reason", "an exclusion without a reason");
             if (rule.conditions.empty())
-                entry.fail("file", "an exclusion that names no row; expected such as file = \"loop.csv\"");
+                entry.fail("file", "an exclusion names no row; expected for instance file = \"loop.csv\"");
             rules.push_back(std::move(rule));
         });
         reader.finish();
@@ -272,7 +273,7 @@ std::vector<ExclusionRule> read_exclusions(const std::string& path) {
 
 ReplicateTables read_replicates(const std::vector<std::string>& paths, const ReplicateColumns& columns,
                                 const std::vector<ExclusionRule>& exclusions) {
-    if (paths.empty()) throw InvalidArgument("no table; expected CSV files with a row for each fit");
+    if (paths.empty()) throw InvalidArgument("no table is given; expected CSV files with a row for each fit");
     std::vector<tables::TextTable> tables;
     for (const auto& path : paths) tables.push_back(tables::read_text_table(path));
     ReplicateTables result;
@@ -284,7 +285,7 @@ ReplicateTables read_replicates(const std::vector<std::string>& paths, const Rep
         places.push_back(places_of(table, columns, data.levels));
         if (places.back().unit != places.front().unit)
             throw FormatError(table.path, {},
-                              fmt::format("'{}' in {}; in {} it is in {}", data.quantity, places.back().unit,
+                              fmt::format("'{}' in {}, but in {} the unit is {}", data.quantity, places.back().unit,
                                           tables.front().path, places.front().unit));
     }
     data.unit = places.front().unit;

@@ -38,11 +38,12 @@ std::vector<Alert> speeds_beyond_bulk(const Hysteresis& hysteresis) {
             alerts.push_back(
                 {"SPEED_BEYOND_BULK", elastomer.elastomer,
                  fmt::format(
-                     "on {} its edge needs {} times as much at speed as at rest, where the relaxation stated for "
-                     "its bulk can take at most {:.3g} times as much",
+                     "on {} the contact edge needs {} times the work at speed that it needs at rest, but the stated "
+                     "relaxation of the bulk allows at most {:.3g} times",
                      farthest->surface, format_uncertain(at_speed, "1"), bound),
-                 "the relaxation lacks its fast terms, or the edge loses energy by itself: measure the modulus at higher "
-                 "frequencies, or leave `relaxation` to the bulk and take the speed from the references alone"});
+                 "measure the modulus at higher frequencies if fast terms of the relaxation are missing; if the "
+                 "edge itself loses energy, use `relaxation` only for the bulk and take the speed dependence "
+                 "from the references"});
     }
     return alerts;
 }

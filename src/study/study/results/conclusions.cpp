@@ -208,7 +208,7 @@ std::vector<adhesion::PartialContactPoint> Concluding::partial_points(const Para
 Outcome<adhesion::FreeEnergyFit> Concluding::fit_free() const {
     const auto found = free_points(whole_spectra(), 1.0);
     if (found.size() < 2)
-        return Outcome<adhesion::FreeEnergyFit>::missing("fewer than 2 pairs with a measured work of adhesion");
+        return Outcome<adhesion::FreeEnergyFit>::missing("fewer than 2 pairs have a measured work of adhesion");
     auto fit = adhesion::fit_with_free_energies(found);
     fit.generalised = adhesion::fit_free_energies_generalised(found, fit);
     return fit;
@@ -226,7 +226,8 @@ Outcome<adhesion::StrainedInterfaceFit> Concluding::fit_interface() const {
 Outcome<std::vector<PairPoint>> Concluding::reference_scaled(std::vector<PairPoint> modified) const {
     for (auto& point : modified) {
         const auto reference = reference_work(result_, point.elastomer);
-        if (!reference) return Outcome<std::vector<PairPoint>>::missing("no smooth reference on " + point.elastomer);
+        if (!reference)
+            return Outcome<std::vector<PairPoint>>::missing("no smooth reference is given on " + point.elastomer);
         point = adhesion::reference_scaled_point(std::move(point), *reference);
     }
     return modified;
@@ -236,7 +237,7 @@ Outcome<adhesion::WorkFit> Concluding::fit_reference_scaled() const {
     const auto scaled = reference_scaled(points(adhesion::modified_point, whole_spectra()));
     if (!scaled) return Outcome<adhesion::WorkFit>::missing(scaled.reason);
     if (scaled->size() < 2)
-        return Outcome<adhesion::WorkFit>::missing("fewer than 2 pairs with a measured work of adhesion");
+        return Outcome<adhesion::WorkFit>::missing("fewer than 2 pairs have a measured work of adhesion");
     auto fit = adhesion::fit_work_of_adhesion(*scaled);
     fit.posterior = adhesion::WorkPosterior(*scaled).work_of_adhesion();
     return fit;
@@ -400,28 +401,32 @@ void add_alerts(PairResult& pair) {
     if (!pair.modified->work.conforms)
         pair.alerts.push_back(
             {"WILL_NOT_CONFORM", subject,
-             fmt::format("(7) gives {:.3g} mJ/m2; contact on {:.0f} % of the area gains {:.2g}",
+             fmt::format("the full-contact balance (Eq. 7) gives {:.3g} mJ/m2; contact on {:.0f} % of the area gains "
+                         "{:.2g}",
                          1e3 * pair.modified->work.raw, 100.0 * pair.contact.area_fraction,
                          1e3 * pair.partial_contact->value),
-             "(7) is floored at 0: area and energy of full contact do not apply; docs/concepts/conformity.md"});
+             "use the values of partial contact: area and energy of full contact do not apply, since the "
+             "balance is negative and floored at 0; see docs/concepts/conformity.md"});
     if (pair.closing() == adhesion::Closing::under_pressure) {
         const auto& band = *pair.scales->pressed;
         pair.alerts.push_back(
             {"NEEDS_PRESSURE", subject,
-             fmt::format(
-                 "the roughness above q does not close by itself for q between {:.3g} and {:.3g} 1/m: it stores "
-                 "more than {:.2f} of what it gains; 99 % of it take {:.3g} kPa to close",
-                 band.lower, band.upper, adhesion::closing_energy_share,
-                 1e-3 * pair.scales->closing_pressure.maxCoeff()),
-             "what is measured on approach may be partial contact; press harder, or compare with loops of other loads"});
+             fmt::format("the roughness above q comes into full contact only under pressure, for q between {:.3g} and "
+                         "{:.3g} 1/m: it stores more than {:.2f} of the energy that contact gains; 99 % contact needs "
+                         "{:.3g} kPa",
+                         band.lower, band.upper, adhesion::closing_energy_share,
+                         1e-3 * pair.scales->closing_pressure.maxCoeff()),
+             "press harder, or compare with loops at other loads: contact measured on approach may be "
+             "partial"});
     }
     if (const auto& band = pair.scales->bridging)
         pair.alerts.push_back(
             {"CONFORMAL_INVALID", subject,
-             fmt::format(
-                 "the roughness above q stores more than it gains for q between {:.3g} and {:.3g} 1/m (wavelengths {:.3g} to {:.3g} m)",
-                 band->lower, band->upper, 2.0 * pi / band->upper, 2.0 * pi / band->lower),
-             "the solid would rather bridge these wavelengths than conform"});
+             fmt::format("the roughness above q stores more energy than contact gains, for q between {:.3g} and {:.3g} "
+                         "1/m (wavelengths {:.3g} to {:.3g} m)",
+                         band->lower, band->upper, 2.0 * pi / band->upper, 2.0 * pi / band->lower),
+             "do not use area and energy of full contact at these wavelengths, where the solid rather forms "
+             "bridges"});
 }
 
 /// What was measured of other pairs scatters about (7), and so will this one.
@@ -493,7 +498,7 @@ void Concluding::test() {
         if (point.measured.uncertain()) tested.push_back(std::move(point));
         else
             left_out.push_back(
-                fmt::format("{} × {}: no standard error of the measured value", point.surface, point.elastomer));
+                fmt::format("{} × {}: the measured value has no standard error", point.surface, point.elastomer));
     }
     try {
         auto test = adhesion::test_predictions(tested, to_.traced_work_of_adhesion, !result_.study.work_of_adhesion);

@@ -17,7 +17,7 @@ constexpr double full_contact_share = 0.15;  ///< of U_el/(A W): patches close t
 
 void require_prediction(const PairResult& pair) {
     if (!pair.modified || !pair.partial_contact)
-        throw InternalError(pair.surface + " × " + pair.elastomer + ": no theory has been evaluated for this pair");
+        throw InternalError(pair.surface + " × " + pair.elastomer + ": no theory was evaluated for this pair");
 }
 
 /// W_int r − γ1 (r − 1): what full contact gains before it stores anything [J/m²].
@@ -46,7 +46,8 @@ std::optional<ContactAnswer> by_persson(const StudyResult& result, const PairRes
 
 std::string reason_for(const PairResult& pair) {
     const double e = energy_share(pair), area = 100.0 * pair.contact.area_fraction;
-    if (!std::isfinite(e)) return "stretching the soft side costs more than full contact gains: no contact forms";
+    if (!std::isfinite(e))
+        return "stretching the soft side costs more energy than full contact gains, so that no contact forms";
     if (e <= full_contact_share)
         return fmt::format(
             "roughness stores {:.2g} of what full contact gains: the contact closes spontaneously, and the "
@@ -72,9 +73,9 @@ TheoryText text_of(ContactTheory theory) {
                     "Gaussian roughness with the surface's spectrum, no load, attraction without range, the branch of "
                     "retraction"};
         case ContactTheory::simulated_cell:
-            return {
-                "simulated_cell", "simulated cell",
-                "the band of the surface's spectrum that stores most, attraction with a range of tenths of the height"};
+            return {"simulated_cell", "simulated cell",
+                    "the band of the surface's spectrum that stores most energy, attraction with a range of tenths "
+                    "of the height"};
     }
     throw InternalError("a theory of contact without a name");
 }

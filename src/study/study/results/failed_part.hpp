@@ -19,7 +19,7 @@ inline void add_failed_part(std::vector<Alert>& alerts, const std::string& part,
     });
     if (!known)
         alerts.push_back(
-            {part_failed, part, reason, "look at the values that it rests on; everything else is complete"});
+            {part_failed, part, reason, "check the values that this part uses; all other results are complete"});
 }
 
 /// Computes a part of a study; where that fails, the others are computed all the same. @throws Cancelled.

@@ -60,9 +60,10 @@ std::vector<Alert> pinning_alerts(const std::vector<PairHysteresis>& pairs) {
     }
     if (beyond.empty()) return {};
     return {{"PINNING_EXTRAPOLATED", fmt::format("{}", fmt::join(beyond, ", ")),
-             "k of the pinning models is extrapolated: no front of this U_el/AW and as many Larkin lengths N was "
-             "simulated; the standard error of k counts the distance",
-             "take the pinning models for estimates there; docs/validation/crack-front.md has the range"}};
+             "k of the pinning models is extrapolated: no simulated front has this U_el/AW and this number N "
+             "of Larkin lengths; the standard error of k includes the distance",
+             "use the pinning models as estimates for these pairs; see the simulated range in "
+             "docs/validation/crack-front.md"}};
 }
 
 class HysteresisOf {

@@ -23,10 +23,11 @@ std::optional<Alert> contradiction(const std::string& subject, const LossOfWorks
         return std::nullopt;
     return Alert{
         "LOSS_CONTRADICTS_WORKS", subject,
-        fmt::format("it lost {}, where an edge that needs its W_app in and its W_ret all the way out would lose {}",
+        fmt::format("the loop lost {}; with W_app during the whole approach and W_ret during the whole retraction "
+                    "it would lose {}",
                     format_uncertain(measured, "J"), format_uncertain(by_works.energy.estimate(), "J")),
-        "W_ret is read at pull-off and need not be the work of the whole retraction: look at G(a) along the "
-        "retraction, and take energies from the loops, not from the works"};
+        "look at G(a) along the retraction, and use energies from the loops instead of the works: W_ret "
+        "is measured at pull-off and may differ from the work of the whole retraction"};
 }
 
 }  // namespace

@@ -92,7 +92,9 @@ std::string shares_of(const StudyResult& result, const std::string& elastomer) {
     for (const auto& pair : result.pairs)
         if (pair.elastomer == elastomer && pair.reference_share)
             shares.push_back(fmt::format("{:.0f} % of {}", 100.0 * pair.reference_share->value, pair.surface));
-    return shares.empty() ? "" : fmt::format("; of the hysteresis on rough surfaces it is {}", fmt::join(shares, ", "));
+    return shares.empty()
+               ? ""
+               : fmt::format("; as a share of the hysteresis on rough surfaces, this is {}", fmt::join(shares, ", "));
 }
 
 /// An alert unless the test shows that there is less than the margin.
@@ -109,8 +111,8 @@ void require_equivalence(StudyResult& result, const char* code, const ReferenceR
              ? fmt::format("{} of the smooth reference is {}, more than the margin of {} (two one-sided tests){}", what,
                            shown, margin, besides)
              : fmt::format(
-                   "{} of the smooth reference is {}: that it is below the margin of {} is not shown (p = {:.2g} "
-                   "of two one-sided tests){}",
+                   "{} of the smooth reference is {}; the data do not show that it is below the margin of {} (p = "
+                   "{:.2g} of two one-sided tests){}",
                    what, shown, margin, test.probability, besides),
          advice});
 }
@@ -167,12 +169,13 @@ void evaluate_references(StudyResult& result) {
         require_equivalence(
             result, "REFERENCE_HYSTERESIS", reference, reference.hysteresis, "W_ret at pull-off less W_app",
             shares_of(result, reference.elastomer),
-            "part of the rough loops' hysteresis is not roughness: compare rates and holds, and take it "
-            "off before conclusions");
+            "part of the hysteresis of the rough loops is not due to roughness: compare speeds and holds, "
+            "and subtract this part before drawing conclusions");
         if (reference.loss_per_area)
-            require_equivalence(result, "REFERENCE_LOSS", reference, *reference.loss_per_area,
-                                "energy lost per contact area, beyond what a smooth sphere's jumps cost,", "",
-                                "part of the rough loops' loss is not roughness: look at rate, drift and the lens");
+            require_equivalence(
+                result, "REFERENCE_LOSS", reference, *reference.loss_per_area,
+                "the energy lost per unit contact area, beyond the jumps of a smooth sphere,", "",
+                "part of the loss of the rough loops is not due to roughness: check speed, drift and the sphere");
     }
     for (const auto& before : measured) {
         if (before.stage != "before") continue;

@@ -131,11 +131,10 @@ void look_for_copies(SurfaceResult& surface, const std::vector<std::string>& con
     const auto [first, second] = first_copy(groups, items);
     surface.alerts.push_back(
         {"SAME_MEASUREMENT", surface.name,
-         fmt::format(
-             "its {} measurements hold {} different ones, {}; each is counted, so that intervals are too narrow "
-             "by a factor of up to {:.2g}",
-             items.size(), different, listed_again(all[first].file, all[second].file),
-             std::sqrt(static_cast<double>(items.size()) / static_cast<double>(different))),
+         fmt::format("{} measurements of the surface contain {} different ones, {}; each is counted, so that "
+                     "intervals are too narrow by a factor of up to {:.2g}",
+                     items.size(), different, listed_again(all[first].file, all[second].file),
+                     std::sqrt(static_cast<double>(items.size()) / static_cast<double>(different))),
          "list each measurement once"});
 }
 
@@ -154,11 +153,10 @@ void look_for_same_loops(StudyResult& result) {
     const auto [first, second] = first_copy(groups, items);
     result.alerts.push_back(
         {"SAME_MEASUREMENT", result.study.title,
-         fmt::format(
-             "its {} loops hold {} different records, {}; each is counted, so that standard errors are too small "
-             "and elastomers or surfaces may agree because they share a record",
-             items.size(), different, listed_again(all[first].input.file, all[second].input.file)),
-         "list each loop once, on the elastomer and surface it was measured on"});
+         fmt::format("{} loops of the study contain {} different records, {}; each is counted, so that standard "
+                     "errors are too small and elastomers or surfaces may agree because they share a record",
+                     items.size(), different, listed_again(all[first].input.file, all[second].input.file)),
+         "list each loop once, on the elastomer and surface on which it was measured"});
 }
 
 }  // namespace setae::study

@@ -49,7 +49,7 @@ InputFile digested(const std::string& path) {
     input.sha256 = bytes::sha256(source);
     input.size = source.size;
     input.settled = bytes::age_of_change(path) > clock_step;
-    if (bytes::file_state(path) != input.state) throw FileError(path + ": changed while it was read");
+    if (bytes::file_state(path) != input.state) throw FileError(path + ": the file changed while it was read");
     return input;
 }
 

@@ -60,8 +60,9 @@ loops::LensAndCounterBody bodies_of(const ExperimentInput& input, const Study& s
     const auto& elastomer = *study.elastomer(input.elastomer);
     const auto radius = input.sphere_radius ? input.sphere_radius : elastomer.sphere_radius;
     if (!radius)
-        throw InvalidArgument(fmt::format("{}: no sphere_radius, neither of the experiment nor of elastomer '{}'",
-                                          input.file, elastomer.name));
+        throw InvalidArgument(
+            fmt::format("{}: no sphere_radius is given, neither for the experiment nor for elastomer '{}'", input.file,
+                        elastomer.name));
     loops::LensAndCounterBody bodies;
     bodies.radius = radius->value;
     bodies.lens_poisson_ratio = elastomer.poisson_ratio.value;
@@ -151,9 +152,10 @@ ExperimentResult analyse_experiment(const ExperimentInput& stated, const Study& 
         const auto inputs = uncertain_inputs(input, *study.elastomer(input.elastomer));
         result.dependence = dependence_of(result, inputs, key, record, run);
         for (const auto& lost : result.dependence.lost)
-            result.alerts.push_back({"INPUT_LOST", input.file, lost,
-                                     "its standard error is missing in what follows from the loop: state the segments "
-                                     "by `segments`, or look at the alerts of the loop"});
+            result.alerts.push_back(
+                {"INPUT_LOST", input.file, lost,
+                 "its standard error is missing in all results of the loop: set the segments in `segments`, or "
+                 "look at the warnings of the loop"});
         if (input.reference && !study.elastomer(input.elastomer)->crack_speed)
             result.edge_speed = edge_speed_of(result, key, run);
         if (input.models.any()) result.models = loop_models(*result.analysis, bodies, options, input.models);
@@ -208,7 +210,8 @@ Outcome<Hysteresis> way_back_of(StudyResult& result, parallel::Threads threads) 
         result.pairs, [](const PairResult& pair) { return pair.approach && (pair.retraction || pair.pull_off); });
     if (measured > most_ranked_by_studies)
         return Missing::missing(
-            fmt::format("ranking laws by {} pairs takes minutes: setae predict {}", measured, result.study.path));
+            fmt::format("ranking retraction models over {} pairs takes minutes; run setae predict {}", measured,
+                        result.study.path));
     try {
         return hysteresis_of(result, {}, threads);
     } catch (const UndefinedDataError& error) {
@@ -239,8 +242,8 @@ void look_for_changed_inputs(StudyResult& result) {
         input.sha256.clear();
         result.alerts.push_back(
             {"INPUT_CHANGED", input.path,
-             "another program changed this file during the run; numbers may be of its old content or "
-             "of the new one, and are not kept for later runs",
+             "another program changed this file during the run; results may be those of its old or of its "
+             "new content, and are not kept for later runs",
              "wait until the file is complete, then run the study again"});
     }
 }
@@ -266,7 +269,7 @@ StudyResult run_study(Study study, const RunOptions& options) {
     expect_steps(inputs, run);
     if (inputs.surfaces.empty() && inputs.experiments.empty())
         result.alerts.push_back({"EMPTY_STUDY", inputs.title,
-                                 "the study names no surface and no experiment: there is nothing to conclude from",
+                                 "the study names no surface and no experiment, so that it has no results",
                                  "add [surfaces.NAME] or [[experiments]], see docs/guides/study.md"});
     result.surfaces = analyse_surfaces(inputs, run, options.threads);
     result.experiments.resize(inputs.experiments.size());

@@ -130,7 +130,7 @@ void estimate_by_average(SurfaceResult& surface, const SurfaceAnalysisOptions& o
     const auto found = spectra_of(surface.measurements);
     if (found.empty())
         throw UndefinedDataError(
-            fmt::format("none of its {} measurements could be analysed", surface.measurements.size()));
+            fmt::format("none of the {} measurements could be analysed", surface.measurements.size()));
     spectra::CombinationOptions combination;
     combination.weighting = options.weighting;
     surface.combined = spectra::combine(found, combination);

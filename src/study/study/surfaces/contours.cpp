@@ -56,10 +56,10 @@ ContourProfile profile_of(const imaging::ContourSegment& segment, const TracedPi
 
 Alert foil_alert(const std::string& subject, const std::optional<double>& thickness) {
     if (thickness) return foil_projection_alert(subject, *thickness);
-    return {
-        "FOIL_THICKNESS", subject,
-        "the contour is the silhouette of a foil of unknown thickness: waves shorter than about ten times its thickness read low",
-        "give --foil-thickness; docs/concepts/tem-projection.md says how much is hidden"};
+    return {"FOIL_THICKNESS", subject,
+            "the contour is the silhouette of a foil of unknown thickness: C1D is too low for wavelengths "
+            "below about ten times the thickness",
+            "give `foil_thickness`; docs/concepts/tem-projection.md gives the size of the effect"};
 }
 
 void take(std::vector<Alert>& alerts, std::vector<Alert> more, const std::string& subject) {

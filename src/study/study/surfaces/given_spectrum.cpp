@@ -41,9 +41,11 @@ void add_stated_errors(SurfaceResult& surface, const PublishedMoments& moments, 
     auto& spread = surface.average.spread;
     auto own = moments;
     const auto incomplete = [&](const std::string& what, const InvalidArgument& error) {
-        surface.alerts.push_back({"SPREAD_INCOMPLETE", surface.name,
-                                  fmt::format("the ± of {} leads outside self-affine spectra: {}", what, error.what()),
-                                  "the standard errors leave it out"});
+        surface.alerts.push_back(
+            {"SPREAD_INCOMPLETE", surface.name,
+             fmt::format("the ± of {} includes values that no self-affine spectrum has: {}", what, error.what()),
+             "give the spectrum itself instead of its moments: the standard errors leave this contribution "
+             "out"});
     };
     const auto reconstruct = [](const PublishedMoments& of) {
         return spectrum_of(spectra::self_affine_with_moments(of.rms_height.value, of.rms_slope.value,
@@ -81,9 +83,9 @@ void add_stated_errors(SurfaceResult& surface, const PublishedMoments& moments, 
                 {"SPREAD_INCOMPLETE", surface.name,
                  fmt::format(
                      "{:.0f} % of the moments drawn within their ± belong to a self-affine spectrum with 0 < H < 1; "
-                     "standard errors are the scatter of these",
+                     "the standard errors are the scatter of these",
                      100.0 * drawn.share),
-                 "give the spectrum itself, with its errors (power_spectrum), in place of its moments"});
+                 "give the spectrum itself, with its errors (power_spectrum), instead of its moments"});
     } catch (const InvalidArgument& error) {
         incomplete("its moments", error);
     }
@@ -99,10 +101,11 @@ void take_moments(SurfaceResult& surface, const PublishedMoments& moments, const
         options);
     surface.alerts.push_back(
         {"RECONSTRUCTION", surface.name,
-         fmt::format(
-             "its spectrum is a self-affine reconstruction from three published moments with short cutoff {:.4g} 1/m",
-             moments.short_wavevector.value),
-         "it fixes rms height, slope and curvature; the stored energy in between is the model's"});
+         fmt::format("the spectrum is a self-affine reconstruction from three published moments with the short "
+                     "cutoff {:.4g} 1/m",
+                     moments.short_wavevector.value),
+         "use the stored energy as a model value: only rms height, slope and curvature are fixed by the "
+         "data"});
     add_stated_errors(surface, moments, options);
 }
 
@@ -146,8 +149,9 @@ void take_power_spectrum(SurfaceResult& surface, const SurfaceInput& input, cons
     if (without > 0)
         surface.alerts.push_back(
             {"SPECTRUM_WITHOUT_ERROR", surface.name,
-             fmt::format("{} states no errors of {} of its {} values: ± of what follows from them leave these out",
-                         file, without, q.size()),
+             fmt::format(
+                 "{} has no standard error for {} of its {} values: the ± of all results leave these errors out", file,
+                 without, q.size()),
              "fill a third column, standard_error [m3]"});
     const auto alerts = tables::alerts_of(table, surface.name);
     surface.alerts.insert(surface.alerts.end(), alerts.begin(), alerts.end());

@@ -106,9 +106,10 @@ void require_numbers(const spectral_fit::LikelihoodSpectrum& spectrum, const Spe
         return fmt::format("leaves {} between {} and {}", name, format_value(interval->lower, unit, 2),
                            format_value(interval->upper, unit, 2));
     };
-    auto reason = spectrum.converged ? known(
-                                           "h_rms", [](const auto& p) { return p.rms_height; }, "m")
-                                     : fmt::format("stopped after {} steps short of its optimum", spectrum.iterations);
+    auto reason = spectrum.converged
+                      ? known(
+                            "h_rms", [](const auto& p) { return p.rms_height; }, "m")
+                      : fmt::format("stopped after {} steps before reaching its optimum", spectrum.iterations);
     if (reason.empty())
         reason = known(
             "h'_rms", [](const auto& p) { return p.rms_slope; }, "1");
@@ -116,8 +117,8 @@ void require_numbers(const spectral_fit::LikelihoodSpectrum& spectrum, const Spe
     const auto names = without_tip(surface);
     throw UndefinedDataError(fmt::format(
         "the fit of C_iso to all measurements {}{}", reason,
-        names.empty() ? "; a measurement in the wrong unit does this, see the agreement of each instrument"
-                      : fmt::format("; of {} no tip is known, and their finest waves are believed", names)));
+        names.empty() ? "; a measurement in a wrong unit can cause this: see the agreement of each instrument"
+                      : fmt::format("; the tip of {} is not known, and its shortest waves are used", names)));
 }
 
 /// Parameters with each input one standard error larger and smaller: of the moved spectrum, over the moved band.
@@ -157,9 +158,11 @@ void estimate_by_likelihood(SurfaceResult& surface, std::vector<PreparedMeasurem
         if (const auto points = points_in_lines(p.measurement); points < least_points) {
             surface.alerts.push_back(
                 {"FEW_POINTS", surface.measurements[i].file,
-                 fmt::format("{} points in a line, fewer than {}: it is in the average, not in the fitted spectrum",
-                             points, least_points),
-                 "measure with more points, or take it out of the study"});
+                 fmt::format(
+                     "{} points per line, fewer than {}: the measurement is used in the average, but not in the "
+                     "fitted spectrum",
+                     points, least_points),
+                 "measure with more points, or remove the measurement from the study"});
             continue;
         }
         const auto names = input_names(p, surface.name);

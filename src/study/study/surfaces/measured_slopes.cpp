@@ -50,10 +50,11 @@ void use_measured_slopes(SurfaceResult& surface) {
     if (surface.likelihood) take_shape(*surface.likelihood, *surface.slope_shape);
     surface.alerts.push_back(
         {"MEASURED_SLOPES", surface.name,
-         fmt::format("the slopes of its maps are not Gaussian and isotropic: A_true/A_app − 1 is {:.3g} of what (9) "
-                     "gives, by their measured distribution",
+         fmt::format("the slopes of the maps are not Gaussian and isotropic: by their measured distribution, "
+                     "A_true/A_app − 1 is {:.3g} times the value of Eq. 9",
                      surface.used().parameters.area_shape),
-         "nothing; true_area_ratio_gaussian is (9)"});
+         "to compare with Eq. 9, use true_area_ratio_gaussian; A_true/A_app uses the measured "
+         "distribution"});
 }
 
 }  // namespace setae::study

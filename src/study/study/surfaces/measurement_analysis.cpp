@@ -62,16 +62,16 @@ spectra::SpectrumOptions spectrum_options(const SurfaceAnalysisOptions& options,
 /// What is believed because nobody says what read the heights; nothing where that is said.
 std::optional<Alert> alert_of_unstated(const topography::Metadata& metadata, bool probe_given, const Band& band) {
     const auto& instrument = metadata.instrument;
-    const auto believed = fmt::format("waves down to {} are believed", format_value(2.0 * pi / band.upper, "m", 3));
+    const auto believed = fmt::format("waves are used down to {}", format_value(2.0 * pi / band.upper, "m", 3));
     if (instrument.resolution || instrument.tip_radius || probe_given) return std::nullopt;
     if (instrument.type.empty())
         return Alert{"NO_INSTRUMENT", topography::label(metadata),
-                     "neither file nor study says what instrument read it: " + believed,
-                     "say it: instrument = \"afm\", tip_radius = \"…\" (resolution of an optical one)"};
+                     "neither the file nor the study names the instrument: " + believed,
+                     "set instrument = \"afm\" and tip_radius = \"…\" (for an optical instrument: resolution)"};
     if (instrument.type != "afm" && instrument.type != "stylus") return std::nullopt;
     return Alert{"NO_TIP_RADIUS", topography::label(metadata),
-                 fmt::format("no radius of the {}'s tip is known: {}", instrument.type, believed),
-                 "say it: tip_radius = \"10 ± 3 nm\""};
+                 fmt::format("the tip radius of the {} is not known: {}", instrument.type, believed),
+                 "set tip_radius = \"10 ± 3 nm\", for example"};
 }
 
 /// A copy whose tip may be changed, where its radius has an error.
@@ -114,14 +114,12 @@ HeightPreview preview_of(const topography::TiledMap& map, Index lines_together) 
 
 Alert tiled_map_alert(const topography::Metadata& metadata, const topography::TiledMap& map, std::uint64_t largest) {
     const double gibibyte = std::uint64_t{1} << 30;
-    return {
-        "LARGE_MAP", topography::label(metadata),
-        fmt::format(
-            "its {} × {} heights take {:.2g} GiB, more than the {:.2g} GiB that may be held at once: it was read by bands of scan lines, without slope "
-            "distribution, triangulated area and arithmetic height",
-            map.nx, map.ny, static_cast<double>(map.nx) * static_cast<double>(map.ny) * 8.0 / gibibyte,
-            static_cast<double>(largest) / gibibyte),
-        "allow more memory (--memory) for these too"};
+    return {"LARGE_MAP", topography::label(metadata),
+            fmt::format("the {} × {} heights need {:.2g} GiB, more than the allowed {:.2g} GiB: the map was read by "
+                        "bands of scan lines, without slope distribution, triangulated area and arithmetic height",
+                        map.nx, map.ny, static_cast<double>(map.nx) * static_cast<double>(map.ny) * 8.0 / gibibyte,
+                        static_cast<double>(largest) / gibibyte),
+            "to get these results too, allow more memory (`memory`)"};
 }
 
 double length_along_x(const topography::Measurement& measurement) {
@@ -140,24 +138,23 @@ void look_at_heights(MeasurementResult& result, const topography::Metadata& meta
     const auto& real = result.real_space;
     const auto place = topography::label(metadata);
     if (!std::isfinite(real.rms_height) || !std::isfinite(real.rms_slope))
-        throw UndefinedDataError(fmt::format(
-            "{}: its heights are too large for a computation (rms height {:g} m); they are no heights in m, or mark "
-            "missing ones",
-            place, real.rms_height));
+        throw UndefinedDataError(
+            fmt::format("{}: the heights are too large for a computation (rms height {:g} m); they are not heights in "
+                        "m, or they mark missing heights",
+                        place, real.rms_height));
     if (real.rms_height < least_height)
         result.alerts.push_back(
             {"CONSTANT", place,
-             fmt::format(
-                 "its {} heights differ by {:g} m (rms) after levelling, less than any instrument distinguishes: "
-                 "they are one number, or in a wrong unit",
-                 real.defined, real.rms_height),
+             fmt::format("the {} heights differ by {:g} m (rms) after levelling, less than any instrument can "
+                         "distinguish: they are all equal, or in a wrong unit",
+                         real.defined, real.rms_height),
              "leave the file out, or state the unit of its heights"});
     else if (real.rms_slope > steepest || real.rms_height > extent)
         result.alerts.push_back(
             {"HEIGHTS_IMPLAUSIBLE", place,
-             fmt::format("rms height {} over {}, rms slope {:.3g}: some heights are no heights, or in a wrong unit",
+             fmt::format("rms height {} over {}, rms slope {:.3g}: some values are not heights, or the unit is wrong",
                          format_value(real.rms_height, "m", 3), format_value(extent, "m", 3), real.rms_slope),
-             "look at the heights (setae info --preview); mark missing ones, or state the unit"});
+             "look at the heights (setae info --preview); mark missing heights, or state the unit"});
 }
 
 /// Where points of a polyline are missing, a straight line stands for the surface and lowers slopes.
@@ -180,11 +177,10 @@ void look_for_gaps(MeasurementResult& result, const topography::Profile& profile
     if (!(bridged > least_share * extent)) return;
     result.alerts.push_back(
         {"GAP_BRIDGED", topography::label(profile.metadata),
-         fmt::format(
-             "{:.0f} % of its length lie in {} step{} of more than {:g} times the usual {}: straight lines cross "
-             "them, which lowers slopes and curvatures",
-             100.0 * bridged / extent, gaps, gaps == 1 ? "" : "s", many_steps, format_value(usual, "m", 3)),
-         "export all points, or list the parts as measurements of their own"});
+         fmt::format("{:.0f} % of the length of the profile lie in {} step{} of more than {:g} times the usual {}: "
+                     "straight lines replace them, which lowers slopes and curvatures",
+                     100.0 * bridged / extent, gaps, gaps == 1 ? "" : "s", many_steps, format_value(usual, "m", 3)),
+         "export all points, or list the parts as separate measurements"});
 }
 
 }  // namespace

@@ -136,7 +136,9 @@ std::optional<spectral_fit::Probe> probe_of(const MeasurementInput& input, const
     if (input.tip_file) {
         const auto picture = formats::read(*input.tip_file, std::nullopt, options);
         const auto* map = std::get_if<topography::HeightMap>(&picture);
-        if (!map) throw InvalidArgument(fmt::format("{}: a line does not show a tip; expected a map", *input.tip_file));
+        if (!map)
+            throw InvalidArgument(
+                fmt::format("{}: a line does not contain the shape of a tip; expected a map", *input.tip_file));
         return spectral_fit::measured_tip(topography::tip_from_picture(*map), *input.tip_file);
     }
     if (input.tip_shape == "paraboloid") return spectral_fit::paraboloid(radius());
@@ -182,9 +184,10 @@ void add_reentrance_alert(PreparedMeasurement& prepared) {
     if (!(share > 0.0)) return;
     prepared.alerts.push_back(
         {"REENTRANT", topography::label(metadata),
-         fmt::format("{:.2g} % of the traced curve's length lay on overhangs, which a profile does not show",
+         fmt::format("{:.2g} % of the length of the traced curve lay on overhangs, which a profile h(x) cannot "
+                     "contain",
                      100.0 * share),
-         "look at the curve; a share above a few per cent makes slope and curvature lower bounds"});
+         "look at the curve; if the share exceeds a few per cent, slope and curvature are lower bounds"});
 }
 
 Index undefined_among(const double* heights, Index n) {
@@ -204,7 +207,8 @@ void add_gap_alert(PreparedMeasurement& prepared) {
         prepared.alerts.push_back(
             {"UNDEFINED", metadata.file,
              fmt::format(
-                 "{} of {} heights ({:.2g} %) are undefined; spectra bridge the gaps, which the likelihood allows for and the average does not",
+                 "{} of {} heights ({:.2g} %) are undefined; spectra interpolate the gaps, which the likelihood "
+                 "takes into account and the average does not",
                  missing, heights.size(), 100.0 * share),
              "measure again if the gaps are wide"});
     };
@@ -299,9 +303,9 @@ std::string height_channels(const std::vector<formats::Channel>& channels) {
 /// Says which of several channels of heights was taken.
 Alert choice_alert(const std::string& file, const std::vector<formats::Channel>& channels, std::size_t taken) {
     return {"CHANNEL_CHOSEN", file,
-            fmt::format("its channel {} '{}' was taken, of those that hold heights: {}", taken,
-                        channels[taken].info.name, height_channels(channels)),
-            "choose another by number or name with --channel, in a study by channel"};
+            fmt::format("channel {} '{}' was used; channels with heights: {}", taken, channels[taken].info.name,
+                        height_channels(channels)),
+            "choose another channel by number or name in `channel`"};
 }
 
 }  // namespace

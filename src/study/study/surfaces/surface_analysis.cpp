@@ -115,7 +115,7 @@ void add_likelihood(SurfaceResult& surface, std::vector<PreparedMeasurement> pre
     } catch (const std::exception& error) {
         surface.likelihood_error = reason_of(error);
         surface.alerts.push_back({"LIKELIHOOD_FAILED", surface.name, surface.likelihood_error,
-                                  "its numbers rest on the average over measurements"});
+                                  "use the results with care: they are those of the average over measurements"});
     }
 }
 
@@ -131,11 +131,10 @@ void add_failure_alert(SurfaceResult& surface, const SurfaceAnalysisOptions& opt
     if (failed == 0) return;
     const auto all = std::ssize(surface.measurements);
     const bool changed = wants_likelihood(options, all) && !wants_likelihood(options, all - failed);
-    surface.alerts.push_back(
-        {"FILES_LEFT_OUT", surface.name,
-         fmt::format("{} of {} measurements failed and are left out ({}){}", failed, all, files,
-                     changed ? "; the average of the one left stands in place of the likelihood" : ""),
-         "mend the files, or take them out of the study"});
+    surface.alerts.push_back({"FILES_LEFT_OUT", surface.name,
+                              fmt::format("{} of {} measurements failed and are left out ({}){}", failed, all, files,
+                                          changed ? "; the average of the remaining one replaces the likelihood" : ""),
+                              "repair the files, or remove them from the study"});
 }
 
 /// "12 % (10 to 14)" or "a factor of 2.5 (1.9 to 3.4)": a parameter with waves that are not measured over that of the
@@ -172,13 +171,13 @@ void look_beyond_data(SurfaceResult& surface, const SurfaceAnalysisOptions& opti
     if (!(beyond.excess_area.value > (1.0 + much) * area)) return;
     surface.alerts.push_back(
         {"WAVES_BEYOND_DATA", surface.name,
-         fmt::format(
-             "waves from {:.3g} to {:.3g} nm are not in its numbers; if C_iso goes on as q^{:.2f}, they raise the rms "
-             "slope by {}, A_true/A_app − 1 by {} and U_el by {}",
-             2e9 * pi / beyond.end, 2e9 * pi / beyond.up_to, beyond.exponent.value,
-             more(beyond.rms_slope, parameters.rms_slope), more(beyond.excess_area, area),
-             more(beyond.elastic_energy_per_modulus, parameters.elastic_energy_per_modulus)),
-         "measure finer, or say where the surface's waves end (surface_shortest_wavelength)"});
+         fmt::format("the results do not contain waves from {:.3g} to {:.3g} nm; if C_iso continues as q^{:.2f}, "
+                     "these waves raise the rms slope by {}, A_true/A_app − 1 by {} and U_el by {}",
+                     2e9 * pi / beyond.end, 2e9 * pi / beyond.up_to, beyond.exponent.value,
+                     more(beyond.rms_slope, parameters.rms_slope), more(beyond.excess_area, area),
+                     more(beyond.elastic_energy_per_modulus, parameters.elastic_energy_per_modulus)),
+         "measure at smaller scales, or give the wavelength at which the waves of the surface end "
+         "(surface_shortest_wavelength)"});
 }
 
 /// What waves up to ten times as long as the longest would add, and an alert where that is much. A longest wavelength
@@ -196,13 +195,13 @@ void look_at_longer_waves(SurfaceResult& surface, const SurfaceAnalysisOptions& 
     if (!(std::max(height, energy) > 1.0 + much)) return;
     surface.alerts.push_back(
         {"BAND_LIMITED", surface.name,
-         fmt::format("waves longer than {} are not in its numbers; if the spectrum goes on as its first decade does, "
-                     "those up to {} raise h_rms by {} and U_el by {}",
+         fmt::format("the results do not contain waves longer than {}; if the spectrum continues as in its first "
+                     "decade, waves up to {} raise h_rms by {} and U_el by {}",
                      format_value(2.0 * pi / longer.end, "m"), format_value(2.0 * pi / longer.up_to, "m"),
                      more(longer.rms_height, parameters.rms_height),
                      more(longer.elastic_energy_per_modulus, parameters.elastic_energy_per_modulus)),
-         "measure a larger piece of it, by a stylus for instance; waves longer than the contact do not matter "
-         "(longest_wavelength)"});
+         "measure a larger area of the surface, for instance with a stylus; if these waves are longer "
+         "than the contact, set longest_wavelength"});
 }
 
 /// The stored energy is of first order in slopes, the area is not.
@@ -212,10 +211,10 @@ void look_at_slopes(SurfaceResult& surface) {
     if (!(slope > steep)) return;
     surface.alerts.push_back(
         {"STEEP_SLOPES", surface.name,
-         fmt::format("its rms slope of {:.2g} is above {}: the stored energy U_el ([D19] (8)) assumes small slopes and "
-                     "is approximate; A_true/A_app holds for any slope",
+         fmt::format("the rms slope of {:.2g} is above {}: the stored energy U_el ([D19] Eq. 8) assumes small slopes "
+                     "and is approximate; A_true/A_app holds for any slope",
                      slope, steep),
-         "take U_el, and works of adhesion that contain it, as estimates"});
+         "use U_el, and works of adhesion that contain it, as estimates"});
 }
 
 /// One reading has no scatter between places.
@@ -225,8 +224,8 @@ void look_for_one_place(SurfaceResult& surface) {
     if (analysed != 1) return;
     surface.alerts.push_back(
         {"ONE_PLACE", surface.name,
-         "one measurement shows no scatter between places: its ± holds what other places would read if the surface is "
-         "alike everywhere",
+         "one measurement shows no variation between places: its ± holds for other places only if the "
+         "surface is the same everywhere",
          "measure three places or more"});
 }
 
@@ -250,8 +249,8 @@ void require_numbers(const SurfaceResult& surface) {
             continue;
         const auto& band = spectrum->curve.band;
         throw UndefinedDataError(fmt::format(
-            "its spectrum ({}) gives no rms height, slope and energy: waves from {} to {} are left; widen "
-            "longest_wavelength and shortest_wavelength",
+            "the spectrum ({}) gives no rms height, slope and energy: only waves from {} to {} are left; "
+            "increase longest_wavelength or reduce shortest_wavelength",
             method, format_value(2.0 * pi / band.upper, "m", 3), format_value(2.0 * pi / band.lower, "m", 3)));
     }
 }

@@ -96,16 +96,17 @@ TEST_F(PipelineFile, SaysOnWhichLineWhatIsWrong) {
         complaint("p.yml", "steps:\n  - step: despike\n    treshold: 5\n"),
         "p.yml:3: unknown parameter 'treshold' of despike; did you mean 'threshold'?; it has threshold, reach, replace_by");
     EXPECT_EQ(complaint("p.yml", "steps:\n  - step: despike\n    threshold: many\n"),
-              "p.yml:3: threshold: 'many' is no number");
+              "p.yml:3: threshold: 'many' is not a number");
     EXPECT_EQ(complaint("p.yml", "steps:\n  - step: despike\n    enabled: maybe\n"),
               "p.yml:3: enabled: 'maybe'; expected true or false");
     EXPECT_EQ(complaint("p.yml", "steps:\n  - step: despike\n    reach: 3\n    reach: 4\n"),
-              "p.yml:4: key 'reach' stands twice in a step");
+              "p.yml:4: key 'reach' is given twice in a step");
     EXPECT_EQ(complaint("p.yml", "steps:\n  - threshold: 5\n"),
               "p.yml:2: a step without a name; expected a key 'step', such as step: level_plane");
     EXPECT_EQ(complaint("p.yml", "step:\n  - level_plane\n"), "p.yml:1: unknown key 'step'; did you mean 'steps'?");
     EXPECT_EQ(complaint("p.yml", "- level_plane\n"), "p.yml:1: expected a key 'steps' with a list of steps");
-    EXPECT_EQ(complaint("p.yml", "steps: level_plane\n"), "p.yml:1: steps: expected a list, a dash before each step");
+    EXPECT_EQ(complaint("p.yml", "steps: level_plane\n"),
+              "p.yml:1: steps: expected a list, with a dash before each step");
     EXPECT_NE(complaint("p.yml", "steps:\n  - step: crop\n    x_to: 8\n").find("p.yml:3: x_to: "), std::string::npos);
     EXPECT_NE(complaint("p.yml", "steps: [\n").find("YAML: "), std::string::npos);
     EXPECT_NE(complaint("p.yml", "steps:\n  - step: crop\n    x_to: {a: 1}\n").find("p.yml:3: x_to: expected a value"),
@@ -139,7 +140,8 @@ TEST_F(PipelineFile, NamesFilesRelativeToItsFolder) {
 }
 
 TEST_F(PipelineFile, OfMoreThanAMegabyteIsRefused) {
-    EXPECT_NE(complaint("p.yml", std::string((1 << 20) + 1, '#')).find("are no pipeline"), std::string::npos);
+    EXPECT_NE(complaint("p.yml", std::string((1 << 20) + 1, '#')).find("are too many for a pipeline"),
+              std::string::npos);
 }
 
 TEST_F(PipelineFile, WithAliasesThatRepeatIsReadOnce) {

@@ -67,7 +67,7 @@ TEST_F(ReplicateFiles, AreReadInSiByMethodAndBranch) {
 TEST_F(ReplicateFiles, WithSeveralMethodsAskForOne) {
     const auto path = write("fits.csv", tidy);
     EXPECT_NE(
-        message_of([&] { (void)read_replicates({path}, {.branch = "loading"}, {}); }).find("choose one by --method"),
+        message_of([&] { (void)read_replicates({path}, {.branch = "loading"}, {}); }).find("choose one with `method`"),
         std::string::npos);
     EXPECT_NE(message_of([&] {
                   (void)read_replicates({path}, {.method = "pointwise"}, {});
@@ -101,7 +101,7 @@ TEST_F(ReplicateFiles, TakeThePrimaryFitOfEachLoopAndSayWhyThereIsNone) {
     EXPECT_EQ(soft.bad_rows.at(0).reason, "no W: too few samples");
     EXPECT_EQ(read_replicates({path}, {.method = "radius_force"}, {}).data.rows.at(0).value, 0.04);
     EXPECT_EQ(read_replicates({path}, {.group_by = {"elastomer", "surface"}}, {}).data.rows.size(), 2U);
-    EXPECT_NE(message_of([&] { (void)read_replicates({path}, {}, {}); }).find("choose one by --elastomer"),
+    EXPECT_NE(message_of([&] { (void)read_replicates({path}, {}, {}); }).find("choose one with `elastomer`"),
               std::string::npos);
 }
 
@@ -133,11 +133,12 @@ TEST_F(ReplicateFiles, SayWhatIsMissing) {
         const auto path = write("table.csv", text);
         return message_of([&] { (void)read_replicates({path}, columns, {}); });
     };
-    EXPECT_NE(message("").find("an empty table"), std::string::npos);
+    EXPECT_NE(message("").find("the table is empty"), std::string::npos);
     EXPECT_NE(message("surface,lens\nA,1\n").find("no column of 'W'"), std::string::npos);
     EXPECT_NE(message("surface,W\nA,1\n").find("has no unit"), std::string::npos);
-    EXPECT_NE(message("sample,W [J/m2]\nA,1\n").find("--group-by"), std::string::npos);
-    EXPECT_NE(message("surface,W [J/m2]\nA,1,2\n").find("table.csv:2: 3 cells; the header has 2"), std::string::npos);
+    EXPECT_NE(message("sample,W [J/m2]\nA,1\n").find("`group_by`"), std::string::npos);
+    EXPECT_NE(message("surface,W [J/m2]\nA,1,2\n").find("table.csv:2: 3 cells, but the header has 2"),
+              std::string::npos);
     EXPECT_NE(message("surface,W [J/m2]\nA,\n").find("no row with a number"), std::string::npos);
 }
 
@@ -242,7 +243,7 @@ TEST(StudyReplicates, OfLoopsThatAreAllExcludedSaySo) {
     for (auto& e : result.experiments) e.input.exclusion = "dust";
     result.replicates = elastomer_replicates(result);
     EXPECT_FALSE(result.replicates.at(0).model);
-    EXPECT_EQ(result.replicates[0].model.reason, "all 4 rows are excluded; a mean needs one");
+    EXPECT_EQ(result.replicates[0].model.reason, "all 4 rows are excluded; a mean needs at least one");
     result.pairs = measured_pairs(result);
     EXPECT_FALSE(result.pairs[0].approach);
     EXPECT_EQ(output::to_json(result).at("replicates").at(0).at("rows").size(), 4U);

@@ -69,7 +69,8 @@ TEST_F(SameMeasurements, OfASurfaceAreFoundWhateverTheirFiles) {
     std::filesystem::copy(path("a.csv"), path("bytes.csv"));
     EXPECT_EQ(told(surface_of({"a.csv", "b.csv"}).surfaces[0].alerts), "");
     for (const char* copy : {"a.csv", "copy.csv", "bytes.csv"})
-        EXPECT_NE(told(surface_of({"a.csv", "b.csv", copy}).surfaces[0].alerts).find("its 3 measurements hold 2"),
+        EXPECT_NE(told(surface_of({"a.csv", "b.csv", copy}).surfaces[0].alerts)
+                      .find("3 measurements of the surface contain 2"),
                   std::string::npos)
             << copy;
 }

@@ -172,7 +172,7 @@ Spikes spikes_of(const Field& field, const SpikeOptions& options, const topograp
     const Index points = field.rows * field.columns;
     if (!std::any_of(field.heights, field.heights + points, [](double h) { return !std::isnan(h); }))
         throw UndefinedDataError(
-            fmt::format("{}: no height is defined, so there are no spikes to find", topography::label(metadata)));
+            fmt::format("{}: no height is defined, so that no spikes can be found", topography::label(metadata)));
     const Differences differences{field, median_tilt(field, threads), options.reach};
     auto outliers = find_outliers({field.rows, field.columns, [&](Index i, double* r) { differences.load(i, r); },
                                    [&](Index i, Index j) { return differences.at(i, j); }},
@@ -236,7 +236,7 @@ std::vector<NewHeight> heights_without(const Spikes& spikes, const Despike& step
 Processed apply(const Despike& step, topography::Measurement measurement, parallel::Threads threads) {
     if (std::holds_alternative<topography::Profile>(measurement))
         throw InvalidArgument(
-            fmt::format("despike: {} is a polyline, whose points have no equal steps; resample it first",
+            fmt::format("despike: {} is a polyline, whose points are not equally spaced; resample the polyline first",
                         topography::label(topography::metadata(measurement))));
     StepRecord record{std::string(step_name(step)), {}, {}};
     const auto before = rms_height(measurement, threads);

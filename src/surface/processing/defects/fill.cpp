@@ -82,7 +82,7 @@ struct Filling {
 
 [[noreturn]] void refuse_empty(const topography::Metadata& metadata) {
     throw UndefinedDataError(
-        fmt::format("{}: no height is defined, so there is nothing to fill from", topography::label(metadata)));
+        fmt::format("{}: no height is defined, so that nothing can be filled", topography::label(metadata)));
 }
 
 Filling fill_in_place(HeightMap& map, parallel::Threads threads) {

@@ -93,7 +93,7 @@ Outliers find_outliers(const ComputedRows& differences, double threshold, parall
         std::erase_if(pass.beyond, [&](const Outlier& r) { return !(std::fabs(r.difference) > bound); });
         return {deviation, std::move(pass.beyond)};
     }
-    throw InternalError("a quantile outside unbounded numbers");
+    throw InternalError("a quantile outside the values that were kept");
 }
 
 }  // namespace setae::processing

@@ -263,9 +263,9 @@ Array1D solve_by_multigrid(const PatchGraph& graph, const PatchBoundary& boundar
         const double gain = product(finest.right, finest.value);
         if (finest.value.abs().maxCoeff() <= converged * boundary.range || gain == 0.0) break;
         if (step == most_steps)
-            throw InternalError(
-                fmt::format("filling {} undefined points: no solution within {} steps; please report it", graph.points,
-                            most_steps));
+            throw InternalError(fmt::format(
+                "filling {} undefined points: no solution was found within {} steps; please report this error",
+                graph.points, most_steps));
         if (step == 0) direction = finest.value;
         else direction = finest.value + (gain / before) * direction;
         finest.multiply(direction, image);

@@ -217,7 +217,8 @@ Processed apply(const RemoveScars& step, topography::Measurement measurement, pa
     auto* map = std::get_if<HeightMap>(&measurement);
     if (!map)
         refuse_line(step_name(step), measurement,
-                    "scars are strokes across several scan lines: take spikes of a line out with despike");
+                    "remove_scars needs a map, since scars are strokes across several scan lines; remove spikes of "
+                    "a single line with despike");
     const auto marks = find_scars(step, *map, threads);
     const auto [nx, ny] = map->shape();
     for_each_row(nx, ny, threads, [&, columns = ny](Index i) {

@@ -36,15 +36,14 @@ Index undefine_heights(const Undefine& step, double* heights, Index n) {
 
 Processed apply(const Undefine& step, topography::Measurement measurement, parallel::Threads) {
     if (!step.value && !step.above && !step.below)
-        throw InvalidArgument(
-            "undefine without value, above or below leaves all heights; expected one, such as value=0");
+        throw InvalidArgument("undefine has none of value, above and below; expected one of them, such as value=0");
     StepRecord record{std::string(step_name(step)), {}, {}};
     std::visit(
         [&](auto& m) {
             const Index points = m.heights.size(), count = undefine_heights(step, m.heights.data(), points);
             if (m.heights.isNaN().all())
                 throw UndefinedDataError(
-                    fmt::format("{}: undefine leaves no defined height", topography::label(m.metadata)));
+                    fmt::format("{}: undefine leaves no height defined", topography::label(m.metadata)));
             if constexpr (std::same_as<std::decay_t<decltype(m)>, topography::Profile>)
                 m = topography::defined_points(std::move(m));
             record.numbers.push_back(recorded_count("undefined_points", count));

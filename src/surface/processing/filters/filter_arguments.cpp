@@ -34,9 +34,10 @@ void require_cutoff(double cutoff, std::string_view filter, const topography::Me
 }
 
 void refuse_profile(std::string_view step, const topography::Profile& profile) {
-    throw InvalidArgument(fmt::format(
-        "{}: {} works on equally spaced points, and this is a polyline of {} points; resample it first (step resample)",
-        topography::label(profile.metadata), step, profile.positions.size()));
+    throw InvalidArgument(
+        fmt::format("{}: {} needs equally spaced points, and this is a polyline of {} points; resample it first "
+                    "(step resample)",
+                    topography::label(profile.metadata), step, profile.positions.size()));
 }
 
 StepRecord filter_record(std::string_view step, double cutoff, const topography::Measurement& measurement) {
@@ -51,15 +52,16 @@ StepRecord filter_record(std::string_view step, double cutoff, const topography:
         record.alerts.push_back(
             {"FILTER_CUTOFF", topography::label(metadata),
              fmt::format(
-                 "the cutoff, {}, is {:.2g} pixels: the filter hardly acts, and its transmission is not that of the standard",
+                 "the cutoff, {}, is {:.2g} pixels long: the filter removes little, and its transmission is not "
+                 "that of the standard",
                  format_value(cutoff, "m"), cutoff / pixel_size),
              "choose a cutoff of at least 5 pixels"});
     if (cutoff > size)
         record.alerts.push_back(
             {"FILTER_CUTOFF", topography::label(metadata),
-             fmt::format(
-                 "the cutoff, {}, is longer than the data, {}: every point is nearer to an end than the filter reaches",
-                 format_value(cutoff, "m"), format_value(size, "m")),
+             fmt::format("the cutoff, {}, is longer than the data, {}: the filter reaches beyond an end of the data at "
+                         "every point",
+                         format_value(cutoff, "m"), format_value(size, "m")),
              "choose a shorter cutoff, or subtract a polynomial instead"});
     return record;
 }

@@ -24,17 +24,19 @@ constexpr double forgiven = 1e-9;
 void require_valid(const FourierCut& band, const topography::Metadata& metadata) {
     const std::string name = topography::label(metadata);
     if (!band.shortest && !band.longest)
-        throw InvalidArgument(fmt::format(
-            "{}: Fourier cut without a limit; expected the shortest or the longest wavelength that stays, or both",
-            name));
+        throw InvalidArgument(
+            fmt::format("{}: Fourier cut without a limit; expected the shortest wavelength to keep, the longest, or "
+                        "both",
+                        name));
     for (const auto& limit : {band.shortest, band.longest})
         if (limit && (!(*limit > 0.0) || !std::isfinite(*limit)))
             throw InvalidArgument(
                 fmt::format("{}: Fourier cut at a wavelength of {} m; expected a positive one", name, *limit));
     if (band.shortest && band.longest && *band.shortest > *band.longest)
-        throw InvalidArgument(fmt::format(
-            "{}: Fourier cut that keeps {} m and longer, but nothing longer than {} m; expected shortest below longest",
-            name, *band.shortest, *band.longest));
+        throw InvalidArgument(
+            fmt::format("{}: Fourier cut that keeps wavelengths from {} m but none above {} m; expected shortest below "
+                        "longest",
+                        name, *band.shortest, *band.longest));
 }
 
 /// Whether a mode of 1/wavelength squared stays.

@@ -63,9 +63,10 @@ Processed combined(std::string_view step, topography::Measurement measurement, c
     const topography::Metadata first = topography::metadata(measurement), &second = topography::metadata(other);
     if (std::holds_alternative<topography::Profile>(measurement) || std::holds_alternative<topography::Profile>(other))
         refuse(step, first, second,
-               "works on equally spaced points, and one is a polyline; resample it first (step resample)");
+               "needs equally spaced points, and one measurement is a polyline; resample it first (step "
+               "resample)");
     if (measurement.index() != other.index())
-        refuse(step, first, second, "needs two maps or two lines, and one is a line, the other a map");
+        refuse(step, first, second, "needs two maps or two lines, and one measurement is a line, the other a map");
     StepRecord record{.step = std::string(step)};
     topography::Measurement result;
     if (auto* map = std::get_if<HeightMap>(&measurement)) {
@@ -88,7 +89,7 @@ Processed combined(std::string_view step, topography::Measurement measurement, c
                                                                  : std::get<LineScan>(result).heights.isNaN().all();
     if (empty)
         refuse(step, first, second,
-               "finds no point where both are defined; look at their sizes and at what is undefined");
+               "finds no point where both measurements are defined; check their sizes and undefined heights");
     return {std::move(result), std::move(record)};
 }
 

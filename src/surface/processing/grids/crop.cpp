@@ -40,7 +40,7 @@ void require_consistent(const Request& request) {
                                           request.cut_first, request.cut_last));
     if ((request.from || request.to) && (request.cut_first != 0 || request.cut_last != 0))
         throw InvalidArgument(fmt::format(
-            "crop along {} with a window in metres and points to cut off; give one of them", request.direction));
+            "crop along {} has both a window in metres and points to cut off; give one of them", request.direction));
 }
 
 Window window_of(const Request& request, Index points, double pixel_size, const topography::Metadata& metadata) {
@@ -63,7 +63,8 @@ Window window_of(const Request& request, Index points, double pixel_size, const 
 
 void refuse_y(const Crop& step, const topography::Metadata& metadata) {
     if (request_y(step).given())
-        throw InvalidArgument(fmt::format("{}: crop along y of a line; give x alone", topography::label(metadata)));
+        throw InvalidArgument(
+            fmt::format("{}: crop along y of a line; a line has only x", topography::label(metadata)));
 }
 
 struct Cropper {

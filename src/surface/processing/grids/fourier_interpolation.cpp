@@ -16,7 +16,7 @@ constexpr Index fourier_columns_per_block = 16;
 
 void require_points(Index n, const topography::Metadata& metadata) {
     if (n < 1)
-        throw InvalidArgument(fmt::format("{}: interpolation to {} points a direction; expected at least 1",
+        throw InvalidArgument(fmt::format("{}: interpolation to {} points along a direction; expected at least 1",
                                           topography::label(metadata), n));
 }
 
@@ -24,12 +24,13 @@ void require_points(Index n, const topography::Metadata& metadata) {
 
 void require_periodic(bool periodic, bool complete, const char* what, const topography::Metadata& metadata) {
     if (!periodic)
-        throw InvalidArgument(fmt::format(
-            "{}: {} needs periodic data, and these are not: their ends would ring; use an ISO 16610 filter or another method of interpolation, or window them first",
-            topography::label(metadata), what));
+        throw InvalidArgument(
+            fmt::format("{}: {} needs periodic data, and these are not periodic: the result would oscillate near the "
+                        "ends; use a filter of ISO 16610 or another method of interpolation, or apply a window first",
+                        topography::label(metadata), what));
     if (!complete)
         throw UndefinedDataError(
-            fmt::format("{}: {} needs every height, and some are undefined; fill them first (step fill_undefined)",
+            fmt::format("{}: {} needs all heights, and some are undefined; fill them first (step fill_undefined)",
                         topography::label(metadata), what));
 }
 

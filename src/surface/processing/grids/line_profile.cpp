@@ -63,8 +63,8 @@ void check(const HeightMap& map, const ProfileLine& line) {
                     topography::label(map.metadata), point[0], point[1], end[0], end[1]));
         }
     if (line.from == line.to)
-        throw InvalidArgument(
-            fmt::format("a profile from ({}, {}) m to the same point; expected two", line.from[0], line.from[1]));
+        throw InvalidArgument(fmt::format("a profile from ({}, {}) m to the same point; expected two different points",
+                                          line.from[0], line.from[1]));
     if (!(line.width >= 0.0 && std::isfinite(line.width)))
         throw InvalidArgument(fmt::format("a profile {} m wide; expected 0 or more", line.width));
     if (line.points && *line.points < 2)

@@ -38,13 +38,15 @@ void require_alike(const HeightMap& fixed, const HeightMap& moved) {
     for (const std::size_t direction : {0u, 1u})
         if (std::abs(a[direction] - b[direction]) > 1e-6 * a[direction])
             throw InvalidArgument(fmt::format(
-                "{} has pixels of {} x {} m, {} of {} x {} m; expected the same for finding a shift: resample one of them",
+                "{} has pixels of {} x {} m, {} of {} x {} m; expected equal pixels to find a shift: "
+                "resample one of the maps",
                 topography::label(fixed.metadata), a[0], a[1], topography::label(moved.metadata), b[0], b[1]));
     if (std::min({fixed.heights.rows(), fixed.heights.cols(), moved.heights.rows(), moved.heights.cols()}) < 8)
-        throw InvalidArgument(fmt::format(
-            "{} and {}: maps of {} x {} and {} x {} points; expected at least 8 a direction for finding a shift",
-            topography::label(fixed.metadata), topography::label(moved.metadata), fixed.heights.rows(),
-            fixed.heights.cols(), moved.heights.rows(), moved.heights.cols()));
+        throw InvalidArgument(
+            fmt::format("{} and {}: maps of {} x {} and {} x {} points; expected at least 8 along each direction "
+                        "to find a shift",
+                        topography::label(fixed.metadata), topography::label(moved.metadata), fixed.heights.rows(),
+                        fixed.heights.cols(), moved.heights.rows(), moved.heights.cols()));
 }
 
 /// Hann's window over n points, or 1 for periodic data.
@@ -94,7 +96,7 @@ std::vector<PixelShift> phase_peaks(const HeightMap& fixed, const HeightMap& mov
         }
     if (!(largest > 0.0))
         throw UndefinedDataError(
-            fmt::format("{} and {}: at least one of the maps is flat, so there is no shift to find",
+            fmt::format("{} and {}: at least one of the maps is flat, so that no shift can be found",
                         topography::label(fixed.metadata), topography::label(moved.metadata)));
     for (Index m = 0; m < product.rows(); ++m)
         for (Index k = 0; k < nx; ++k) {

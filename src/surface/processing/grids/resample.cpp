@@ -67,7 +67,7 @@ Points points_of(const Resample& grid, Index asked, Index old_count, double size
     }
     if (points.count < 2 || (open && old_count < 2))
         throw InvalidArgument(
-            fmt::format("{}: resampling {} points to {} along a direction; expected at least 2 of both",
+            fmt::format("{}: resampling {} points to {} along a direction; expected at least 2 for both",
                         topography::label(metadata), old_count, points.count));
     return points;
 }
@@ -191,7 +191,8 @@ LineScan resampled(const Profile& profile, const Resample& grid) {
     require_valid(grid, profile.metadata);
     if (grid.method != Resampling::linear)
         throw InvalidArgument(fmt::format(
-            "{}: a polyline of {} points is resampled along its straight segments alone; expected method linear",
+            "{}: a polyline of {} points can be resampled only along its straight segments; expected method "
+            "linear",
             topography::label(profile.metadata), profile.positions.size()));
     const double length = profile.size();
     Index count = grid.nx;

@@ -97,10 +97,11 @@ HeightMap rotated(HeightMap map, const Rotate& rotation, parallel::Threads threa
         rows = kept(nx, pixel[0], sides.x);
         columns = kept(ny, pixel[1], sides.y);
         if (rows.count < 2 || columns.count < 2)
-            throw InvalidArgument(fmt::format(
-                "{}: turning {} x {} points and cropping leaves {} x {}; expected at least 2 x 2; turn without crop",
-                topography::label(map.metadata), nx, ny, std::max<Index>(0, rows.count),
-                std::max<Index>(0, columns.count)));
+            throw InvalidArgument(
+                fmt::format("{}: rotating {} x {} points and cropping leaves {} x {}; expected at least 2 x 2; rotate "
+                            "without crop",
+                            topography::label(map.metadata), nx, ny, std::max<Index>(0, rows.count),
+                            std::max<Index>(0, columns.count)));
     }
     HeightMap result{Array2D(rows.count, columns.count),
                      {pixel[0] * static_cast<double>(rows.count), pixel[1] * static_cast<double>(columns.count)},

@@ -114,7 +114,7 @@ Seam seam_of(const topography::Measurement& measurement) {
 Processed windowed(topography::Measurement measurement, double share) {
     if (!(share > 0.0 && share <= 0.5))
         throw InvalidArgument(
-            fmt::format("a window over {} of the extent at each edge; expected above 0, up to 0.5", share));
+            fmt::format("the window covers {} of the extent at each edge; expected above 0 and up to 0.5", share));
     StepRecord record{"window_edges", {}, {}};
     record.numbers.push_back(recorded("height_step_at_seam", "", seam_of(measurement).height_step, "m"));
     double changed = 0.0;
@@ -125,8 +125,9 @@ Processed windowed(topography::Measurement measurement, double share) {
         changed = taper(*scan, share);
         scan->periodic = true;
     } else
-        throw InvalidArgument(fmt::format("{}: a profile's points are not equally far apart; expected a map or a line",
-                                          topography::label(topography::metadata(measurement))));
+        throw InvalidArgument(
+            fmt::format("{}: the points of a profile are not equally spaced; expected a map or a line",
+                        topography::label(topography::metadata(measurement))));
     record.numbers.push_back(recorded("windowed_share", "", changed, "1"));
     if (auto rms = rms_height(measurement, {})) record.numbers.push_back(std::move(*rms));
     return {std::move(measurement), std::move(record)};

@@ -35,7 +35,7 @@ void flip(Profile& profile) {
 
 HeightMap& map_of(std::string_view step, topography::Measurement& measurement) {
     auto* map = std::get_if<HeightMap>(&measurement);
-    if (!map) refuse_line(step, measurement, "flip turns a line round");
+    if (!map) refuse_line(step, measurement, "to reverse a line, use flip");
     return *map;
 }
 

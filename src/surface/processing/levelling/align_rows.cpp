@@ -52,8 +52,8 @@ Array1D shifts_of(const AlignRows& step, HeightMap& map, const Mask& chosen, par
                           levels[line] = level_of(band, line, step.method, values);
                   });
     if (levels.isNaN().all())
-        throw UndefinedDataError(
-            fmt::format("{}: no line has a point that counts; widen the region", topography::label(map.metadata)));
+        throw UndefinedDataError(fmt::format("{}: no scan line has a point inside the region; enlarge the region",
+                                             topography::label(map.metadata)));
     if (differences) {
         levels[0] = 0.0;
         for (Index line = 1; line < lines; ++line)
@@ -92,7 +92,7 @@ Array1D remove_polynomials(const AlignRows& step, HeightMap& map, const Mask& ch
     });
     if (means.isNaN().all())
         throw UndefinedDataError(
-            fmt::format("{}: no line has {} points that count; lower the degree or widen the region",
+            fmt::format("{}: no scan line has {} points inside the region; reduce the degree or enlarge the region",
                         topography::label(map.metadata), step.degree + 1));
     return means;
 }
@@ -112,7 +112,7 @@ std::array<double, 2> mean_and_spread(const Array1D& shifts) {
 Processed apply(const AlignRows& step, topography::Measurement measurement, parallel::Threads threads) {
     auto* map = std::get_if<HeightMap>(&measurement);
     if (!map)
-        refuse_line(step_name(step), measurement, "a single line has no rows to align: level it with level_polynomial");
+        refuse_line(step_name(step), measurement, "a single line has no rows to align; level it with level_polynomial");
     const auto chosen = step.region.everything() ? Mask() : mask_of(step.region, *map, threads);
     StepRecord record{std::string(step_name(step)), {}, {}};
     const bool polynomial = step.method == RowAlignment::polynomial;
@@ -128,8 +128,9 @@ Processed apply(const AlignRows& step, topography::Measurement measurement, para
     if (lost > 0)
         record.alerts.push_back(
             {"UNDEFINED", topography::label(map->metadata),
-             fmt::format("{} of {} lines have too few points that count and are undefined now", lost, shifts.size()),
-             "lower the degree or widen the region"});
+             fmt::format("{} of {} scan lines have too few points inside the region; their heights are now undefined",
+                         lost, shifts.size()),
+             "reduce the degree or enlarge the region"});
     return {std::move(measurement), std::move(record)};
 }
 

@@ -95,15 +95,16 @@ Processed apply(const LevelLines& step, topography::Measurement measurement, par
     const Index lines = line_count(map->heights, step.direction), lost = level_lines(step, *map, threads);
     if (lost == lines)
         throw UndefinedDataError(
-            fmt::format("{}: no line has {} points that count; lower the degree or widen the region",
+            fmt::format("{}: no scan line has {} points inside the region; reduce the degree or enlarge the region",
                         topography::label(map->metadata), step.degree + 1));
     if (step.degree > 0) end_periodicity(*map);
     record.numbers.push_back(recorded_count("levelled_lines", lines - lost));
     if (lost > 0)
         record.alerts.push_back(
             {"UNDEFINED", topography::label(map->metadata),
-             fmt::format("{} of {} lines have too few points that count and are undefined now", lost, lines),
-             "lower the degree or widen the region"});
+             fmt::format("{} of {} scan lines have too few points inside the region; their heights are now undefined",
+                         lost, lines),
+             "reduce the degree or enlarge the region"});
     return {std::move(measurement), std::move(record)};
 }
 

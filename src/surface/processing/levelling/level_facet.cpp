@@ -106,8 +106,8 @@ Dominant dominant_slope(const Facets& facets, const topography::Metadata& metada
     const auto start =
         facets.sums(threads, [](FacetSums& sums, double size, double vx, double vy) { sums.add(size, vx, vy); });
     if (!(start.weight > 0.0))
-        throw UndefinedDataError(
-            fmt::format("{}: no facet has all its points in the region; widen it", topography::label(metadata)));
+        throw UndefinedDataError(fmt::format("{}: no facet has all its points inside the region; enlarge the region",
+                                             topography::label(metadata)));
     const Slope mean{start.x / start.weight, start.y / start.weight};
     const auto spread = facets.sums(threads, [&mean](FacetSums& sums, double size, double vx, double vy) {
         sums.squares += size * ((vx - mean[0]) * (vx - mean[0]) + (vy - mean[1]) * (vy - mean[1]));
@@ -177,7 +177,8 @@ Dominant dominant_slope_of(const Profile& profile, const Mask& chosen, parallel:
     for (Index i = 0; i < lengths.size(); ++i)
         if (!(lengths[i] > 0.0))
             throw InvalidArgument(fmt::format(
-                "{}: x does not increase at point {}; expected a function h(x): clean_contour makes one of a traced curve",
+                "{}: x does not increase at point {}; expected a function h(x); clean_contour makes one from a "
+                "traced curve",
                 topography::label(profile.metadata), i + 1));
     return dominant_slope(LineFacets{profile.heights, lengths, chosen}, profile.metadata, threads);
 }
@@ -199,8 +200,9 @@ Processed apply(const LevelFacet& step, topography::Measurement measurement, par
             if (!found.converged)
                 record.alerts.push_back(
                     {"NOT_CONVERGED", topography::label(m.metadata),
-                     fmt::format("the dominant slope of the facets did not settle in {} iterations", found.iterations),
-                     "use level_plane, or a region that holds the facets"});
+                     fmt::format("the dominant slope of the facets did not converge within {} iterations",
+                                 found.iterations),
+                     "use level_plane, or a region that contains the facets"});
         },
         measurement);
     return {std::move(measurement), std::move(record)};

@@ -64,10 +64,10 @@ void set_parameter(Step& step, const ParameterText& parameter) {
     std::visit([&](auto& known) { visit_parameters(known, visitor); }, step);
     if (found) return;
     const auto nearest = nearest_match(parameter.name, names);
-    throw InvalidArgument(
-        fmt::format("unknown parameter '{}' of {}{}; {}", parameter.name, name(step),
-                    nearest.empty() ? "" : "; did you mean '" + nearest + "'?",
-                    names.empty() ? "it has none" : fmt::format("it has {}", fmt::join(names, ", "))));
+    throw InvalidArgument(fmt::format(
+        "unknown parameter '{}' of {}{}; {}", parameter.name, name(step),
+        nearest.empty() ? "" : "; did you mean '" + nearest + "'?",
+        names.empty() ? "this step has no parameters" : fmt::format("expected one of {}", fmt::join(names, ", "))));
 }
 
 std::vector<ParameterText> parameters(const Step& step) {
@@ -91,12 +91,12 @@ std::vector<ParameterText> changed_parameters(const Step& step) {
 
 Step step_from_text(std::string_view text) {
     const auto words = words_of(text);
-    if (words.empty()) throw InvalidArgument("empty step; expected a name such as level_plane");
+    if (words.empty()) throw InvalidArgument("empty step; expected a name, such as level_plane");
     auto step = step_named(words.front());
     for (std::size_t k = 1; k < words.size(); ++k) {
         const auto equals = words[k].find('=');
         if (equals == std::string::npos)
-            throw InvalidArgument(fmt::format("step '{}': '{}'; expected NAME=VALUE", text, words[k]));
+            throw InvalidArgument(fmt::format("step '{}': '{}' is no parameter; expected NAME=VALUE", text, words[k]));
         set_parameter(step, {words[k].substr(0, equals), words[k].substr(equals + 1)});
     }
     return step;

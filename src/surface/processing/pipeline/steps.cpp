@@ -64,8 +64,9 @@ Processed apply(const Step& step, topography::Measurement measurement, const Loa
         [&]<class S>(const S& known) -> Processed {
             if constexpr (NamesFile<S>) {
                 if (!load)
-                    throw InvalidArgument(
-                        fmt::format("{}: needs the file '{}', which nobody loads here", step_name(known), known.file));
+                    throw InvalidArgument(fmt::format(
+                        "{}: the step needs the file '{}', and the caller gave no function that reads files",
+                        step_name(known), known.file));
                 const auto other = load(known.file, known.channel);
                 return apply(known, std::move(measurement), other, threads);
             } else {

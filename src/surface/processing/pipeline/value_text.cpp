@@ -46,7 +46,7 @@ double parsed_angle(std::string_view text) {
              {{"degrees", degree}, {"deg", degree}, {"°", degree}, {"rad", 1.0}}})
         if (whole.ends_with(unit)) return parsed_number(whole.substr(0, whole.size() - unit.size())) * factor;
     if (const double number = parsed_number(whole); number == 0.0) return 0.0;
-    throw InvalidArgument(fmt::format("'{}' is an angle without unit; write deg or rad behind it", whole));
+    throw InvalidArgument(fmt::format("'{}' is an angle without unit; append deg or rad", whole));
 }
 
 std::string number_text(double number) { return fmt::format("{}", number); }
@@ -58,20 +58,20 @@ bool parsed_flag(std::string_view text) {
 }
 
 void refuse_choice(std::string_view text, std::string_view values) {
-    throw InvalidArgument(fmt::format("'{}'; expected one of {}", text, values));
+    throw InvalidArgument(fmt::format("'{}' is unknown; expected one of {}", text, values));
 }
 
 double parsed_number(std::string_view text) {
     const auto whole = trimmed(text);
     const auto value = spelled<double>(whole);
-    if (!value || !std::isfinite(*value)) throw InvalidArgument(fmt::format("'{}' is no number", whole));
+    if (!value || !std::isfinite(*value)) throw InvalidArgument(fmt::format("'{}' is not a number", whole));
     return *value;
 }
 
 long long parsed_count(std::string_view text) {
     const auto whole = trimmed(text);
     const auto value = spelled<long long>(whole);
-    if (!value) throw InvalidArgument(fmt::format("'{}' is no whole number", whole));
+    if (!value) throw InvalidArgument(fmt::format("'{}' is not a whole number", whole));
     return *value;
 }
 

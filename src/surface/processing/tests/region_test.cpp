@@ -134,13 +134,13 @@ std::string complaint(const std::string& text) {
 
 TEST(Region, ThatCannotBeReadIsNamed) {
     EXPECT_EQ(complaint("rectangle 1 um to 2 um"),
-              "region 'rectangle 1 um to 2 um': 'rectangle'; expected include or exclude before each shape");
+              "region 'rectangle 1 um to 2 um': 'rectangle' begins no shape; expected include or exclude before each shape");
     EXPECT_NE(complaint("exclude heights above 20").find("region 'exclude heights above 20': "), std::string::npos);
-    EXPECT_NE(complaint("exclude circle 1 um").find("'circle' is no shape; expected rectangle"), std::string::npos);
+    EXPECT_NE(complaint("exclude circle 1 um").find("'circle' is not a shape; expected rectangle"), std::string::npos);
     EXPECT_NE(complaint("exclude ellipse 1 um, 2 um").find("got 2 values"), std::string::npos);
     EXPECT_NE(complaint("exclude polygon 1 um, 2 um, 3 um, 4 um").find("at least three corners, got 4 values"),
               std::string::npos);
-    EXPECT_NE(complaint("exclude percentiles 5").find("'5' is no range"), std::string::npos);
+    EXPECT_NE(complaint("exclude percentiles 5").find("'5' is not a range"), std::string::npos);
     EXPECT_NE(complaint("exclude percentiles 5 to 120").find("expected 0 … 100"), std::string::npos);
     EXPECT_NE(complaint("exclude heights 5 nm to 1 nm").find("expected from <= to"), std::string::npos);
     EXPECT_NE(complaint("exclude rectangle 0 um to 1 um grow -1").find("grow -1"), std::string::npos);

@@ -86,11 +86,12 @@ Found low_wavevector_gap(const Evidence& evidence, const DiagnosisOptions& optio
     const double rms = evidence.form.rms_level, longest = map.size[0];
     return Finding{
         {"LOW_Q_GAP", evidence.subject,
-         fmt::format(
-             "C1D still rises as q^-{:.2f} towards the longest wavelength, {}: most of rms height, {}, rests on it, and a scan ten times as long would "
-             "show {:.2g} times that (standard error {:.2g}) if this goes on",
-             slope.exponent, length_text(longest), length_text(rms), growth, growth_error),
-         "state rms height with the scan's size, or measure larger scans until the spectrum levels off"},
+         fmt::format("C1D still rises as q^-{:.2f} towards the longest wavelength, {}: most of the rms height, {}, "
+                     "comes from there; a scan ten times as long would show {:.2g} times this rms height (standard "
+                     "error {:.2g}) if the rise continues",
+                     slope.exponent, length_text(longest), length_text(rms), growth, growth_error),
+         "give the rms height together with the scan size, or measure larger scans until C1D becomes "
+         "flat"},
         {effect("lowest_slope_of_C1D", "", slope.exponent, "1", slope.standard_error),
          effect("rms_height_growth_per_decade", "", growth, "1", growth_error),
          effect("missing_share_of_mean_square_height", "", 1.0 - 1.0 / (growth * growth), "1",

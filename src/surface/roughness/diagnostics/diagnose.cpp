@@ -102,9 +102,10 @@ std::vector<Finding> diagnose_kind(const Profile& profile, const topography::Mea
             findings.push_back(
                 {{"REENTRANT", topography::label(profile.metadata),
                   fmt::format(
-                      "{:.2g} % of the curve's length lies on stretches that turn back, which no function of x shows; they are left out",
+                      "{:.2g} % of the length of the curve lies on stretches that turn back, which no function h(x) "
+                      "can describe; these stretches are left out",
                       100.0 * cleaned.reentrant_share),
-                  "look at the curve; a share above a few per cent makes slope and curvature lower bounds"},
+                  "look at the curve; if the share exceeds a few per cent, slope and curvature are lower bounds"},
                  {effect("reentrant_share", "", cleaned.reentrant_share, "1"),
                   effect_count("reentrant_points", cleaned.reentrant_points)}});
         function = std::move(cleaned.profile);

@@ -95,11 +95,11 @@ Found line_offsets(const Evidence& evidence, const DiagnosisOptions& options) {
     const double share = std::min(1.0, slope2 * pixel[1] * pixel[1] / mean_square_rise(map.heights, options.threads));
     return Finding{
         {"SCAN_DIRECTION", evidence.subject,
-         fmt::format(
-             "scan lines are offset from each other by {} rms (of {} rms height): steps of the mean from line to line are {:.2g} times larger than along "
-             "lines, and make {:.2g} % of the mean square slope along y",
-             length_text(offset), length_text(rms), std::sqrt(lines.variance / expected), 100.0 * share),
-         "align the rows (level with a step align_rows), or use C1D along the fast axis alone"},
+         fmt::format("scan lines are offset from each other by {} rms (rms height of the map: {}): steps of the mean "
+                     "from line to line are {:.2g} times larger than along the lines, and make up {:.2g} % of the "
+                     "mean square slope along y",
+                     length_text(offset), length_text(rms), std::sqrt(lines.variance / expected), 100.0 * share),
+         "align the rows (step align_rows), or use C1D along the fast axis only"},
         {effect("line_offset_rms", "", offset, "m", error),
          effect("line_steps_over_steps_along_lines", "", std::sqrt(lines.variance / expected), "1"),
          effect("offset_share_of_mean_square_slope_y", "", share, "1"),
@@ -138,10 +138,11 @@ Found anisotropy(const Evidence& evidence, const topography::HeightMap& map, con
     const double angle = steep->angle * 180.0 / pi;
     return Finding{
         {"ANISOTROPIC", evidence.subject,
-         fmt::format(
-             "rms slope is {:.3g} along {:.0f} degrees from the fast axis and {:.3g} across: a factor {:.3g} (standard error {:.2g})",
-             steep->rms, angle, gentle->rms, ratio, ratio * error),
-         "2D parameters from line scans assume isotropy: use the map's own, and measure lines along several directions"},
+         fmt::format("the rms slope is {:.3g} along {:.0f} degrees from the fast axis and {:.3g} across it, a ratio "
+                     "of {:.3g} (standard error {:.2g})",
+                     steep->rms, angle, gentle->rms, ratio, ratio * error),
+         "use the 2D parameters of the map and measure lines along several directions: 2D parameters "
+         "computed from line scans assume isotropy"},
         {effect("slope_ratio", "", ratio, "1", ratio * error), effect("steepest_direction", "", steep->angle, "rad")}};
 }
 

@@ -70,10 +70,11 @@ Found clipped_at(const Evidence& evidence, const std::vector<Level>& levels, boo
     const char* end = top ? "highest" : "lowest";
     return Finding{
         {"CLIPPED", evidence.subject,
-         fmt::format(
-             "{} of {} points ({:.2g} %) have exactly the {} height: the range of the instrument or file ended there",
-             count, evidence.defined, 100.0 * share, end),
-         "measure again with a larger range, or mark these points undefined: heights, skewness and curvature are cut"},
+         fmt::format("{} of {} points ({:.2g} %) have exactly the {} height, as at the end of the range of an "
+                     "instrument or a file",
+                     count, evidence.defined, 100.0 * share, end),
+         "measure again with a larger range, or mark these points as undefined: heights, skewness and "
+         "curvature are truncated"},
         {effect("clipped_share", "", share, "1"), effect("clipped_height", "", height, "m"),
          effect_count("clipped_points", count)}};
 }
@@ -102,8 +103,8 @@ std::optional<Digitised> digitised(const Evidence& evidence, parallel::Threads t
 
 Found constant_heights(const Evidence& evidence) {
     return Finding{{"QUANTISED", evidence.subject,
-                    fmt::format("all {} defined heights are equal: nothing of a surface is in them", evidence.defined),
-                    "look whether the right channel was read and the instrument was in contact"},
+                    fmt::format("all {} defined heights are equal and contain no surface", evidence.defined),
+                    "check that the right channel was read and that the instrument was in contact"},
                    {effect("rms_height", "h_rms", 0.0, "m")}};
 }
 
@@ -118,10 +119,11 @@ Found quantised(const Evidence& evidence, const Digitised& digitised) {
     // rounding errors of neighbours are independent where heights differ by more than a step, and equal on plateaus
     return Finding{
         {"QUANTISED", evidence.subject,
-         fmt::format(
-             "heights come in steps of {} ({:.2g} of the rms height); {:.2g} % of neighbours have the same one, and rounding adds {} to rms height",
-             length_text(step), step / rms, 100.0 * share, length_text(error)),
-         "read the file's finer channel or measure with a smaller range; slope and curvature at the scale of pixels are those of steps"},
+         fmt::format("heights are multiples of {} ({:.2g} of the rms height); {:.2g} % of neighbouring points have "
+                     "equal heights, and rounding adds {} to the rms height",
+                     length_text(step), step / rms, 100.0 * share, length_text(error)),
+         "read a finer channel of the file, or measure with a smaller range; slope and curvature at the "
+         "scale of pixels are those of the steps"},
         {effect("height_step", "", step, "m"), effect("height_step_over_rms_height", "", step / rms, "1"),
          effect("plateau_share", "", share, "1"), effect("rounding_rms_height", "", error, "m"),
          effect("rms_slope_x_as_measured", "h'_rms", slope, "1")}};

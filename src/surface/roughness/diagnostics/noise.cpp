@@ -38,11 +38,12 @@ Found pixel_noise(const Evidence& evidence, const DiagnosisOptions& options) {
     const double rms = clean_rms_height(evidence), cleaner = slope * std::sqrt(std::max(0.0, 1.0 - slope_share));
     return Finding{
         {"PIXEL_NOISE", evidence.subject,
-         fmt::format(
-             "C1D ends in a white floor of {:.3g} m3: noise of {} rms from point to point; it dominates below {} and makes {:.2g} % of the mean square "
-             "slope along x ({:.3g}, without it {:.3g})",
-             floor.level, length_text(sigma), length_text(wavelength), 100.0 * slope_share, slope, cleaner),
-         "end spectra and parameters of slope and curvature above that wavelength, or measure slower and with more averaging"},
+         fmt::format("C1D ends in a white floor of {:.3g} m3, a noise of {} rms that is independent from point to "
+                     "point; this noise dominates below {} and makes up {:.2g} % of the mean square slope along x "
+                     "(rms slope {:.3g}, without noise {:.3g})",
+                     floor.level, length_text(sigma), length_text(wavelength), 100.0 * slope_share, slope, cleaner),
+         "end spectra and parameters of slope and curvature above this wavelength, or measure more "
+         "slowly and average more"},
         {effect("noise_rms_height", "", sigma, "m", sigma_error),
          effect("noise_floor", "C1D", floor.level, "m3", floor.level_error),
          effect("noise_dominates_below_wavelength", "", wavelength, "m"),

@@ -107,11 +107,11 @@ void add_findings(std::vector<Finding>& findings, const Binned& a, const Binned&
     const double mean = std::exp(c.mean);
     findings.push_back(
         {{"DISAGREE", subject,
-          fmt::format(
-              "C1D of the first is {:.3g} times the second's (standard error {:.2g}) between {} and {}: {:.3g} times at the long, {:.3g} times at the short end",
-              mean, mean * c.mean_error, length_text(2.0 * pi / c.lower), length_text(2.0 * pi / c.upper),
-              ratio(c.lower), ratio(c.upper)),
-          "check scale, unit, tip and noise of both before combining them"},
+          fmt::format("C1D of the first measurement is {:.3g} times that of the second (standard error {:.2g}) "
+                      "between {} and {}: {:.3g} times at the long end, {:.3g} times at the short end",
+                      mean, mean * c.mean_error, length_text(2.0 * pi / c.lower), length_text(2.0 * pi / c.upper),
+                      ratio(c.lower), ratio(c.upper)),
+          "check scale, unit, tip and noise of both measurements before combining them"},
          {effect("psd_ratio", "", mean, "1", mean * c.mean_error),
           effect("psd_ratio_at_longest", "", ratio(c.lower), "1"),
           effect("psd_ratio_at_shortest", "", ratio(c.upper), "1")}});
@@ -124,11 +124,11 @@ void add_findings(std::vector<Finding>& findings, const Binned& a, const Binned&
     if (!constant_ratio || std::log10(c.upper / c.lower) < wide || std::abs(std::log(factor)) < std::log(plain)) return;
     findings.push_back(
         {{"SCALE_TWICE", subject,
-          fmt::format(
-              "heights of the first are {:.3g} times the second's (standard error {:.2g}) at every wavelength they share: suspect a height scale applied twice or "
-              "a wrong unit",
-              factor, 0.5 * factor * c.mean_error),
-          "compare heights with what the instrument's own program shows; look for a scale in the file and one given beside it"},
+          fmt::format("heights of the first measurement are {:.3g} times those of the second (standard error {:.2g}) "
+                      "at all wavelengths that both contain: suspect a height scale applied twice or a wrong unit",
+                      factor, 0.5 * factor * c.mean_error),
+          "compare the heights with those in the instrument's own program; look for a scale in the file "
+          "and for one given in addition"},
          {effect("height_factor", "", factor, "1", 0.5 * factor * c.mean_error)}});
 }
 

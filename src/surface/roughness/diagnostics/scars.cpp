@@ -135,11 +135,11 @@ Found scars(const Evidence& evidence) {
     const double with = evidence.form.rms_level, without = rms_height_without(evidence.heights.heights, mask);
     return Finding{
         {"SCARS", evidence.subject,
-         fmt::format(
-             "{} {} along the fast axis {} out of the lines beside, {:.2g} % of all points: rms height {} with and {} without them",
-             strokes, strokes == 1 ? "stroke" : "strokes", strokes == 1 ? "stands" : "stand", 100.0 * share,
-             length_text(with), length_text(without)),
-         "remove them (level with a step remove_scars), or scan slower"},
+         fmt::format("{} {} along the fast axis {} from the neighbouring lines, {:.2g} % of all points: the rms "
+                     "height is {} with and {} without them",
+                     strokes, strokes == 1 ? "stroke" : "deviates", strokes == 1 ? "deviate" : "stand", 100.0 * share,
+                     length_text(with), length_text(without)),
+         "remove the strokes (step remove_scars), or scan more slowly"},
         {effect_count("scars", strokes), effect_count("scar_points", points), effect("scar_share", "", share, "1"),
          effect("rms_height_with_scars", "h_rms", with, "m"),
          effect("rms_height_without_scars", "h_rms", without, "m")}};

@@ -154,7 +154,8 @@ Found undefined_heights(const Evidence& evidence) {
     const double share = static_cast<double>(missing) / static_cast<double>(all);
     return Finding{{"UNDEF", evidence.subject,
                     fmt::format("{} of {} heights are undefined ({:.2g} %)", missing, all, 100.0 * share),
-                    "crop ragged borders and fill small holes before transforms; statistics of heights leave them out"},
+                    "crop ragged borders and fill small holes before transforms; statistics of heights use only the "
+                    "defined heights"},
                    {effect("undefined_share", "", share, "1"), effect_count("undefined_heights", missing)}};
 }
 
@@ -171,9 +172,10 @@ Found large_tilt(const Evidence& evidence) {
     const double slope = std::hypot(along_x, along_y);
     return Finding{
         {"TILT_LARGE", evidence.subject,
-         fmt::format("the heights are tilted by {:.3g} ({:.3g} degrees): with it rms height is {}, without {}", slope,
-                     std::atan(slope) * 180.0 / pi, length_text(before), length_text(after)),
-         "remove a plane (of a line its mean line) before height parameters and spectra"},
+         fmt::format("the heights are tilted by {:.3g} ({:.3g} degrees): the rms height is {} with this tilt and {} "
+                     "without it",
+                     slope, std::atan(slope) * 180.0 / pi, length_text(before), length_text(after)),
+         "subtract a plane (for a line: a straight line) before computing height parameters and spectra"},
         {effect("tilt", "", slope, "1"), effect("tilt_x", "", along_x, "1"), effect("tilt_y", "", along_y, "1"),
          effect("rms_height_as_measured", "h_rms", before, "m"),
          effect("rms_height_without_tilt", "h_rms", after, "m")}};
@@ -186,13 +188,15 @@ Found curvature_left(const Evidence& evidence) {
     if (!(bow > large_curvature_ratio * after)) return {};
     const auto [along_x, along_y] = curvatures_of_bowl(evidence);
     const double strongest = std::abs(along_x) > std::abs(along_y) ? along_x : along_y;
-    return Finding{{"CURVATURE_LEFT", evidence.subject,
-                    fmt::format("the level surface is bowed with a radius of {}: with it rms height is {}, without {}",
-                                length_text(1.0 / std::abs(strongest)), length_text(before), length_text(after)),
-                    "remove a parabola where the sample's form or the scanner's bow is not what you study"},
-                   {effect("curvature_x", "", along_x, "1/m"), effect("curvature_y", "", along_y, "1/m"),
-                    effect("rms_height_with_curvature", "h_rms", before, "m"),
-                    effect("rms_height_without_curvature", "h_rms", after, "m")}};
+    return Finding{
+        {"CURVATURE_LEFT", evidence.subject,
+         fmt::format("the levelled surface is curved with a radius of {}: the rms height is {} with this curvature "
+                     "and {} without it",
+                     length_text(1.0 / std::abs(strongest)), length_text(before), length_text(after)),
+         "subtract a parabola unless the form of the sample is what you study"},
+        {effect("curvature_x", "", along_x, "1/m"), effect("curvature_y", "", along_y, "1/m"),
+         effect("rms_height_with_curvature", "h_rms", before, "m"),
+         effect("rms_height_without_curvature", "h_rms", after, "m")}};
 }
 
 }  // namespace setae::diagnostics

@@ -59,16 +59,17 @@ Found spikes(Evidence& evidence, parallel::Threads threads) {
     const std::string psd =
         wavelength > 0.0
             ? fmt::format(
-                  "C1D is {:.2g} times what it is without at the shortest wavelengths, and more than twice below {}",
+                  "C1D with the spikes is {:.2g} times C1D without them at the shortest wavelengths, and more "
+                  "than twice below {}",
                   factor, length_text(wavelength))
-            : fmt::format("C1D is {:.3g} times what it is without at the shortest wavelengths", factor);
+            : fmt::format("C1D with the spikes is {:.3g} times C1D without them at the shortest wavelengths", factor);
     return Finding{
         {"SPIKES", evidence.subject,
-         fmt::format(
-             "{} {} out of the median around by more than {}: {}; rms height {} instead of {}, rms slope along x {:.3g} instead of {:.3g}",
-             found.count, found.count == 1 ? "spike stands" : "spikes stand", length_text(found.threshold), psd,
-             length_text(rms_with), length_text(rms_without), slope_with, slope_without),
-         "look at them; despike (level with a step despike) where they are the instrument's"},
+         fmt::format("{} {} from the local median by more than {}: {}; the rms height is {} instead of {}, the rms "
+                     "slope along x {:.3g} instead of {:.3g}",
+                     found.count, found.count == 1 ? "spike deviates" : "spikes deviate", length_text(found.threshold),
+                     psd, length_text(rms_with), length_text(rms_without), slope_with, slope_without),
+         "look at the spikes; remove them (step despike) if they come from the instrument"},
         {effect_count("spikes", found.count), effect("spike_threshold", "", found.threshold, "m"),
          effect("psd_factor", "", factor, "1"),
          effect("psd_lifted_below_wavelength", "", wavelength > 0.0 ? wavelength : undefined, "m"),

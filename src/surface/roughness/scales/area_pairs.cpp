@@ -28,8 +28,8 @@ public:
         origin_ = undefined;
         for (Index i = 0; i < heights_.size() && std::isnan(origin_); ++i) origin_ = heights_.data()[i];
         if (std::isnan(origin_))
-            throw UndefinedDataError(
-                fmt::format("{}: no defined height to correlate", topography::label(map.metadata)));
+            throw UndefinedDataError(fmt::format("{}: no height is defined, so that there is no autocorrelation",
+                                                 topography::label(map.metadata)));
         Array1D sums(blocks), counts(blocks);
         parallel::for_each_index(extent(blocks), threads, [&](std::size_t block) {
             double sum = 0.0, count = 0.0;
@@ -51,7 +51,7 @@ public:
         mean_ = sums.sum() / counts.sum();
         if (!std::isfinite(mean_))
             throw InvalidArgument(
-                fmt::format("{}: an infinite height; mark it as undefined", topography::label(map.metadata)));
+                fmt::format("{}: a height is infinite; mark it as undefined", topography::label(map.metadata)));
     }
 
     [[nodiscard]] Index rows() const { return heights_.rows(); }

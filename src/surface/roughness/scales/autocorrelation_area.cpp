@@ -17,7 +17,7 @@ FunctionOfScale autocorrelation_of_area(const topography::HeightMap& map, const 
                                         const AutocorrelationOptions& options) {
     const auto lags = lags_of(map);
     if (lags.x < 1 || lags.y < 1)
-        throw InvalidArgument(fmt::format("{}: {} x {} points have no area; take the autocorrelation of lines",
+        throw InvalidArgument(fmt::format("{}: {} x {} points have no area; use the autocorrelation of lines",
                                           topography::label(map.metadata), map.heights.rows(), map.heights.cols()));
     const auto pixel_size = map.pixel_size();
     const RadialBins bins(

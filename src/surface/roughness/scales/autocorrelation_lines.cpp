@@ -17,7 +17,8 @@ namespace {
 FunctionOfScale result_of(const LinePairs& lines, double step, const topography::Metadata& metadata) {
     const auto sums = lines.sums();
     if (!(sums.pairs[0] > 0.0))
-        throw UndefinedDataError(fmt::format("{}: no defined height to correlate", topography::label(metadata)));
+        throw UndefinedDataError(
+            fmt::format("{}: no height is defined, so that there is no autocorrelation", topography::label(metadata)));
     std::vector<Index> kept;
     for (Index k = 1; k < sums.pairs.size(); ++k)
         if (sums.pairs[k] > 0.5) kept.push_back(k);
@@ -34,7 +35,7 @@ FunctionOfScale result_of(const LinePairs& lines, double step, const topography:
 /// Pairs of lines of so many points.
 LinePairs pairs_of(Index points, bool periodic, const topography::Metadata& metadata) {
     if (points < 2)
-        throw InvalidArgument(fmt::format("{}: {} points along x have no pair; expected at least 2",
+        throw InvalidArgument(fmt::format("{}: {} points along x form no pair; expected at least 2",
                                           topography::label(metadata), points));
     return {points, periodic};
 }
@@ -85,7 +86,8 @@ FunctionOfScale autocorrelation_along_lines(const topography::Measurement& measu
 
 FunctionOfScale slope_from_autocorrelation(const FunctionOfScale& autocorrelation) {
     if (autocorrelation.quantity != "autocorrelation")
-        throw InvalidArgument(fmt::format("a slope follows from an autocorrelation; got {}", autocorrelation.quantity));
+        throw InvalidArgument(
+            fmt::format("a slope follows only from an autocorrelation; got {}", autocorrelation.quantity));
     FunctionOfScale slope = autocorrelation;
     slope.quantity = "rms_slope";
     slope.unit = "1";

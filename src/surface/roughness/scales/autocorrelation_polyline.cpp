@@ -22,7 +22,7 @@ FunctionOfScale autocorrelation(const topography::Profile& profile, const std::o
     for (Index k = 0; k < wanted.size(); ++k) {
         if (!(wanted[k] > 0.0 && wanted[k] < length))
             throw InvalidArgument(fmt::format(
-                "{}: distance {} m in an autocorrelation; expected more than 0 and less than the length {} m",
+                "{}: distance {} m of an autocorrelation; expected more than 0 and less than the length {} m",
                 topography::label(profile.metadata), wanted[k], length));
         const std::array shifts{Shift{0.0, -1.0}, Shift{wanted[k], 1.0}};
         const auto difference = difference_moments(profile, shifts);

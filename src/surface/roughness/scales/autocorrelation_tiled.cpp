@@ -137,7 +137,7 @@ FunctionOfScale autocorrelation_of_area(const topography::TiledMap& map, double 
     const double most =
         std::min(static_cast<double>(most_x) * pixel_size[0], static_cast<double>(most_y) * pixel_size[1]);
     if (!(longest >= std::max(pixel_size[0], pixel_size[1]) && longest <= most))
-        throw InvalidArgument(fmt::format("{}: longest distance {} m; expected one from a pixel, {} m, to {} m",
+        throw InvalidArgument(fmt::format("{}: longest distance {} m; expected between one pixel, {} m, and {} m",
                                           topography::label(map.metadata), longest,
                                           std::max(pixel_size[0], pixel_size[1]), most));
     const auto lags_along = [&](double step) { return static_cast<Index>(std::floor(longest / step * (1.0 + 1e-12))); };
@@ -158,7 +158,8 @@ FunctionOfScale autocorrelation_of_area(const topography::TiledMap& map, double 
         add_band(band, map.periodic, sums, options.threads);
     }
     if (!any_defined)
-        throw UndefinedDataError(fmt::format("{}: no defined height to correlate", topography::label(map.metadata)));
+        throw UndefinedDataError(fmt::format("{}: no height is defined, so that there is no autocorrelation",
+                                             topography::label(map.metadata)));
 
     // half a plane with k >= 0 from half a plane with l >= 0: A(−d) = A(d)
     const RadialBins bins(grid, pixel_size, longest);

@@ -41,7 +41,7 @@ void require_differences(const DifferenceOptions& options, const topography::Met
         throw InvalidArgument(fmt::format("{}: difference of order {}; expected 1, 2 or 3", label, options.order));
     if (options.order == 3 && options.along == Along::both)
         throw InvalidArgument(
-            fmt::format("{}: third differences along both directions at once; take x and y by themselves", label));
+            fmt::format("{}: third differences along both directions at once; compute x and y separately", label));
     if (options.distances)
         for (const double distance : *options.distances)
             if (!(distance > 0.0) || !std::isfinite(distance))
@@ -51,9 +51,9 @@ void require_differences(const DifferenceOptions& options, const topography::Met
 DifferenceStatistics statistics_of(const std::vector<DifferenceMoments>& moments, const DifferenceOptions& options,
                                    const topography::Metadata& metadata) {
     if (moments.empty())
-        throw InvalidArgument(
-            fmt::format("{}: no distance with {} differences of order {}; take distances between {} steps and the size",
-                        topography::label(metadata), options.fewest, options.order, options.order));
+        throw InvalidArgument(fmt::format(
+            "{}: no distance has {} differences of order {}; choose distances between {} steps and the size",
+            topography::label(metadata), options.fewest, options.order, options.order));
     const auto n = static_cast<Index>(moments.size());
     DifferenceStatistics result;
     result.order = options.order;
@@ -120,15 +120,15 @@ FunctionOfScale function_of(const DifferenceStatistics& of, Statistic statistic)
 Statistic statistic_from_name(const std::string& name) {
     for (const auto& known : statistics)
         if (name == known.name) return known.statistic;
-    throw InvalidArgument(
-        fmt::format("no statistic \"{}\"; expected rms, variance, mean, skewness, kurtosis, minimum or maximum", name));
+    throw InvalidArgument(fmt::format(
+        "unknown statistic \"{}\"; expected rms, variance, mean, skewness, kurtosis, minimum or maximum", name));
 }
 
 Along along_from_name(const std::string& name) {
     if (name == "x") return Along::x;
     if (name == "y") return Along::y;
     if (name == "both") return Along::both;
-    throw InvalidArgument(fmt::format("no direction \"{}\"; expected x, y or both", name));
+    throw InvalidArgument(fmt::format("unknown direction \"{}\"; expected x, y or both", name));
 }
 
 }  // namespace setae::scales

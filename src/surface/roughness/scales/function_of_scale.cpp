@@ -71,7 +71,7 @@ std::vector<Alert> coverage_gaps(const std::vector<Index>& bins, std::span<const
             alerts.push_back(
                 {"COVERAGE_GAP", cut[0].quantity,
                  fmt::format("no measurement between {} and {}", format_value(from, "m"), format_value(to, "m")),
-                 "measure these distances or read both sides by themselves"});
+                 "measure these distances, or use the parts on both sides of the gap separately"});
     }
     return alerts;
 }
@@ -130,7 +130,8 @@ double shortest_reliable_wavelength(const topography::Measurement& measurement,
 }
 
 CombinedFunction combine(std::span<const FunctionOfScale> functions, const CombinationOptions& options) {
-    if (functions.empty()) throw InvalidArgument("no function of scale to combine; expected at least one measurement");
+    if (functions.empty())
+        throw InvalidArgument("no function of scale is given; expected at least one measurement to combine");
     std::vector<std::string> instruments;
     std::vector<FunctionOfScale> cut;
     std::map<Index, std::vector<Share>> bins;
@@ -142,7 +143,7 @@ CombinedFunction combine(std::span<const FunctionOfScale> functions, const Combi
                                               functions[0].unit));
         if (options.weighting == Weighting::by_count && function.count_unit != functions[0].count_unit)
             throw InvalidArgument(
-                "a length of a polyline is no number of pairs; weigh lines and polylines equally or per instrument");
+                "a polyline has a length, not a number of pairs; choose equal weights or weights per instrument");
         instruments.push_back(instrument_of(function.metadata));
         cut.push_back(within_limit(function));
         for (const auto& [bin, share] : shares_of(cut.back(), options.grid, static_cast<Index>(i)))
@@ -150,8 +151,9 @@ CombinedFunction combine(std::span<const FunctionOfScale> functions, const Combi
     }
     if (bins.empty())
         throw InvalidArgument(fmt::format(
-            "no reliable {} in {} measurements: every distance is shorter than what tip, resolution and sampling let through",
-            functions[0].quantity, functions.size()));
+            "no {} of {} {} is reliable: all distances are shorter than what tip, resolution and "
+            "sampling allow",
+            functions[0].quantity, functions.size(), functions.size() == 1 ? "measurement" : "measurements"));
 
     const auto n = static_cast<Index>(bins.size());
     CombinedFunction result{
@@ -194,7 +196,7 @@ Weighting weighting_from_name(const std::string& name) {
     if (name == "equal") return Weighting::equal;
     if (name == "per_instrument") return Weighting::per_instrument;
     if (name == "by_count") return Weighting::by_count;
-    throw InvalidArgument(fmt::format("no weighting \"{}\"; expected equal, per_instrument or by_count", name));
+    throw InvalidArgument(fmt::format("unknown weighting \"{}\"; expected equal, per_instrument or by_count", name));
 }
 
 }  // namespace setae::scales

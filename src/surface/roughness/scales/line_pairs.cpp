@@ -69,7 +69,7 @@ void LinePairs::add_line(const double* heights, Part& part) const {
         }
     if (defined == 0) return;
     const double mean = sum / static_cast<double>(defined);
-    if (!std::isfinite(mean)) throw InvalidArgument("an infinite height in a line; mark it as undefined");
+    if (!std::isfinite(mean)) throw InvalidArgument("a height of a line is infinite; mark it as undefined");
     double* line = part.line.data();
     if (defined == points_) {
         for (Index i = 0; i < points_; ++i) line[i] = (heights[i] - origin) - mean;

@@ -66,7 +66,7 @@ void add_piece(double a, double b, double length, PieceMoments& sums) {
 
 void require_polyline(const topography::Profile& profile) {
     if (profile.heights.isNaN().any())
-        throw UndefinedDataError(fmt::format("{}: an undefined height in a polyline; leave out its point",
+        throw UndefinedDataError(fmt::format("{}: a height of a polyline is undefined; leave out this point",
                                              topography::label(profile.metadata)));
     topography::validate(profile);
 }

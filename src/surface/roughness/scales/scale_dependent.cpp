@@ -77,14 +77,14 @@ void require_fourier(const Source& source, const DifferenceOptions& options) {
     const auto label = topography::label(*source.metadata);
     if (!source.field.periodic)
         throw InvalidArgument(label +
-                              ": Fourier interpolation of data that are not periodic; take linear interpolation");
+                              ": Fourier interpolation of data that are not periodic; choose linear interpolation");
     if (options.along == Along::both)
         throw InvalidArgument(label +
-                              ": Fourier interpolation along both directions at once; take x and y by themselves");
+                              ": Fourier interpolation along both directions at once; compute x and y separately");
     const Eigen::Map<const Array1D> heights(source.field.heights, source.field.rows * source.field.columns);
     if (heights.isNaN().any())
         throw UndefinedDataError(
-            label + ": Fourier interpolation of undefined heights; fill them or take linear interpolation");
+            label + ": Fourier interpolation of undefined heights; fill them or choose linear interpolation");
 }
 
 Source source_of(const topography::HeightMap& map, const DifferenceOptions& options) {
@@ -108,7 +108,7 @@ Source source_of(const topography::HeightMap& map, const DifferenceOptions& opti
 Source source_of(const topography::LineScan& scan, const DifferenceOptions& options) {
     require_differences(options, scan.metadata);
     if (options.along == Along::y)
-        throw InvalidArgument(topography::label(scan.metadata) + ": differences along y of a line; take x");
+        throw InvalidArgument(topography::label(scan.metadata) + ": differences along y of a line; choose x");
     Source source{{scan.heights.data(), 1, scan.heights.size(), 0.0, scan.periodic},
                   {scan.pixel_size(), scan.pixel_size()},
                   true,
@@ -215,7 +215,7 @@ void hand_over_rows(const Source& source, double distance, const DifferenceOptio
             fmt::format("{}: distance {} m; expected positive", topography::label(*source.metadata), distance));
     if (options.along == Along::both)
         throw InvalidArgument(topography::label(*source.metadata) +
-                              ": differences by rows along both directions; take x and y by themselves");
+                              ": differences by rows along both directions; compute x and y separately");
     const auto rows = rows_along(source, options.along, options, distance);
     if (rows.empty()) return;
     Buffer<double> values(extent(source.field.columns));

@@ -12,9 +12,9 @@ DifferenceStatistics difference_statistics(const topography::Profile& profile, c
     require_differences(options, profile.metadata);
     require_polyline(profile);
     const auto label = topography::label(profile.metadata);
-    if (options.along == Along::y) throw InvalidArgument(label + ": differences along y of a line; take x");
+    if (options.along == Along::y) throw InvalidArgument(label + ": differences along y of a line; choose x");
     if (options.interpolation == Interpolation::fourier)
-        throw InvalidArgument(label + ": Fourier interpolation of a polyline; take linear interpolation");
+        throw InvalidArgument(label + ": Fourier interpolation of a polyline; choose linear interpolation");
     const double length = profile.size(), step = length / static_cast<double>(profile.positions.size() - 1);
     const Array1D distances = options.distances
                                   ? *options.distances

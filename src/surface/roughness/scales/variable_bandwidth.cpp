@@ -112,7 +112,7 @@ void require_cells(Index levels, const VariableBandwidthOptions& options, const 
     if (options.fewest_points < 2)
         throw InvalidArgument(fmt::format("cells of at least {} points; expected 2 or more", options.fewest_points));
     if (levels < 1)
-        throw InvalidArgument(fmt::format("{}: too few points for a cell of {}; take more points or smaller cells",
+        throw InvalidArgument(fmt::format("{}: too few points for a cell of {}; use more points or smaller cells",
                                           topography::label(metadata), options.fewest_points));
 }
 
@@ -121,7 +121,7 @@ FunctionOfScale result_of(const LevelSums& sums, double longest, double reliable
                           const topography::Metadata& metadata) {
     const auto levels = static_cast<Index>(sums.residual.size());
     if (!(sums.weight[0] > 0.0))
-        throw UndefinedDataError(fmt::format("{}: no defined height", topography::label(metadata)));
+        throw UndefinedDataError(fmt::format("{}: no height is defined", topography::label(metadata)));
     FunctionOfScale result;
     result.quantity = "variable_bandwidth";
     result.unit = "m";

@@ -49,7 +49,8 @@ SpatialParameters no_spatial_parameters(const topography::HeightMap& map) {
     none.Sal = none.Str = none.Std = none.longest = undefined;
     none.correlation_areas.fill(undefined);
     none.alerts.push_back({"CONSTANT", topography::label(map.metadata),
-                           "all heights are equal, so that nothing is correlated", "look at the data"});
+                           "all heights are equal, so that there is no autocorrelation",
+                           "check that the right channel was read and that the instrument was in contact"});
     return none;
 }
 
@@ -88,7 +89,7 @@ std::vector<TextureParameter> areal_parameters(const MeasurementView& measuremen
                                                parallel::Threads threads) {
     if (!measurement.as<topography::HeightMap>())
         throw InvalidArgument(topography::label(measurement.metadata()) +
-                              ": parameters of ISO 25178-2 are of maps, this is a line; take those of ISO 21920-2");
+                              ": parameters of ISO 25178-2 need a map, and this is a line; use those of ISO 21920-2");
     const auto own = filtered(measurement, options.filters, ProfileKind::roughness, threads);
     const MeasurementView view = own ? MeasurementView(*own) : measurement;
     const auto& map = *view.as<topography::HeightMap>();
@@ -113,8 +114,8 @@ std::vector<TextureParameter> areal_parameters(const MeasurementView& measuremen
     std::vector<Alert> few;
     if (correlated && errors.patches() < fewest_patches)
         few.push_back({"FEW_PATCHES", topography::label(map.metadata),
-                       fmt::format("the map holds {:.1f} independent patches", errors.patches()),
-                       "measure a larger map, or take out long waves with an L-filter"});
+                       fmt::format("the map contains {:.1f} independent patches", errors.patches()),
+                       "measure a larger map, or remove long waves with an L-filter"});
     ParameterRows rows(Standard::iso25178, description(options.filters, ProfileKind::roughness),
                        bandwidth(measurement, options.filters, ProfileKind::roughness, threads),
                        undefined_alerts(measurement), heights.defined, only);

@@ -39,7 +39,9 @@ ProfileSetting default_setting(const MeasurementView& line, parallel::Threads th
     const auto* scan = line.as<topography::LineScan>();
     if (!scan)
         throw InvalidArgument(
-            name + ": filters need equal steps, this is a polyline; resample it or take parameters without filters");
+            name +
+            ": filters need equal steps, and this is a polyline; resample it, or compute parameters without "
+            "filters");
     std::optional<ProfileSetting> last;
     for (const auto& row : rows) {
         if (row.setting.section_length > scan->size * 1.01) break;
@@ -49,9 +51,10 @@ ProfileSetting default_setting(const MeasurementView& line, parallel::Threads th
         if (height_parameters(*roughness, threads).Sa <= row.largest_Ra) break;
     }
     if (!last)
-        throw InvalidArgument(fmt::format(
-            "{}: its {} are shorter than the smallest section of the standards, {}; give filters and section length",
-            name, format_value(scan->size, "m"), format_value(rows.front().setting.section_length, "m")));
+        throw InvalidArgument(
+            fmt::format("{}: its {} are shorter than the smallest section of the standards, {}; give filters and the "
+                        "length of a section",
+                        name, format_value(scan->size, "m"), format_value(rows.front().setting.section_length, "m")));
     return *last;
 }
 

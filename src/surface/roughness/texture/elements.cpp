@@ -13,7 +13,7 @@ Elements::Elements(const MeasurementView& measurement, Between between) : measur
         if (between == Between::nothing)
             throw InvalidArgument(
                 topography::label(profile->metadata) +
-                ": points of a polyline have no weight of their own, take its segments (Between::linear)");
+                ": points of a polyline have no weight of their own; use its segments (Between::linear)");
         topography::validate(*profile);
     }
     Index least = 1;
@@ -38,7 +38,7 @@ Range Elements::range() const {
         }
     });
     if (!(range.lowest <= range.highest))
-        throw UndefinedDataError(topography::label(measurement_.metadata()) + ": no defined height");
+        throw UndefinedDataError(topography::label(measurement_.metadata()) + ": no height is defined");
     return range;
 }
 
@@ -46,7 +46,7 @@ void Elements::require_weight(double weight) const {
     if (!(weight > 0.0))
         throw UndefinedDataError(
             topography::label(measurement_.metadata()) +
-            ": no two neighbouring heights (of a map: three) are defined; fill undefined heights first");
+            ": no two neighbouring heights (for a map: three) are defined; fill undefined heights first");
 }
 
 }  // namespace setae::texture

@@ -44,7 +44,7 @@ double mean_curvature(const topography::HeightMap& map, const std::vector<Peak>&
 FeatureParameters feature_parameters(const topography::HeightMap& map, const FeatureOptions& options,
                                      parallel::Threads threads) {
     if (!(options.pruning >= 0.0 && options.pruning <= 1.0))
-        throw InvalidArgument(fmt::format("pruning is {} of Sz, expected 0 … 1", options.pruning));
+        throw InvalidArgument(fmt::format("pruning is {} of Sz; expected 0 … 1", options.pruning));
     const auto heights = height_parameters(map, threads);
     std::array<std::vector<Peak>, 2> found;
     const parallel::Threads inside{std::max(1, threads.resolved() / 2)};

@@ -19,15 +19,17 @@ void require_filters(const MeasurementView& measurement, const Filters& filters,
     const auto name = topography::label(measurement.metadata());
     for (const auto& nesting : {filters.s_filter, filters.l_filter})
         if (nesting && !(*nesting > 0.0))
-            throw InvalidArgument(fmt::format("{}: nesting index of a filter is {} m, expected > 0", name, *nesting));
+            throw InvalidArgument(fmt::format("{}: nesting index of a filter is {} m; expected > 0", name, *nesting));
     if (filters.s_filter && filters.l_filter && !(*filters.s_filter < *filters.l_filter))
         throw InvalidArgument(fmt::format("{}: the S-filter of {} leaves nothing below the L-filter of {}", name,
                                           format_value(*filters.s_filter, "m"), format_value(*filters.l_filter, "m")));
     if (kind == ProfileKind::waviness && !filters.l_filter)
-        throw InvalidArgument(name + ": waviness is what an L-filter takes out; give one");
+        throw InvalidArgument(name + ": waviness needs an L-filter, and none is given; give one");
     if ((filters.s_filter || filters.l_filter) && measurement.as<topography::Profile>())
         throw InvalidArgument(
-            name + ": filters need equal steps, this is a polyline; resample it or take parameters without filters");
+            name +
+            ": filters need equal steps, and this is a polyline; resample it, or compute parameters without "
+            "filters");
 }
 
 /// A length without digits that say nothing.
@@ -94,7 +96,8 @@ std::vector<Alert> undefined_alerts(const MeasurementView& measurement) {
     if (share <= 0.01) return {};
     return {{"UNDEF", topography::label(measurement.metadata()),
              fmt::format("{:.1f} % of the heights are undefined", 100.0 * share),
-             "fill them or crop the measurement; parameters are of the rest"}};
+             "fill the undefined heights or crop the measurement; the parameters are those of the defined "
+             "heights"}};
 }
 
 bool rests_on_short_waves(std::string_view symbol) {

@@ -73,7 +73,7 @@ CoreLine core_line(const CurveInterpolant& curve) {
 
 void require_ratio(double ratio) {
     if (!(ratio >= 0.0 && ratio <= 1.0))
-        throw InvalidArgument(fmt::format("material ratio is {}, expected 0 … 1", ratio));
+        throw InvalidArgument(fmt::format("material ratio is {}; expected 0 … 1", ratio));
 }
 
 /// Volumes above and below heights, which may stand in any order.
@@ -104,7 +104,8 @@ FunctionalParameters functional_parameters(const MeasurementView& measurement, c
                                ratios.lower, ratios.inverse})
         require_ratio(ratio);
     if (ratios.height && !std::isfinite(*ratios.height))
-        throw InvalidArgument(fmt::format("height of a material ratio is {}, expected a finite one", *ratios.height));
+        throw InvalidArgument(
+            fmt::format("height of a material ratio is {}; expected a finite number", *ratios.height));
     const Elements elements(measurement, between);
     const CurveInterpolant curve(elements, threads);
     FunctionalParameters result;

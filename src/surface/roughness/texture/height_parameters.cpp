@@ -115,7 +115,7 @@ Powers powers(const Uniform& data, double origin, parallel::Threads threads) {
 double first_defined(const Eigen::Ref<const Array1D>& heights, const topography::Metadata& metadata) {
     for (const double h : heights)
         if (!std::isnan(h)) return h;
-    throw UndefinedDataError(topography::label(metadata) + ": no defined height");
+    throw UndefinedDataError(topography::label(metadata) + ": no height is defined");
 }
 
 template <class Kind>

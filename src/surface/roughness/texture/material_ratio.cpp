@@ -52,7 +52,7 @@ Array1D ratios_at_infinity(const ArrayView1D& heights) {
 
 void require_share(double share) {
     if (!(share > 0.0 && share < 1.0))
-        throw InvalidArgument(fmt::format("share of the area is {}, expected 0 < share < 1", share));
+        throw InvalidArgument(fmt::format("share of the area is {}; expected 0 < share < 1", share));
 }
 
 }  // namespace
@@ -70,12 +70,12 @@ Array1D bearing_area(const MeasurementView& measurement, const ArrayView1D& heig
 
 MaterialRatioCurve material_ratio_curve(const MeasurementView& measurement, const ArrayView1D& heights, Between between,
                                         parallel::Threads threads) {
-    if (heights.size() == 0) throw InvalidArgument("no height to take the material ratio at");
+    if (heights.size() == 0) throw InvalidArgument("no height is defined, so that there is no material ratio");
     for (Index k = 1; k < heights.size(); ++k)
         if (!(heights[k] > heights[k - 1]))
             throw InvalidArgument(
-                fmt::format("heights of a material ratio curve do not increase: {} m is followed by {} m",
-                            heights[k - 1], heights[k]));
+                fmt::format("heights of a material ratio curve must increase: {} m is followed by {} m", heights[k - 1],
+                            heights[k]));
     const auto sums = sum_curve(Elements(measurement, between), HeightLocator(heights), Volumes::yes, threads);
     return {heights,
             sums.above / sums.weight,
@@ -89,7 +89,7 @@ Array1D heights_at_ratio(const Elements& elements, const HeightLocator& locate, 
                          const ArrayView1D& ratios, parallel::Threads threads) {
     for (Index k = 0; k < ratios.size(); ++k)
         if (!(ratios[k] >= 0.0 && ratios[k] <= 1.0))
-            throw InvalidArgument(fmt::format("material ratio {} is {}, expected 0 … 1", k, ratios[k]));
+            throw InvalidArgument(fmt::format("material ratio {} is {}; expected 0 … 1", k, ratios[k]));
     const double* grid = locate.heights();
     const Index last = locate.count() - 1;
     Array1D heights(ratios.size());

@@ -39,8 +39,8 @@ void ParameterRows::add(std::string_view symbol, Estimate estimate, std::vector<
         fmt::format("{}, {}: {}", standard_ == Standard::iso25178 ? "ISO 25178-2:2021" : "ISO 21920-2:2021",
                     definition.clause, definition.formula);
     if (std::isnan(estimate.value) && alerts.empty())
-        alerts.push_back(
-            {"UNDEFINED", quantity.symbol, "has no value for these heights", "see the parameter's definition"});
+        alerts.push_back({"UNDEFINED", quantity.symbol, "the parameter has no value for these heights",
+                          "read the definition of the parameter; it needs heights that are not all equal"});
     quantity.alerts = std::move(alerts);
     quantity.alerts.insert(quantity.alerts.end(), alerts_.begin(), alerts_.end());
     if (rests_on_short_waves(symbol))

@@ -157,8 +157,8 @@ const ParameterDefinition& parameter(std::string_view symbol) {
         symbols.emplace_back(row.symbol);
     }
     const auto nearest = nearest_match(symbol, symbols);
-    throw InvalidArgument(fmt::format("no parameter is called \"{}\"{}", symbol,
-                                      nearest.empty() ? std::string() : fmt::format(", did you mean {}", nearest)));
+    throw InvalidArgument(fmt::format("unknown parameter \"{}\"{}", symbol,
+                                      nearest.empty() ? std::string() : fmt::format("; did you mean {}?", nearest)));
 }
 
 std::vector<std::string> chosen_parameters(std::string_view text, Standard standard, char letter) {
@@ -178,11 +178,10 @@ std::vector<std::string> chosen_parameters(std::string_view text, Standard stand
         }
         if (!definition) {
             const auto nearest = nearest_match(word, symbols);
-            throw InvalidArgument(fmt::format("no parameter of {} is called \"{}\"; {}",
-                                              standard == Standard::iso25178 ? "iso25178" : "iso21920", word,
-                                              nearest.empty()
-                                                  ? fmt::format("expected some of {}", fmt::join(symbols, ", "))
-                                                  : fmt::format("did you mean {}", nearest)));
+            throw InvalidArgument(fmt::format(
+                "{} has no parameter \"{}\"; {}", standard == Standard::iso25178 ? "iso25178" : "iso21920", word,
+                nearest.empty() ? fmt::format("expected one or more of {}", fmt::join(symbols, ", "))
+                                : fmt::format("did you mean {}?", nearest)));
         }
         found.emplace_back(definition->symbol);
         begin = text.find_first_not_of(separators, end);

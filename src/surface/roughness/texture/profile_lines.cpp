@@ -20,7 +20,7 @@ using topography::Profile;
 void require_line(const MeasurementView& line) {
     if (line.as<topography::HeightMap>())
         throw InvalidArgument(topography::label(line.metadata()) +
-                              ": profile parameters are of lines, this is a map; take its scan lines one by one");
+                              ": profile parameters need a line, and this is a map; use its scan lines one by one");
 }
 
 Points points_of(const MeasurementView& line) {
@@ -36,7 +36,7 @@ Points points_of(const MeasurementView& line) {
     }
     if (points.heights.isNaN().any())
         throw UndefinedDataError(topography::label(line.metadata()) +
-                                 ": elements of a profile need every height; fill undefined heights first");
+                                 ": elements of a profile need all heights; fill undefined heights first");
     return points;
 }
 
@@ -73,7 +73,7 @@ std::vector<topography::Measurement> sections(const MeasurementView& line, doubl
     const auto count = section_length > 0.0 ? static_cast<Index>(std::floor(size / section_length + 0.01)) : 0;
     if (count < 1)
         throw InvalidArgument(fmt::format(
-            "{}: a section of {} does not fit into {}; choose shorter sections or a smaller L-filter",
+            "{}: a section of {} is longer than {}; choose shorter sections or a smaller L-filter",
             topography::label(line.metadata()), format_value(section_length, "m"), format_value(size, "m")));
     std::vector<topography::Measurement> parts;
     if (scan) {

@@ -66,8 +66,9 @@ void add_autocorrelation_length(ParameterRows& rows, const MeasurementView& line
     else
         rows.add("Ral", {undefined},
                  {{"RAL_UNDEFINED", topography::label(line.metadata()),
-                   scan ? "all heights are equal" : "an autocorrelation needs equal steps, this is a polyline",
-                   scan ? "look at the data" : "resample the polyline"}});
+                   scan ? "all heights are equal" : "an autocorrelation needs equal steps, and this is a polyline",
+                   scan ? "check that the right channel was read and that the instrument was in contact"
+                        : "resample the polyline"}});
 }
 
 /// Rows of the material ratio curve.

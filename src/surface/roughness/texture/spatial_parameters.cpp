@@ -127,7 +127,7 @@ std::array<double, 3> correlation_areas(AutocorrelationOfProducts& f, double rad
 
 void require_threshold(double threshold) {
     if (!(threshold > 0.0 && threshold < 1.0))
-        throw InvalidArgument(fmt::format("threshold of the autocorrelation is {}, expected 0 < s < 1", threshold));
+        throw InvalidArgument(fmt::format("threshold of the autocorrelation is {}; expected 0 < s < 1", threshold));
 }
 
 Alert alert(const topography::HeightMap& map, const char* code, std::string message, const char* action) {
@@ -174,22 +174,23 @@ SpatialParameters spatial_parameters(const topography::HeightMap& map, const Spa
         result.alerts.push_back(
             alert(map, "SAL_UNDEFINED",
                   fmt::format("the autocorrelation stays above {} at every lag of the map", options.threshold),
-                  "measure a larger map, or take out long waves with an L-filter"));
+                  "measure a larger map, or remove long waves with an L-filter"));
     }
     if (!rim.closed)
         result.alerts.push_back(alert(
             map, "STR_UNDEFINED",
-            fmt::format(
-                "the autocorrelation stays above {} along a direction up to the largest lags, so that Str is at most {:.3g}",
-                options.threshold, result.Sal / result.longest),
-            "measure a larger map; lines without end have Str near 0"));
+            fmt::format("the autocorrelation stays above {} along one direction up to the largest lags, so that Str is "
+                        "at most {:.3g}",
+                        options.threshold, result.Sal / result.longest),
+            "measure a larger map; straight lines without end have Str near 0"));
     result.directionality = direction.directionality;
     result.Std = direction.angle < 0.5 * pi ? direction.angle + 0.5 * pi : direction.angle - 0.5 * pi;
     if (result.Str > 0.5)
         result.alerts.push_back(
             alert(map, "STD_WITHOUT_DIRECTION",
-                  fmt::format("Str is {:.2f}: no direction stands out, Std says little", result.Str),
-                  "use Std where Str is below 0.5"));
+                  fmt::format("Str is {:.2f}: no direction of the texture is distinct, and Std has little meaning",
+                              result.Str),
+                  "use Std only where Str is below 0.5"));
     return result;
 }
 

@@ -80,7 +80,7 @@ struct Basins {
 Basins basins_of(const Grid& grid, parallel::Threads threads) {
     const auto n = static_cast<std::size_t>(grid.nx() * grid.ny());
     if (n > static_cast<std::size_t>(INT32_MAX))
-        throw InvalidArgument("map has more than 2³¹ points, too many for watersheds; crop it");
+        throw InvalidArgument("the map has more than 2³¹ points, too many for watersheds; crop it");
     std::vector<Label> uphill(n, none);
     std::vector<char> rim(n, 0);
     parallel::for_each_index(static_cast<std::size_t>(grid.nx()), threads, [&](std::size_t row) {

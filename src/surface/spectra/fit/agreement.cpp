@@ -56,11 +56,13 @@ std::vector<Alert> agreement_alerts(const std::vector<Agreement>& rows) {
     for (const auto& row : rows)
         if (row.probability < improbable_agreement)
             alerts.push_back(
-                {"INSTRUMENTS_DISAGREE", row.instrument.empty() ? "no instrument stated" : row.instrument,
+                {"INSTRUMENTS_DISAGREE", row.instrument.empty() ? "instrument not stated" : row.instrument,
                  fmt::format(
-                     "between 1e{} and 1e{} 1/m its periodograms are {:.2f} of what the fit expects, chi² {:.0f} for {} groups of modes",
+                     "between 1e{} and 1e{} 1/m the periodograms of this instrument are {:.2f} times the values of "
+                     "the fit, chi² {:.0f} for {} groups of modes",
                      row.decade, row.decade + 1, row.ratio, row.chi_squared, row.groups),
-                 "check its calibration, tip radius and shape; look at its own spectrum beside the others"});
+                 "check calibration, tip radius and tip shape of this instrument; compare its own spectrum with "
+                 "the others"});
     return alerts;
 }
 

@@ -221,7 +221,7 @@ Array1D power_of_waves(const topography::Profile& contour, const Array1D& grid, 
 void require_points(const topography::Profile& contour) {
     topography::validate(contour);
     if (contour.positions.size() < 8)
-        throw InvalidArgument(fmt::format("contour '{}' of {} points; expected at least 8",
+        throw InvalidArgument(fmt::format("contour '{}' has {} points; expected at least 8",
                                           topography::label(contour.metadata), contour.positions.size()));
     if (!std::isfinite(contour.heights.sum()))
         throw UndefinedDataError(

@@ -30,7 +30,7 @@ BridgedLines bridged_lines(const Array2D& heights, const std::string& label) {
         if (undefined_points > 0.0) gapped.push_back(j);
     }
     if (used.empty())
-        throw UndefinedDataError(fmt::format("{}: no line along x has half of its heights defined", label));
+        throw UndefinedDataError(fmt::format("{}: in no line along x are half of the heights defined", label));
     const Index kept = std::min(most_lines_kept, std::ssize(gapped));
     BridgedLines result{
         Array2D(heights.rows(), std::ssize(used)),

@@ -473,10 +473,10 @@ private:
         if (first == q.size() || height[first] < much * height.maxCoeff()) return;
         r.alerts.push_back(
             {"ROLLOFF_NOT_SEEN", "spectrum",
-             fmt::format(
-                 "it still rises at its longest wavelength, {:.3g} um: rms height and stored energy are those of shorter waves alone",
-                 2.0e6 * pi / r.C_iso.band.lower),
-             "scan longer, until C1D is flat; W_app predicted for a contact wider than that needs those waves"});
+             fmt::format("C1D still rises at the longest wavelength, {:.3g} um: rms height and stored energy contain "
+                         "only shorter waves",
+                         2.0e6 * pi / r.C_iso.band.lower),
+             "scan longer until C1D is flat; the W_app predicted for a wider contact needs those waves"});
     }
 
     /// Errors of s and φ0 to first order in those of λ (cos 2φ0, sin 2φ0).
@@ -498,11 +498,13 @@ private:
                                  s.ratio.value, s.ratio.standard_error, s.direction.value * 180.0 / pi,
                                  s.direction.standard_error * 180.0 / pi,
                                  r.stretch.size() > 1 ? fmt::format(" at {:.2g} 1/m", s.wavevector) : "");
-        r.alerts.push_back({"STRETCHED", "spectrum",
-                            fmt::format("features are longer along one direction than across: {}; numbers are those of "
-                                        "the mean over directions",
-                                        found),
-                            "say along which direction each file was measured (direction), where it is not x of all"});
+        r.alerts.push_back(
+            {"STRETCHED", "spectrum",
+             fmt::format(
+                 "features are longer along one direction than across it: {}; the results are those of the mean "
+                 "over directions",
+                 found),
+             "give the direction of each file (direction) if it is not x for all files"});
     }
 
     std::vector<ObservedGroup> groups_;
@@ -556,7 +558,7 @@ Eigen::MatrixXd LikelihoodSpectrum::total_covariance() const {
 Array2D drawn_spectra(const LikelihoodSpectrum& spectrum, Index count, std::uint64_t seed) {
     const Index n = spectrum.theta.size();
     const auto lower = numerics::cholesky(0.5 * (spectrum.covariance + spectrum.covariance.transpose()));
-    if (!lower) throw InternalError("covariance of the spectrum is not positive definite");
+    if (!lower) throw InternalError("the covariance of the spectrum is not positive definite");
     Array2D result(count, spectrum.C_iso.wavevector.size());
     Array1D normal(n);
     for (Index r = 0; r < count; ++r) {

@@ -210,7 +210,7 @@ void add_curve(std::vector<ObservedGroup>& groups, const topography::Profile& cu
 }  // namespace
 
 SpectrumRange spectrum_range(std::span<const ObservedSurface> observed, const LikelihoodOptions& options) {
-    if (observed.empty()) throw InvalidArgument("no measurement to fit a spectrum to");
+    if (observed.empty()) throw InvalidArgument("no measurement is given; fitting a spectrum needs at least one");
     if (!(options.shortest_wavelength > 0.0))
         throw InvalidArgument(fmt::format("shortest wavelength {} m; expected > 0", options.shortest_wavelength));
     double longest = 0.0;

@@ -67,9 +67,10 @@ std::vector<Alert> scatter_alerts(const Scatter& scatter) {
     for (const auto& [instrument, found] : scatter)
         if (found.probability < significant)
             alerts.push_back(
-                {"MEASUREMENTS_SCATTER", instrument.empty() ? "no instrument stated" : instrument,
+                {"MEASUREMENTS_SCATTER", instrument.empty() ? "instrument not stated" : instrument,
                  fmt::format(
-                     "its measurements differ from each other by {:.0f} % in power beyond what their waves explain; intervals allow for it",
+                     "the measurements of this instrument differ from each other by {:.0f} % in power more than "
+                     "their waves explain; the intervals include this scatter",
                      100.0 * std::sqrt(found.variance)),
                  "measure more places: the surface differs from place to place, or its heights are not Gaussian"});
     return alerts;

@@ -38,7 +38,7 @@ Probe measured_tip(topography::ArrayTip shape, const std::string& name) {
     topography::validate(shape);
     const double radius = topography::apex_radius(shape);
     if (!(radius > 0.0))
-        throw InvalidArgument(name + ": the tip is flat about its apex; expected pixels that show how sharp it is");
+        throw InvalidArgument(name + ": the tip is flat around its apex; expected pixels that resolve its curvature");
     return {topography::Tip(std::move(shape)), radius, 0.0, name};
 }
 

@@ -195,7 +195,8 @@ Array1D scan_periodogram(const ArrayView2D& heights, double pixel_size, int tren
     const auto prepare = [&](Index j, double* values) {
         Eigen::Map<Eigen::VectorXd> line(values, n);
         if (!std::isfinite(line.sum()))
-            throw UndefinedDataError(fmt::format("line {} along x has undefined heights; fill or cut them first", j));
+            throw UndefinedDataError(
+                fmt::format("line {} along x has undefined heights; fill them or cut them off first", j));
         line -= basis * (basis.transpose() * line).eval();
         line.array() *= window;
     };

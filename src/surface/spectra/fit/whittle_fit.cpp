@@ -155,7 +155,8 @@ public:
                 right += weight * row * std::log(c.periodogram[k] * pi / c.wavevector[k]);
             }
         if (!(normal(0, 0) > 0.0))
-            throw InvalidArgument("no periodogram has a value inside its reliable band; nothing to fit a spectrum to");
+            throw InvalidArgument(
+                "no periodogram has a value inside its reliable band, so that no spectrum can be fitted");
         const Eigen::Vector3d fit = normal.colPivHouseholderQr().solve(right);
         Eigen::VectorXd x = prior_centre_;
         for (Index m = 0; m < spline_.coefficients(); ++m) {

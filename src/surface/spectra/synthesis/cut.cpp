@@ -17,10 +17,10 @@ topography::HeightMap cut(const topography::HeightMap& map, Index x0, Index y0, 
                         nx, ny, points_x, points_y));
     const bool inside = x0 >= 0 && y0 >= 0 && x0 + nx <= points_x && y0 + ny <= points_y;
     if (!inside && !map.periodic)
-        throw InvalidArgument(fmt::format(
-            "a window of {} x {} points from ({}, {}) on leaves the surface of {} x {} points, which is not "
-            "periodic; move the window inside",
-            nx, ny, x0, y0, points_x, points_y));
+        throw InvalidArgument(
+            fmt::format("a window of {} x {} points that starts at ({}, {}) extends beyond the surface of {} x {} "
+                        "points, which is not periodic; move the window inside",
+                        nx, ny, x0, y0, points_x, points_y));
     const auto wrapped = [](Index i, Index n) { return (i % n + n) % n; };
     const auto pixel = map.pixel_size();
     topography::HeightMap window{.heights = Array2D(nx, ny),

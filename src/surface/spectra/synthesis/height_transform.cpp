@@ -167,9 +167,10 @@ TransformCorrelation::TransformCorrelation(const HeightTransform& transform) : w
         }
     }
     if (!weights_.isFinite().all() || !(weights_[0] > 0.0))
-        throw InvalidArgument(fmt::format(
-            "a transform of heights with ⟨g(z) z⟩ = {}; expected one that increases and is finite for |z| <= {}",
-            weights_[0], end_of_normal));
+        throw InvalidArgument(
+            fmt::format("a transform of heights with ⟨g(z) z⟩ = {}; expected one that increases and is finite for |z| "
+                        "<= {}",
+                        weights_[0], end_of_normal));
     weights_ = weights_.square();
     weights_ /= weights_.sum();
 }

@@ -114,7 +114,8 @@ void require_wavelengths(const MultiscaleOptions& options) {
 
 void require_points(Index nx, Index ny, double step) {
     if (nx < 1 || ny < 1 || !(step > 0.0) || !std::isfinite(step))
-        throw InvalidArgument(fmt::format("{} x {} points {} m apart; expected at least one, apart", nx, ny, step));
+        throw InvalidArgument(
+            fmt::format("{} x {} points {} m apart; expected at least one point and a distance > 0", nx, ny, step));
 }
 
 constexpr Index points_at_once = 512;

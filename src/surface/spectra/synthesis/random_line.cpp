@@ -43,7 +43,8 @@ topography::LineScan random_line(const spectra::SpectralDensity& C1D, const Line
                                  const SurfaceOptions& options) {
     if (options.anisotropy.stretch != 1.0)
         throw InvalidArgument(
-            fmt::format("a line of a surface stretched {} times; expected no stretch: give the line's own spectrum",
+            fmt::format("a line of a surface stretched by a factor {}; expected no stretch: give the spectrum of the "
+                        "line itself",
                         options.anisotropy.stretch));
     if (options.exact_rms_height) require_rms_height(*options.exact_rms_height);
     const Array1D amplitude = amplitudes(C1D, grid);

@@ -269,7 +269,7 @@ TEST(ModelFits, SaysThatTheRangeOfAttractionIsNotDeterminedFarFromTheTransition)
     EXPECT_FALSE(zone.transition_parameter);
     EXPECT_FALSE(zone.cohesive_stress);
     ASSERT_FALSE(zone.undetermined.empty());
-    EXPECT_NE(zone.undetermined.front().find("does not tell"), std::string::npos) << zone.undetermined.front();
+    EXPECT_NE(zone.undetermined.front().find("does not determine"), std::string::npos) << zone.undetermined.front();
     ASSERT_TRUE(zone.work_of_adhesion) << zone.work_of_adhesion.reason;
     EXPECT_NEAR(zone.work_of_adhesion->value / lens.work_of_adhesion, 1.0, 0.1);
     const ModelFit curve =

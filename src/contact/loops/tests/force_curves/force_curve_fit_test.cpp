@@ -228,7 +228,7 @@ TEST(ForceCurveSummary, WhatIsMissingHasItsReason) {
                   .energy_loss.reason.find("retract segment does not return to free flight"),
               std::string::npos);
     Table table = curve(dry_force, dry_force, 1e-11);
-    EXPECT_NE(summary_of_force_curve(table, tip_on_gel()).pull_off_force.reason.find("no attraction stands out"),
+    EXPECT_NE(summary_of_force_curve(table, tip_on_gel()).pull_off_force.reason.find("no attraction exceeds the noise"),
               std::string::npos);
     for (Column& column : table.columns) column.values = Array1D(column.values.head(600));
     const ForceCurveSummary approach = summary_of_force_curve(table, tip_on_gel());
@@ -238,7 +238,7 @@ TEST(ForceCurveSummary, WhatIsMissingHasItsReason) {
               "the curve has no retraction");
     const ForceCurveSummary cone = summary_of_force_curve(curve(dry_force, sticky_force), tip_on_gel(),
                                                           {.shape = TipShape::cone, .half_angle = 0.5});
-    EXPECT_EQ(cone.work_of_adhesion.reason, "the pull-off of a cone tells no W");
+    EXPECT_EQ(cone.work_of_adhesion.reason, "the pull-off force of a cone does not give W");
 }
 
 }  // namespace

@@ -90,7 +90,7 @@ TEST(MachineStiffness, RefusesASoftContact) {
     loop.displacement += loop.force / 5000.0;
     const std::string message =
         tests::refusal_of<UndefinedDataError>([&] { (void)machine_stiffness_from_rigid_contact(loop); });
-    EXPECT_NE(message.find("this contact is soft"), std::string::npos) << message;
+    EXPECT_NE(message.find("the contact is soft"), std::string::npos) << message;
     loop.displacement = Array1D();
     EXPECT_THROW((void)machine_stiffness_from_rigid_contact(loop), UndefinedDataError);
 }

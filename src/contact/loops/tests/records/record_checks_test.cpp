@@ -119,7 +119,7 @@ TEST(ImplausibleUnits, SayWhichColumnAndTheLikelyFactor) {
     loop.contact_radius *= 1e6;
     expect_says(
         alert_of(loop, "UNITS_IMPLAUSIBLE"),
-        "more than the sphere radius 1.250 mm: one of them is off, the likely factor of the contact radius is 10^-6");
+        "more than the sphere radius 1.250 mm: one of them is wrong, and the likely factor of the contact radius is 10^-6");
     // forces in mN read as N
     loop = smooth.make();
     loop.force *= 1e3;

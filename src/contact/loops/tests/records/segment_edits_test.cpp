@@ -64,11 +64,11 @@ TEST(SegmentEditText, TakesTimesInAnyUnit) {
 TEST(SegmentEditText, SaysWhatItDoesNotUnderstand) {
     const auto message = [](const char* text) { return refusal_of<InvalidArgument>([&] { (void)edits_of({text}); }); };
     EXPECT_NE(message("loading").find("no '='"), std::string::npos);
-    EXPECT_NE(message("load=1:2").find("'load' is none of"), std::string::npos);
+    EXPECT_NE(message("load=1:2").find("'load' is unknown"), std::string::npos);
     EXPECT_NE(message("loading=12").find("FIRST:LAST"), std::string::npos);
     EXPECT_NE(message("loading=1:2s").find("one end is a sample"), std::string::npos);
     EXPECT_NE(message("loading=a:b").find("loading=a:b"), std::string::npos);
-    EXPECT_NE(message("loading@0=1:2").find("count from 1"), std::string::npos);
+    EXPECT_NE(message("loading@0=1:2").find("starts at 1"), std::string::npos);
     EXPECT_NE(message("cut=1:2").find("one sample"), std::string::npos);
     EXPECT_NE(message("ignore=1:2").find("reason"), std::string::npos);
 }
@@ -90,7 +90,7 @@ TEST(SegmentEdits, TakeTimesToTheirSamples) {
     Loop timeless = loop;
     timeless.time = Array1D();
     EXPECT_NE(refused(timeless, {"loading=45s:80s"}).find("has no time"), std::string::npos);
-    EXPECT_NE(refused(loop, {"loading=450s:800s"}).find("holds no sample"), std::string::npos);
+    EXPECT_NE(refused(loop, {"loading=450s:800s"}).find("contains no sample"), std::string::npos);
 }
 
 TEST(SegmentEdits, MakeRoomBySegmentsFound) {
@@ -111,12 +111,12 @@ TEST(SegmentEdits, SayWhichRangeIsImpossibleAndWhy) {
     EXPECT_NE(overlap.find("overlap those of loading"), std::string::npos);
     EXPECT_NE(refused(loop, {"unloading=410:440", "loading=450:500"}).find("overlap"), std::string::npos);
     EXPECT_NE(refused(loop, {"hold=10:20"}).find("hold"), std::string::npos);
-    EXPECT_NE(refused(loop, {"loading@2=450:800"}).find("edits of contact 2, but the record has 1"), std::string::npos);
+    EXPECT_NE(refused(loop, {"loading@2=450:800"}).find("segments are given for contact 2, but the record has 1"), std::string::npos);
     EXPECT_NE(refused(loop, {"cut=5"}).find("cut"), std::string::npos);
     EXPECT_NE(refused(loop, {"baseline=0:403"}).find("reach into contact"), std::string::npos);
     EXPECT_NE(refused(loop, {"baseline_after=700:1500"}).find("before contact ends"), std::string::npos);
     EXPECT_NE(refused(loop, {"baseline=3:5"}).find("at least 5"), std::string::npos);
-    EXPECT_NE(refused(loop, {"loading=1200:1300"}).find("leave nothing of unloading"), std::string::npos);
+    EXPECT_NE(refused(loop, {"loading=1200:1300"}).find("leave no samples for unloading"), std::string::npos);
 }
 
 TEST(SegmentEdits, CutCyclesWhereTheySay) {

@@ -178,7 +178,7 @@ TEST(Segments, RefuseASensorThatMovesAlone) {
 
 TEST(Segments, RefuseAStartInContact) {
     const Loop loop = without_radius(SyntheticLoop{.samples = 400}.make());
-    EXPECT_NE(refusal<UndefinedDataError>(from(loop, 500), {.baseline_share = 0.2}).find("no free flight"),
+    EXPECT_NE(refusal<UndefinedDataError>(from(loop, 500), {.baseline_share = 0.2}).find("not free flight"),
               std::string::npos);
 }
 

@@ -62,7 +62,7 @@ TEST(Gwy, FieldsWithoutUnitsNeedTheUsers) {
     const auto content = gwy_file(of_field(gwy_field(heights, 1.0, 1.0, "", "")));
     const auto info = opened(content).at(0).info;
     EXPECT_EQ(missing(info), (std::vector<std::string>{"size", "unit", "instrument", "date"}));
-    EXPECT_NE(refusal(content).find("--size"), std::string::npos);
+    EXPECT_NE(refusal(content).find("`size`"), std::string::npos);
     const auto map = std::get<HeightMap>(opened(content, {.size = {{4e-6, 6e-6}}, .unit = "um"}).at(0).read());
     EXPECT_NEAR(map.heights(3, 2), 1e-6 * heights(3, 2), 1e-24);
 }
@@ -189,8 +189,9 @@ TEST(GwyWriter, UndefinedPointsAreMaskedAndFiniteAndUndefinedAgain) {
 
 TEST(GwyWriter, LinesAreRefusedWithWhatHoldsThem) {
     const topography::LineScan line{Array1D::Zero(3), 1.0, false, {}};
-    EXPECT_EQ(message_of([&] { format_to_write("a.gwy").write("a.gwy", line); }),
-              "a.gwy: Gwyddion's format holds maps alone, this is a line; write it as .x3p, .sdf, .nc, .npy or .csv");
+    EXPECT_EQ(
+        message_of([&] { format_to_write("a.gwy").write("a.gwy", line); }),
+        "a.gwy: Gwyddion's format can hold only maps, and this is a line; write it as .x3p, .sdf, .nc, .npy or .csv");
 }
 
 TEST(QuantityMaps, StandInTheirUnitsWithUndefinedPointsMasked) {
@@ -216,7 +217,7 @@ TEST(QuantityMaps, RefuseWhatIsNoGrid) {
                   write_quantity_maps("a.gwy", {{"a", "Pa", Array2D::Zero(3, 2)}, {"b", "N", Array2D::Zero(2, 2)}},
                                       {1.0, 1.0});
               }),
-              "a.gwy: 'b' has 2 × 2 points, the maps before 3 × 2");
+              "a.gwy: 'b' has 2 × 2 points, but the maps before 3 × 2");
 }
 
 }  // namespace

@@ -314,7 +314,8 @@ TEST(JpkHdf5, PixelsThatAreNoLinesAreRefused) {
     file.dataset("/Measurement_000/Channel_000/Height", H5T_IEEE_F64LE, {7, 1}, numbers(7));
     file.attribute("/Measurement_000/Channel_000", "channel.name", std::string("height"));
     file.attribute("/Measurement_000", "position-pattern.grid.ilength", std::vector<double>{3});
-    EXPECT_NE(message_of([&] { (void)channels_of(file.bytes(), {}); }).find("no lines of 3"), std::string::npos);
+    EXPECT_NE(message_of([&] { (void)channels_of(file.bytes(), {}); }).find("do not form lines of 3"),
+              std::string::npos);
 }
 
 // ---- what does not look like heights --------------------------------------------------------------------------------
@@ -363,7 +364,7 @@ TEST(Hdf5, IndicesPositionsPicturesAndTablesAreNoHeights) {
             .find("coordinates"),
         std::string::npos);
     for (const char* name : {"/fft", "/psd", "/power spectrum", "/correlation", "/layer/weights"})
-        EXPECT_NE(why(name, H5T_IEEE_F64LE, {6, 8}, values_of(48, rough)).find("its name says"), std::string::npos);
+        EXPECT_NE(why(name, H5T_IEEE_F64LE, {6, 8}, values_of(48, rough)).find("its name means"), std::string::npos);
     EXPECT_NE(why("/ids", H5T_IEEE_F64LE, {6, 8}, values_of(48, [](std::size_t i) { return static_cast<double>(i); }))
                   .find("an index"),
               std::string::npos);

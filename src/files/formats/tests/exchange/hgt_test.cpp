@@ -71,7 +71,7 @@ TEST(Hgt, OtherNamesLeaveTheSizeOpen) {
     for (const auto* name : {"tile.hgt", "N4", "NxxE007.hgt", "N99E007.hgt"})
         EXPECT_EQ(missing(channel_named(name).info).at(0), "size") << name;
     const auto message = message_of([] { (void)channel_named("tile.hgt").read(); });
-    EXPECT_NE(message.find("give it, as in --size"), std::string::npos) << message;
+    EXPECT_NE(message.find("give `size`"), std::string::npos) << message;
 }
 
 TEST(Hgt, OtherContentOfThatLengthIsNotTaken) {

@@ -55,8 +55,8 @@ TEST(HeightTiff, AsksForTheUnitThatNoFileStates) {
     const auto content = height_tiff_samples().at(0).content;
     const auto channel = opened(content).at(0);
     EXPECT_EQ(channel.info.size, (std::vector<double>{3e-6, 2e-6}));
-    EXPECT_NE(refusal(content).find("--unit"), std::string::npos);
-    EXPECT_NE(refusal(height_tiff_samples().at(1).content).find("--size"), std::string::npos);
+    EXPECT_NE(refusal(content).find("`unit`"), std::string::npos);
+    EXPECT_NE(refusal(height_tiff_samples().at(1).content).find("`size`"), std::string::npos);
 }
 
 TEST(HeightTiff, GreyValuesOf8BitsAndColoursStayPictures) {

@@ -55,7 +55,7 @@ TEST(X3p, HeightsAreReadOnlyWhenAsked) {
     EXPECT_EQ(channels.at(0).info.shape, (std::vector<Index>{2, 3}));
     EXPECT_EQ(message_of([&] { (void)channels[0].read(); }),
               "a.x3p: d.bin: at byte 0: X3P: the MD5 checksum is " + bytes::md5(data) +
-                  ", main.xml says 00000000000000000000000000000000; it is damaged");
+                  ", but main.xml states 00000000000000000000000000000000; it is damaged");
 }
 
 TEST(X3p, ChecksumsThatAreMissingShortOrInCapitalsAreTolerated) {
@@ -116,7 +116,7 @@ TEST(X3p, MissingIncrementIsAskedFor) {
     const auto xml = x3p_document("SUR", "<AxisType>I</AxisType><DataType>D</DataType>", doubles, two_by_three, linked);
     const Members members{{"main.xml", xml}, {"d.bin", data}};
     EXPECT_EQ(missing(opened(members).at(0).info).front(), "size");
-    EXPECT_NE(refusal(members).find("--size"), std::string::npos);
+    EXPECT_NE(refusal(members).find("`size`"), std::string::npos);
     EXPECT_EQ(std::get<HeightMap>(opened(members, {.size = {{1e-6, 2e-6}}}).at(0).read()).size[1], 2e-6);
 }
 

@@ -68,7 +68,7 @@ TEST(Bcr, KeepsTimeAndOffsets) {
 }
 
 TEST(Bcr, ForceCurvesAreRefused) {
-    EXPECT_NE(refusal(integers("forcecurve = 1\n")).find("a force curve, no map"), std::string::npos);
+    EXPECT_NE(refusal(integers("forcecurve = 1\n")).find("a force curve, not a map"), std::string::npos);
 }
 
 TEST(Bcr, BrokenHeadersAreRefused) {

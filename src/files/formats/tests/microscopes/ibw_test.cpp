@@ -77,7 +77,7 @@ TEST(Ibw, WaveWithoutUnitsLeavesUnitAndSizeToTheUser) {
     auto content = asylum_content();
     content.note.clear();
     content.data_unit = content.lateral_unit = "";
-    EXPECT_NE(message(content).find("--size"), std::string::npos);
+    EXPECT_NE(message(content).find("`size`"), std::string::npos);
     const auto map = std::get<HeightMap>(opened(content, {.size = {{3e-6, 2e-6}}, .unit = "nm"}).at(0).read());
     EXPECT_DOUBLE_EQ(map.heights(1, 1), 1e-9);
     EXPECT_DOUBLE_EQ(map.size[1], 2e-6);

@@ -74,7 +74,7 @@ TEST(Mi, WhatIsNoImageIsNamed) {
     EXPECT_NE(message(replaced(content, "xPixels       8", "xPixels       -8")).find("'xPixels' is '-8'"),
               std::string::npos);
     const auto words = sample_of("ASCII").content;
-    EXPECT_NE(message(words.substr(0, words.size() - 10) + " 1.x 1 1 1 1 1 1").find("'1.x' is no number"),
+    EXPECT_NE(message(words.substr(0, words.size() - 10) + " 1.x 1 1 1 1 1 1").find("'1.x' is not a number"),
               std::string::npos);
 }
 

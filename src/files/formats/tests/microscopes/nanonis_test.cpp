@@ -33,7 +33,7 @@ TEST(Nanonis, ListsChannelsAndWays) {
 
 TEST(Nanonis, RangeOfZeroIsAskedFor) {
     const auto content = nanonis_file(map, "down", "0.0 0.0");
-    EXPECT_NE(message_of([&] { (void)opened(content)[0].read(); }).find("--size"), std::string::npos);
+    EXPECT_NE(message_of([&] { (void)opened(content)[0].read(); }).find("`size`"), std::string::npos);
     EXPECT_DOUBLE_EQ(std::get<topography::HeightMap>(opened(content, {.size = {{1e-6, 2e-6}}})[0].read()).size[1],
                      2e-6);
 }

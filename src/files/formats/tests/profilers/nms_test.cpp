@@ -34,7 +34,7 @@ TEST(Nms, FileThatBeginsWithZerosIsNoOtherFormat) {
 TEST(Nms, HeadersThatContradictThemselvesAreNotItsOwn) {
     const auto file = nms_samples().at(2).content;
     const auto detected = [](const std::string& content) {
-        return refusal(content).find("which no format setae reads") == std::string::npos;
+        return refusal(content).find("which no supported format") == std::string::npos;
     };
     EXPECT_TRUE(detected(file));
     EXPECT_FALSE(detected(with_number<std::uint32_t>(file, 1352, 3467))) << "length of the header";

@@ -61,7 +61,7 @@ TEST(Oir, BrokenPropertiesAreRefused) {
     EXPECT_NE(refusal(replaced(content, "<commonphase:depth>2<", "<commonphase:depth>7<")).find("heights of 7 bytes"),
               std::string::npos);
     EXPECT_NE(refusal(replaced(content, "<commonimage:width>5<", "<commonimage:width>6<"))
-                  .find("the file ends here, its heights (6 × 4 points)"),
+                  .find("the file ends here, expected the end of its heights (6 × 4 points)"),
               std::string::npos);
     EXPECT_NE(refusal(replaced(content, "t001_0_1_1f0c2a34-0000-4000-8000-00000000000a",
                                "t001_0_1_1f0c2a34-0000-4000-8000-00000000000c"))

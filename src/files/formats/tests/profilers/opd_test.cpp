@@ -83,7 +83,7 @@ TEST(Opd, LengthThatVisionAnnouncesWronglyMovesNoOtherBlock) {
 TEST(Opd, WithoutPixelSizeAsksForTheSize) {
     const auto file = opd_file({wavelength, array("OPD", 8)});
     EXPECT_EQ(missing(channels_of(file).at(0).info).at(0), "size");
-    EXPECT_NE(refusal(file).find("give it, as in --size"), std::string::npos) << refusal(file);
+    EXPECT_NE(refusal(file).find("give `size`"), std::string::npos) << refusal(file);
     EXPECT_DOUBLE_EQ(map_of(channels_of(file, {.size = {{2e-6, 3e-6}}, .unit = {}}).at(0)).size[1], 3e-6);
 }
 

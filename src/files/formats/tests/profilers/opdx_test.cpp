@@ -59,7 +59,7 @@ TEST(Opdx, ProfileWithoutScaleAsksForTheUnit) {
 }
 
 TEST(Opdx, ProfileThatAnnouncesOtherPointsIsRefused) {
-    EXPECT_NE(refusal(line(vca::number<std::uint64_t>("NumPoints", 0x0b, 6))).find("announces 6 points and has 5"),
+    EXPECT_NE(refusal(line(vca::number<std::uint64_t>("NumPoints", 0x0b, 6))).find("announces 6 points but has 5"),
               std::string::npos);
 }
 
@@ -72,7 +72,7 @@ TEST(Opdx, EntriesThatLeadOutOfTheirContainerAreRefused) {
     auto file =
         signature + vca::container("MetaData", {vca::string("Date", "2/11/2021")}) + vca::string("Time", "11:39:13 PM");
     file[signature.size() + 14] = 12;  // bytes of the container
-    EXPECT_NE(refusal(file).find("leads out of what holds it"), std::string::npos) << refusal(file);
+    EXPECT_NE(refusal(file).find("extends beyond the entry that contains it"), std::string::npos) << refusal(file);
 }
 
 TEST(Opdx, EntriesNestedWithoutEndAreRefused) {
@@ -87,7 +87,7 @@ TEST(Opdx, MatrixWithoutWholeValuesIsRefused) {
     const auto file =
         signature +
         vca::container("2D_Data", {vca::container("Raw", {with_number<std::uint32_t>(matrix, dimensions, 5)}, 0x47)});
-    EXPECT_NE(refusal(file).find("expected 4 or 8 bytes a value"), std::string::npos) << refusal(file);
+    EXPECT_NE(refusal(file).find("expected 4 or 8 bytes per value"), std::string::npos) << refusal(file);
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ TEST(Zmg, KeepsRecipeAndComment) {
 }
 
 TEST(Zmg, StepsThatAreNoLengthAreRefused) {
-    EXPECT_NE(refusal(with_number(zmg_samples().at(0).content, 97, -1.0f)).find("--size"), std::string::npos);
+    EXPECT_NE(refusal(with_number(zmg_samples().at(0).content, 97, -1.0f)).find("`size`"), std::string::npos);
 }
 
 TEST(OmniSurf3d, KeepsWhatTheHeaderSays) {

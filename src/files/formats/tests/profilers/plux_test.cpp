@@ -58,9 +58,9 @@ TEST(Plux, ShortLayersAreRefusedWithTheirEnd) {
 }
 
 TEST(Plux, EntitiesAreRefused) {
-    EXPECT_NE(
-        refusal({{"index.xml", index_xml("", "<!DOCTYPE x [<!ENTITY a 'b'>]>")}}).find("declares types or entities"),
-        std::string::npos);
+    EXPECT_NE(refusal({{"index.xml", index_xml("", "<!DOCTYPE x [<!ENTITY a 'b'>]>")}})
+                  .find("declarations of types or entities"),
+              std::string::npos);
 }
 
 }  // namespace

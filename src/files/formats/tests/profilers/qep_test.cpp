@@ -64,16 +64,17 @@ TEST(Qep, EqualStepsKeepUndefinedPoints) {
 TEST(Qep, DamagedProfilesAreRefusedWithTheirPlace) {
     const auto whole = marwin_profile(positions, heights, "0.025");
     const auto refusal = [](const std::string& profile) { return message_of([&] { (void)channels_of(profile); }); };
-    EXPECT_NE(refusal(whole.substr(0, whole.size() - 3)).find("5 points should end at byte"), std::string::npos);
+    EXPECT_NE(refusal(whole.substr(0, whole.size() - 3)).find("expected the end of 5 points at byte"),
+              std::string::npos);
     auto no_section = whole;
     no_section.replace(no_section.find("[Trajec]"), 8, "[Nothing");
     EXPECT_NE(refusal(no_section).find("without the section '[Trajec]'"), std::string::npos);
     auto huge = whole;
     huge.replace(0x14, 4, std::string("\xff\xff\xff\x7f", 4));
-    EXPECT_NE(refusal(huge).find("2147483647 points should end"), std::string::npos) << refusal(huge);
+    EXPECT_NE(refusal(huge).find("expected the end of 2147483647 points"), std::string::npos) << refusal(huge);
     Array1D standing = positions;
     standing[3] = standing[2];
-    EXPECT_NE(refusal(marwin_profile(standing, heights, "1")).find("x of point 4 is not beyond"), std::string::npos);
+    EXPECT_NE(refusal(marwin_profile(standing, heights, "1")).find("x of point 4 is not larger"), std::string::npos);
 }
 
 TEST(Qep, MemberThatAnnouncesMoreThanItCanBeIsRefusedBeforeItIsTaken) {

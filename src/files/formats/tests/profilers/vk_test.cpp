@@ -68,14 +68,14 @@ TEST(Vk, ArchiveMayBeginLittleBehindThePicture) {
     content.insert(7 + bmp_picture().size(), 100, '\0');
     EXPECT_EQ(opened(content).size(), 1u);
     content.insert(7 + bmp_picture().size(), 2000, '\0');
-    EXPECT_NE(refusal(content).find("no ZIP archive behind the picture"), std::string::npos);
+    EXPECT_NE(refusal(content).find("no ZIP archive follows the picture"), std::string::npos);
 }
 
 TEST(Vk, SizeOfZeroIsAskedFor) {
     const auto content = ByteBuilder().text(vk4_file({.heights = {raw}})).number_at(84 + 4 * 42, 0u).content();
     const auto channel = opened(content)[0];
     EXPECT_TRUE(channel.info.size.empty());
-    EXPECT_NE(message_of([&] { (void)channel.read(); }).find("--size"), std::string::npos);
+    EXPECT_NE(message_of([&] { (void)channel.read(); }).find("`size`"), std::string::npos);
     const auto given = open(bytes::memory_source("a.vk", content), {.size = {{1e-6, 2e-6}}})[0];
     EXPECT_EQ(given.info.size, (std::vector<double>{1e-6, 2e-6}));
 }
@@ -86,7 +86,7 @@ TEST(Vk, ImagesWhoseSizesDisagreeAreRefusedWithThePlace) {
     const auto changed = [&](std::size_t offset, std::uint32_t number) {
         return refusal(ByteBuilder().text(content).number_at(offset, number).content());
     };
-    EXPECT_EQ(changed(image + 8, 12), "a.vk: at byte 396: VK: 12 bits a point, expected 8, 16 or 32");
+    EXPECT_EQ(changed(image + 8, 12), "a.vk: at byte 396: VK: 12 bits per point, expected 8, 16 or 32");
     EXPECT_NE(changed(image, 0x80000005u).find("points of 16 bits in 40 bytes"), std::string::npos);
     EXPECT_NE(changed(36, 0xfffffff0u).find("truncated"), std::string::npos);
     EXPECT_NE(changed(36, 0).find("no image of heights or light"), std::string::npos);

@@ -83,7 +83,7 @@ TEST(CurveText, EvenStepsMakeTheSecondColumnPositions) {
     EXPECT_DOUBLE_EQ(line.size, 6e-6);
     EXPECT_DOUBLE_EQ(line.heights[1], 7e-6);
     EXPECT_EQ(channel.info.alerts.at(0).code, "AMBIGUOUS_COLUMNS");
-    EXPECT_NE(refusal("x,y\n" + named).find("jumps to and fro"), std::string::npos) << "x is named";
+    EXPECT_NE(refusal("x,y\n" + named).find("jumps back and forth"), std::string::npos) << "x is named";
 }
 
 TEST(XyzText, OneLineOfNamedPointsIsAProfile) {
@@ -163,7 +163,7 @@ TEST(XyzText, FarPointsDoNotMakeAHugeMap) {
               std::string::npos);
     EXPECT_NE(refusal("x;y;z\n0;0;1\n0;1;2\n1;0;3\n1;1;4\n1e12;0;1\n1e12;1;1\n").find("regular grid"),
               std::string::npos);
-    EXPECT_NE(refusal("x;y;z\n-1e308;0;1\n-1e308;1;2\n1e308;0;3\n1e308;1;4\n").find("is the same everywhere"),
+    EXPECT_NE(refusal("x;y;z\n-1e308;0;1\n-1e308;1;2\n1e308;0;3\n1e308;1;4\n").find("is equal for all points"),
               std::string::npos);
 }
 
@@ -173,7 +173,7 @@ TEST(ThreeColumns, OnAGridArePointsUnlessTheUserSaysOtherwise) {
     EXPECT_EQ(points.info.format, "xyz");
     ASSERT_EQ(points.info.alerts.size(), 1u);
     EXPECT_EQ(points.info.alerts[0].code, "AMBIGUOUS_COLUMNS");
-    EXPECT_NE(points.info.alerts[0].action.find("--as matrix"), std::string::npos);
+    EXPECT_NE(points.info.alerts[0].action.find("`layout` to matrix"), std::string::npos);
     const auto matrix = channel_of(text, taken_as(TextLayout::matrix));
     EXPECT_EQ(matrix.info.shape, (std::vector<Index>{3, 4}));
     EXPECT_EQ(matrix.info.format, "matrix");
@@ -196,7 +196,7 @@ TEST(ThreeColumns, OnNoGridAreANarrowMap) {
     const auto matrix = channel_of(text);
     EXPECT_EQ(matrix.info.shape, (std::vector<Index>{3, 4}));
     EXPECT_EQ(matrix.info.alerts.at(0).code, "AMBIGUOUS_COLUMNS");
-    EXPECT_NE(matrix.info.alerts[0].action.find("--as columns"), std::string::npos);
+    EXPECT_NE(matrix.info.alerts[0].action.find("`layout` to columns"), std::string::npos);
     EXPECT_NE(refusal(text, taken_as(TextLayout::columns)).find("regular grid"), std::string::npos);
 }
 

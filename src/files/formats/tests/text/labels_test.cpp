@@ -115,7 +115,7 @@ TEST(Labels, BesideAloneAreAskedAbout) {
     const auto text = rows(",", [](Index j) { return fmt::format("{},", 0.5 * static_cast<double>(j)); });
     const auto message = refusal(text);
     EXPECT_NE(message.find("x of 11 profiles, or positions of the rows of a map"), std::string::npos) << message;
-    EXPECT_NE(message.find("--as columns or --as matrix"), std::string::npos);
+    EXPECT_NE(message.find("`layout` to columns or matrix"), std::string::npos);
     expect_map(channel_of(text, {.size = {{11e-6, 9e-6}}, .unit = "um", .layout = TextLayout::matrix}), 11e-6, 9e-6);
     const auto profiles = open(bytes::memory_source("m.csv", text), {.unit = "um", .layout = TextLayout::columns});
     ASSERT_EQ(profiles.size(), 11u);

@@ -139,8 +139,9 @@ TEST(MatrixText, HeightsTakeTheHeadersConversion) {
 
 TEST(MatrixText, FewerLinesThanTheHeaderAnnouncesAreRefusedWhenItIsOpened) {
     EXPECT_THROW((void)channels_of("h=3 w=4\n1 2 3 4\n5 6 7 8\n"), FormatError);
-    EXPECT_NE(refusal("h=3 w=4\npixel size=1 um\n1 2 3 4\n5 6 7 8\n").find("4 × 2 numbers, its header announces 4 × 3"),
-              std::string::npos);
+    EXPECT_NE(
+        refusal("h=3 w=4\npixel size=1 um\n1 2 3 4\n5 6 7 8\n").find("4 × 2 numbers, but its header announces 4 × 3"),
+        std::string::npos);
     EXPECT_NE(refusal("1 2 3 4\n5 6 7 8\n9 10", given).find("m.txt:3: 2 columns, expected 4"), std::string::npos);
     EXPECT_THROW((void)channels_of("1 2 3 4\n5 6 7 8\n9 10", given), FormatError);
 }

@@ -189,19 +189,19 @@ TEST(ProfileTable, OtherQuantitiesAreListedWithTheReason) {
     const auto channels = channels_of(table("x [mm],z [um],load [mN],rms [um]", 3));
     ASSERT_EQ(channels.size(), 3u);
     EXPECT_TRUE(channels[0].info.is_height);
-    EXPECT_EQ(channels[1].info.not_heights, "its name says load");
-    EXPECT_EQ(channels[2].info.not_heights, "its name says rms");
+    EXPECT_EQ(channels[1].info.not_heights, "its name means load");
+    EXPECT_EQ(channels[2].info.not_heights, "its name means rms");
 }
 
 TEST(ProfileTable, BeginsWithPositions) {
     EXPECT_NE(refusal(table("time [s],a [um],b [um],c [um]", 3)).find("not heights: 4 columns"), std::string::npos);
-    EXPECT_NE(refusal(table("a,b,c,d", 3)).find("--as matrix with --size"), std::string::npos);
+    EXPECT_NE(refusal(table("a,b,c,d", 3)).find("`layout` to matrix and give `size`"), std::string::npos);
 }
 
 TEST(TwoColumnsOfNames, OfOtherQuantitiesAreNotHeights) {
     const auto channels = channels_of(table("time,voltage", 1), {.unit = "um"});
     EXPECT_FALSE(channels.at(0).info.is_height);
-    EXPECT_EQ(channels[0].info.not_heights, "the first column says time, expected positions");
+    EXPECT_EQ(channels[0].info.not_heights, "the first column is named time, expected positions");
     EXPECT_TRUE(
         channels_of(table("time,voltage", 1), {.unit = "um", .layout = TextLayout::columns}).at(0).info.is_height);
 }
@@ -238,7 +238,7 @@ TEST(Tokens, OfMissingHeightsAreUndefinedInEveryDialect) {
 TEST(Tokens, ThatAreNoneNameRowAndColumn) {
     std::string text;
     for (int j = 0; j < 5; ++j) text += fmt::format("{0}.5,{0}.25,xx,{0}.75\n", j);
-    EXPECT_NE(refusal(text, {.size = {{1e-6, 1e-6}}, .unit = "um"}).find("t.csv:1: 'xx' in column 3 is no number"),
+    EXPECT_NE(refusal(text, {.size = {{1e-6, 1e-6}}, .unit = "um"}).find("t.csv:1: 'xx' in column 3 is not a number"),
               std::string::npos);
     EXPECT_NE(refusal("x [um],z [um]\n0,1\n1,oops\n2,3\n3,4\n").find("t.csv:3: 'oops' in column 2"), std::string::npos);
     EXPECT_NE(refusal("0,oops\n1,2\n2,3\n3,4\n", {.unit = "um"}).find("t.csv:1: 'oops' in column 2"), std::string::npos)

@@ -132,13 +132,13 @@ TEST(DigitalMicrograph, RefusesWhatBreaksTheTreeOfTags) {
     expect_refusal(kind, "a tag of kind 99");
     auto mark = whole;
     mark[mark.find("%%%%")] = '!';
-    expect_refusal(mark, "without the mark");
+    expect_refusal(mark, "lack the mark");
     auto many = whole;
     many[14] = 127;  // tags of the root
     expect_refusal(many, "damaged");
     auto few = dm_file();
     few.data_type = 12;  // twice the bytes that are there
-    expect_refusal(few.bytes(), "24 bytes of pixels, 3 × 2 of 8 bytes need 48");
+    expect_refusal(few.bytes(), "24 bytes of pixels, but 3 × 2 of 8 bytes need 48");
     auto unknown = dm_file();
     unknown.data_type = 5;
     expect_refusal(unknown.bytes(), "type 5");

@@ -80,7 +80,7 @@ TEST(FrameSource, TakesPixelSizeAndFrameRateOfImageJ) {
     EXPECT_NEAR(*source.pixel_size(), 1.82e-6, 1e-15);
     expect_frames(source, patterns(3));
     expect_holds(message_of([&] { FrameSource(folder / "stack.tif", {.pixel_size = 2e-6}); }),
-                 "the file states 1.820 µm a pixel, the options 2.000 µm");
+                 "the file states 1.820 µm per pixel, but 2.000 µm was given");
     EXPECT_DOUBLE_EQ(
         *FrameSource(folder / "stack.tif", {.pixel_size = 2e-6, .ignore_stated_pixel_size = true}).pixel_size(), 2e-6);
 }
@@ -178,9 +178,9 @@ TEST(FrameSource, FlagsBadFramesAndReadsTheRest) {
     const FrameSource source(folder / "stack.tif", at_20_a_second());
     ASSERT_EQ(source.size(), 5U);
     EXPECT_EQ(source.read(0).fault, "");
-    EXPECT_EQ(source.read(1).fault, "one grey level, 77");
+    EXPECT_EQ(source.read(1).fault, "the grey level 77");
     EXPECT_EQ(source.read(2).fault, "");
-    EXPECT_EQ(source.read(3).fault, "40 × 23 pixels, the first frame has 37 × 23");
+    EXPECT_EQ(source.read(3).fault, "40 × 23 pixels, but the first frame has 37 × 23");
     expect_holds(source.read(4).fault, "truncated: 551 of 851 bytes");
 }
 

@@ -55,7 +55,7 @@ TEST(Micrograph, NamesFilesThatAreMissingOrNoPictures) {
 TEST(Micrograph, RefusesPixelsWithoutANumber) {
     DmFile file;
     for (int i = 0; i < columns * rows; ++i) file.pixels += file.order().real32(i == 4 ? NAN : 1.0f);
-    EXPECT_NE(refusal(file.bytes()).find("1 pixels without a number"), std::string::npos);
+    EXPECT_NE(refusal(file.bytes()).find("pixels that are not numbers: 1"), std::string::npos);
 }
 
 TEST(MicrographsIn, ListsPicturesOfAFolderInNaturalOrder) {

@@ -118,13 +118,13 @@ TEST(CalibrationFile, ErrorsNameFileAndKey) {
     expect_holds(message_after("\"setae_calibration\": 1", "\"setae_calibration\": 2"),
                  "'setae_calibration': version 2, expected 1");
     expect_holds(message_after("\"relative_standard_error\": ", "\"relative_standard_error\": -"),
-                 "'relative_standard_error': -0.00722222, expected a number of at least 0");
+                 "'relative_standard_error': -0.00722222, expected a number >= 0");
     expect_holds(message_after("\"pixel_size_x_m\": ", "\"pixel_size_x_m\": -"), "'pixel_size_x_m'");
     expect_holds(message_after("\"label\": \"5 nm\"", "\"label\": 5"), "'scale_bar.label': 5, expected text");
     expect_holds(message_after("\"code\"", "\"cod\""), "'alerts[0].code': missing");
     expect_holds(message_after("\"sha256\": \"", "\"sha256\": \"x"),
                  "'picture.sha256': expected 64 hexadecimal digits");
-    expect_holds(message_after("{", "{,"), "JSON that does not parse");
+    expect_holds(message_after("{", "{,"), "not valid JSON");
     write_bytes(path, "[]");
     EXPECT_THROW((void)read_calibration(path), FormatError);
     EXPECT_THROW((void)read_calibration(folder / "none.json"), FileError);

@@ -91,7 +91,7 @@ TEST(Calibration, ByALabelAloneAsksForConfirmation) {
     EXPECT_DOUBLE_EQ(read.pixel_size.x, by_bar);
     ASSERT_EQ(codes(read), "SCALE_BAR_UNCONFIRMED ");
     EXPECT_EQ(read.alerts.front().subject, "soot");
-    expect_holds(read.alerts.front().action, "--scale-bar \"20 nm\"");
+    expect_holds(read.alerts.front().action, "in `scale_bar`: \"20 nm\"");
     EXPECT_EQ(codes(calibrate(with_bar(), {.scale_bar_length = 20e-9})), "");
 }
 
@@ -103,15 +103,15 @@ TEST(Calibration, OfAFileWithoutBarIsTheFiles) {
 
 TEST(Calibration, RefusesSizesThatContradictEachOther) {
     expect_holds(message_of(stating(without_bar(), 1e-10), {.pixel_size = PixelSize{1.02e-10, 1.02e-10}}),
-                 "folder/soot.tif: the option says 102.0 pm a pixel, the file 100.0 pm");
+                 "folder/soot.tif: the given value gives 102.0 pm per pixel, the file 100.0 pm");
     expect_holds(message_of(stating(without_bar(), 1e-10, 1.02e-10), {.pixel_size = PixelSize{1e-10, 1e-10}}),
                  "the file 100.0 pm × 102.0 pm");
     expect_holds(message_of(stating(with_bar(), 1.02 * by_bar)),
-                 "the file says 170.0 pm a pixel, the scale bar of 120.0 px, read as 20 nm, 166.7 pm");
+                 "the file gives 170.0 pm per pixel, the scale bar of 120.0 px, read as 20 nm, 166.7 pm");
     expect_holds(message_of(stating(without_label(), by_bar), {.scale_bar_length = 40e-9}), "given as 40 nm");
-    expect_holds(message_of(with_bar(), {.pixel_size = PixelSize{2e-10, 2e-10}}), "--ignore-stated-pixel-size");
+    expect_holds(message_of(with_bar(), {.pixel_size = PixelSize{2e-10, 2e-10}}), "ignore_stated_pixel_size");
     expect_holds(message_of(with_bar(), {.scale_bar_length = 50e-9}),
-                 "given as 50 nm, says 416.7 pm a pixel, the scale bar of 120.0 px, read as 20 nm,");
+                 "given as 50 nm, gives 416.7 pm per pixel, the scale bar of 120.0 px, read as 20 nm,");
     // within one per cent, or three standard errors of the bar
     EXPECT_EQ(message_of(stating(without_bar(), 1e-10), {.pixel_size = PixelSize{1.009e-10, 1.009e-10}}), "no error");
     EXPECT_EQ(message_of(stating(with_bar(), 1.009 * by_bar)), "no error");
@@ -137,12 +137,12 @@ TEST(Calibration, GoesByOptionOrBarWhereTheFileIsToBeIgnored) {
 }
 
 TEST(Calibration, SaysWhatIsMissing) {
-    expect_holds(message_of(without_bar()), "the file states none and no scale bar was found; give the pixel size");
+    expect_holds(message_of(without_bar()), "the file states none, and no scale bar was found; give `pixel`");
     expect_holds(message_of(without_label()),
-                 "scale bar of 120.0 px at x 60, y 442 the label gives none (no letters beside the bar)");
+                 "the label of the scale bar of 120.0 px at x 60, y 442 gives none (no letters next to the bar)");
     expect_holds(message_of(micrograph(picture_with_bar({}, {.label = U"5 1/nm"}))), "diffraction pattern");
     expect_holds(message_of(without_bar(), {.scale_bar_length = 5e-9}),
-                 "no scale bar found, the options say that it stands for 5 nm");
+                 "no scale bar is found, although its length 5 nm was given");
 }
 
 TEST(Calibration, RefusesSizesThatAreNotPositive) {
@@ -177,7 +177,7 @@ TEST(Calibration, ServesPicturesOfTheSameMagnificationAlone) {
     };
     expect_holds(
         refused(stating(without_bar(), 1.02 * by_bar)),
-        "folder/soot.tif: the file says 170.0 pm a pixel, the calibration (scale bar 20 nm = 120.0 px) 166.7 pm");
+        "folder/soot.tif: the file gives 170.0 pm per pixel, the calibration (scale bar 20 nm = 120.0 px) 166.7 pm");
     expect_holds(refused(micrograph(picture_with_bar({}, {.label = U"50 nm"}))), "read as 50 nm");
 }
 

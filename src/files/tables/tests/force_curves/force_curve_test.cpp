@@ -65,13 +65,12 @@ TEST(JpkForce, DamageIsNamedByMember) {
     EXPECT_EQ(changed_segment("", ""), "no error");
     EXPECT_TRUE(holds(changed_segment("", "", big_endian<std::int16_t>({4, 2})),
                       "channels of different length: 'measuredHeight' has 2 values, 'vDeflection' 3"));
-    EXPECT_TRUE(holds(changed_segment("", "", "12345"), "5 bytes are no whole number of values of 2 bytes"));
+    EXPECT_TRUE(holds(changed_segment("", "", "12345"), "5 bytes are not a whole number of values of 2 bytes"));
     EXPECT_TRUE(holds(changed_segment("num-points=3", "num-points=4"), "the header announces 4"));
     EXPECT_TRUE(holds(changed_segment("signedshort", "nibbles"), "encoded as 'nibbles'"));
     EXPECT_TRUE(holds(changed_segment("offsetmultiplier", "spline"), "of style 'spline'"));
-    EXPECT_TRUE(
-        holds(changed_segment("base-calibration-slot=distance", "base-calibration-slot=force"), "run in a circle"));
-    EXPECT_TRUE(holds(changed_segment("multiplier=0.2", "multiplier=two"), "'two' is no number"));
+    EXPECT_TRUE(holds(changed_segment("base-calibration-slot=distance", "base-calibration-slot=force"), "form a loop"));
+    EXPECT_TRUE(holds(changed_segment("multiplier=0.2", "multiplier=two"), "'two' is not a number"));
     EXPECT_TRUE(holds(changed_segment("measuredHeight", "somethingElse"), "no channel of height"));
 }
 
@@ -96,7 +95,7 @@ TEST(AfmWorkshop, SaysWhichConstantIsMissing) {
     text = afm_workshop_file();
     text.replace(text.find("120,40,,"), 8, "120,40,1,");
     EXPECT_TRUE(holds(message_of([&] { (void)curve(text); }),
-                      "channels of different length: row 3 of the retract branch has a height alone"));
+                      "channels of different length: row 3 of the retract branch has only a height"));
 }
 
 TEST(NtMdt, ReversesApproachAndCutsPadding) {
@@ -106,7 +105,7 @@ TEST(NtMdt, ReversesApproachAndCutsPadding) {
     EXPECT_NEAR(table.at("force")[3], 0.5 * 20.0 * 1.25e-9, 1e-22);
     EXPECT_NEAR(table.at("deflection")[8], -20.0 * 0.25e-9, 1e-22);
     EXPECT_NEAR(table.at("displacement")[3], 30.5e-9 - 25e-9, 1e-22);
-    EXPECT_EQ(table.metadata.at("units"), "assumed nm and nA: the file states none");
+    EXPECT_EQ(table.metadata.at("units"), "nm and nA were assumed: the file states no units");
     EXPECT_EQ(curve(nt_mdt_file()).metadata.at("missing"), "spring_constant, sensitivity");
     EXPECT_EQ(curve(nt_mdt_file()).find("force"), nullptr);
 }
@@ -118,7 +117,7 @@ TEST(ForceCurves, FormatsAreToldApart) {
     for (const auto& other :
          {xlsx_loop(), std::string("a,b\n1,2\n"), std::string("time,force,radius\n1,2,3\n2,3,4\n"), std::string()})
         EXPECT_EQ(force_curve_format(bytes::memory_source("f", other)), std::nullopt);
-    EXPECT_TRUE(holds(message_of([] { (void)curve("a,b\n1,2\n"); }), "no force curve setae reads"));
+    EXPECT_TRUE(holds(message_of([] { (void)curve("a,b\n1,2\n"); }), "unknown kind of force curve"));
 }
 
 TEST(IgorForce, ReadsChannelsByTheirLabels) {
@@ -207,7 +206,7 @@ TEST(NanoscopeForce, SaysWhatIsMissingOrDamaged) {
     EXPECT_TRUE(holds(message(changed("Deflection Error", "Friction        ")), "without a channel of deflection"));
     EXPECT_TRUE(holds(message(changed("Ramp size", "Xamp size")), "neither a height sensor nor a ramp size"));
     EXPECT_TRUE(holds(message(nanoscope_force_file().substr(0, 4100)), "truncated"));
-    EXPECT_TRUE(holds(message(changed("Bytes/pixel: 2", "Bytes/pixel: 3")), "3 bytes a value"));
+    EXPECT_TRUE(holds(message(changed("Bytes/pixel: 2", "Bytes/pixel: 3")), "3 bytes per value"));
 }
 
 // ---- text of JPK ----------------------------------------------------------------------------------------------------

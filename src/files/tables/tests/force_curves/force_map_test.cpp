@@ -55,7 +55,7 @@ TEST(JpkMap, ConstantsGivenOverruleTheFile) {
 TEST(JpkMap, IsNoSingleCurve) {
     EXPECT_TRUE(
         holds(message_of([] { (void)read_force_curve(bytes::memory_source("f", jpk_map_file(two_curves))); }),
-              "2 force curves, expected one; `setae jkr fit` fits them all, --curve-number takes one of 3 to 12"));
+              "2 force curves, expected one; `setae jkr fit` fits all of them, `curve_number` selects one of 3 to 12"));
 }
 
 TEST(JpkMap, DamageIsOfOneCurveOrOfTheGrid) {
@@ -124,12 +124,12 @@ std::string changed_nanosurf(const std::string& from, const std::string& to) {
 TEST(NanosurfForce, DamageIsNamed) {
     const auto whole = nanosurf_force_file();
     EXPECT_TRUE(holds(message_of([&] { (void)opened(whole.substr(0, whole.size() - 1)); }), "it is truncated"));
-    EXPECT_TRUE(holds(changed_nanosurf("Lines=2", "Lines=1"), "other points, curves or units"));
+    EXPECT_TRUE(holds(changed_nanosurf("Lines=2", "Lines=1"), "differ in points, curves or units"));
     EXPECT_TRUE(holds(changed_nanosurf("SaveBits=16", "SaveBits=12"), "integers of '12' bits"));
     auto content = whole;
     for (auto at = content.find("Z-Axis"); at != std::string::npos; at = content.find("Z-Axis", at))
         content.replace(at, 6, "Phase-");
-    EXPECT_TRUE(holds(message_of([&] { (void)opened(content); }), "no stretch of spectroscopy has a Z-Axis"));
+    EXPECT_TRUE(holds(message_of([&] { (void)opened(content); }), "no part of the spectroscopy has a Z-Axis"));
 }
 
 }  // namespace

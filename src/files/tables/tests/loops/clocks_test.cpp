@@ -75,7 +75,7 @@ TEST(MergedByTime, BadClocksAreNamed) {
     EXPECT_TRUE(holds(message(force_record(), milliseconds), "column 'time' has the unit ''"));
     EXPECT_TRUE(holds(message(force_record(), camera, undefined_cell), "expected a finite one"));
     auto merged = merged_by_time(force_record(), camera, 0.0);
-    EXPECT_TRUE(holds(message(merged, camera), "it has a contact radius already"));
+    EXPECT_TRUE(holds(message(merged, camera), "it already has a contact radius"));
 }
 
 TEST(OneClock, ChannelsOfDifferentLengthAreNamed) {
@@ -85,7 +85,7 @@ TEST(OneClock, ChannelsOfDifferentLengthAreNamed) {
     EXPECT_TRUE(holds(message_of([&] { require_one_clock(table, "t"); }),
                       "channels of different length: column 'force' ends in row 6 of 10"));
     table.columns[1].values = undefined_cell;
-    EXPECT_TRUE(holds(message_of([&] { require_one_clock(table, "t"); }), "column 'force' holds no number at all"));
+    EXPECT_TRUE(holds(message_of([&] { require_one_clock(table, "t"); }), "column 'force' has no numbers"));
     table.columns[1].values = Array1D::Zero(3);
     EXPECT_TRUE(holds(message_of([&] { require_one_clock(table, "t"); }), "column 'force' has 3 rows, 'time' has 10"));
 }

@@ -88,7 +88,7 @@ TEST(ColumnGuess, UnitsAreStatedWhereTheHeaderHasNone) {
     EXPECT_TRUE(holds(message_of([&] {
                           (void)read_loop_table(path, LoopColumns::complete, {{"force", "2 * kraft"}});
                       }),
-                      "the expression is no N"));
+                      "the expression does not have the unit N"));
 }
 
 TEST(ColumnGuess, AMassIsNamedAndItsWeightOffered) {
@@ -120,7 +120,8 @@ TEST(MappingTemplate, AsksForWhatTheFileDoesNotSay) {
     const auto text = mapping_template(guess_columns(path), {});
     EXPECT_TRUE(holds(text, "header = \"Kraft\"\nunit = \"?\"")) << text;
     const auto draft = folder.write("m.toml", text);
-    EXPECT_TRUE(holds(message_of([&] { (void)read_mapping(draft); }), "a \"?\" asks for what no file says"));
+    EXPECT_TRUE(holds(message_of([&] { (void)read_mapping(draft); }),
+                      "a \"?\" marks information that the file does not contain"));
     auto answered = text;
     for (const char* unit : {"mN", "um", "s"})
         answered.replace(answered.find("\"?\"\n"), 3, fmt::format("\"{}\"", unit));
@@ -180,8 +181,8 @@ TEST(ColumnGuess, ShowsWhatItSawAndWhy) {
     EXPECT_TRUE(holds(text, "force: column 1 'Force' [mN], confidence 0.95: 'Force' is a word for force, mN its unit"))
         << text;
     EXPECT_TRUE(holds(text, "(text: 'ok' on line 2)")) << text;
-    EXPECT_TRUE(holds(text, "contact_radius: no column found")) << text;
-    EXPECT_TRUE(holds(text, "force positive where it presses")) << text;
+    EXPECT_TRUE(holds(text, "contact_radius: no column is found")) << text;
+    EXPECT_TRUE(holds(text, "force positive in compression")) << text;
 }
 
 TEST(ColumnGuess, UnusableColumnsAreRefusedByName) {
@@ -190,22 +191,23 @@ TEST(ColumnGuess, UnusableColumnsAreRefusedByName) {
     };
     EXPECT_TRUE(holds(message("Force;depth [um]\n1;2\n3;4\n"), "column 1 'Force' for force has no unit"));
     EXPECT_TRUE(holds(message("depth [um];T [K]\n1;2\n3;4\n"),
-                      "no column found for force, the file has column 1 'depth' [um]"));
-    EXPECT_TRUE(holds(message("Force [mN];T [K]\n1;2\n3;4\n"), "no column found for displacement or contact_radius"));
+                      "no column is found for force; the file has column 1 'depth' [um]"));
+    EXPECT_TRUE(
+        holds(message("Force [mN];T [K]\n1;2\n3;4\n"), "no column is found for displacement or contact_radius"));
     EXPECT_TRUE(
         holds(message("Force [mN];depth [um];T [K]\n1;;2\n3;;4\n"), "column 2 'depth' [um] (all values undefined)"));
     const auto without_radii = guess_of("Force [mN];depth [um];a [um]\n1;2;\n3;4;\n");
     EXPECT_TRUE(holds(as_toml(mapping_from(without_radii)),
-                      "# contact_radius: column 3 'a' [um] left out, it holds no number at all"));
+                      "# contact_radius: column 3 'a' [um] was left out, since it has no numbers"));
     EXPECT_TRUE(holds(message_of([&] {
                           (void)mapping_from(without_radii, {{"contact_radius", "a"}});
                       }),
-                      "for contact_radius holds no number at all"));
+                      "for contact_radius has no numbers"));
     const auto text = guess_of("Force [mN];depth [um];state\n1;2;ok\n3;4;ok\n");
     EXPECT_TRUE(holds(message_of([&] {
                           (void)mapping_from(text, {{"displacement", "state"}});
                       }),
-                      "holds text: 'ok' on line 2, expected numbers"));
+                      "has text: 'ok' on line 2, expected numbers"));
 }
 
 void expect_same(const Mapping& a, const Mapping& b) {
@@ -270,10 +272,10 @@ TEST(MappedTable, TextAndEmptyColumnsAreRefused) {
     const auto message = [&](const std::string& text) {
         return message_of([&] { (void)read_mapped_table(folder.write("t.csv", text), mapping); });
     };
-    EXPECT_TRUE(holds(message("F,x\na,1\nb,2\n"), "column 'f' holds text ('a' on line 2), expected numbers"));
-    EXPECT_TRUE(holds(message("F,x\n,1\n,2\n"), "column 'f' holds no number at all"));
+    EXPECT_TRUE(holds(message("F,x\na,1\nb,2\n"), "column 'f' contains text ('a' on line 2), expected numbers"));
+    EXPECT_TRUE(holds(message("F,x\n,1\n,2\n"), "column 'f' has no numbers"));
     EXPECT_TRUE(
-        holds(message("F,x\n1 mN,1\n2 N,2\n"), "holds text ('1 mN' on line 2)"));  // units in cells may be mixed
+        holds(message("F,x\n1 mN,1\n2 N,2\n"), "contains text ('1 mN' on line 2)"));  // units in cells may be mixed
 }
 
 const char* const sensor_table = "Piezo position [um];MEMS displ. [nm];Time [s]\n1;100;0\n2;300;1\n";
@@ -304,8 +306,8 @@ TEST(ExpressionForARole, MistakesAreNamed) {
         });
     };
     EXPECT_TRUE(holds(message("3.01 N/m * volts"),
-                      "no column 'volts' of the expression for force, the file has piezo_position, mems_displ, time"));
-    EXPECT_TRUE(holds(message("3.01 * mems"), "the expression is no N"));
+                      "no column 'volts' of the expression for force; the file has piezo_position, mems_displ, time"));
+    EXPECT_TRUE(holds(message("3.01 * mems"), "the expression does not have the unit N"));
     EXPECT_TRUE(holds(message("3.01 N/m * mems +"), "force"));
     EXPECT_TRUE(
         holds(message_of([&] {
@@ -349,7 +351,8 @@ TEST(MappingFolder, FindsMappingsByPathAndByName) {
     EXPECT_EQ(fitting_mappings(path, mappings), (std::vector<std::string>{"sensor"}));
     EXPECT_TRUE(holds(message_of([&] { (void)mapping_path("sensors", mappings); }), "did you mean 'sensor'?"));
     EXPECT_TRUE(mapping_names(folder.path("none")).empty());
-    EXPECT_TRUE(holds(message_of([&] { (void)mapping_path("eoh", folder.path("none")); }), "by name there are: none"));
+    EXPECT_TRUE(
+        holds(message_of([&] { (void)mapping_path("eoh", folder.path("none")); }), "mappings in this folder: none"));
 }
 
 }  // namespace

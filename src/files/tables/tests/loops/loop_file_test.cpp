@@ -76,9 +76,9 @@ TEST(LoopFile, MistakesAreNamedByLine) {
     const auto message = [&](const std::string& text) {
         return message_of([&] { (void)read_loop(folder.write("l.csv", text)); });
     };
-    EXPECT_TRUE(holds(message("force [N],displacement [m]\n1,2\n"), "l.csv:1: no loop file"));
+    EXPECT_TRUE(holds(message("force [N],displacement [m]\n1,2\n"), "l.csv:1: not a loop file"));
     EXPECT_TRUE(holds(message("# format: setae loop\n# version: 2\nforce [N],displacement [m]\n1,2\n"),
-                      "version '2' of the loop format, setae knows version 1"));
+                      "version '2' of the loop format is unknown; expected 1"));
     EXPECT_TRUE(
         holds(message(head + "# sphere_radius: 1.25\nforce [N],displacement [m]\n1,2\n"), "l.csv:3: sphere_radius"));
     EXPECT_TRUE(
@@ -86,11 +86,11 @@ TEST(LoopFile, MistakesAreNamedByLine) {
     EXPECT_TRUE(holds(message(head + "# spot: 1\n# spot: 2\nforce [N],displacement [m]\n1,2\n"),
                       "l.csv:4: key 'spot' is given twice"));
     EXPECT_TRUE(holds(message(head + "force [N],displacement [m]\n1,2\n3\n"), "l.csv:5: 1 cells, expected 2"));
-    EXPECT_TRUE(
-        holds(message(head + "force [N],displacement [m]\n1,2\n3,x\n"), "l.csv:5: 'x' for displacement is no number"));
+    EXPECT_TRUE(holds(message(head + "force [N],displacement [m]\n1,2\n3,x\n"),
+                      "l.csv:5: 'x' for displacement is not a number"));
     EXPECT_TRUE(holds(message(head + "force [N],displacement [parsec]\n1,2\n"),
-                      "l.csv:3: column 'displacement' has the unit 'parsec'"));
-    EXPECT_TRUE(holds(message(head + "force [N],force [N]\n1,2\n"), "two columns 'force'"));
+                      "l.csv:3: column 'displacement' has the unknown unit 'parsec'"));
+    EXPECT_TRUE(holds(message(head + "force [N],force [N]\n1,2\n"), "two columns are named 'force'"));
     EXPECT_TRUE(holds(message(head + "force [N],displacement [m]\n"), "no rows of numbers"));
     EXPECT_TRUE(holds(message(head), "no row of column names"));
     EXPECT_TRUE(holds(message(head + "force [N],x [m]\n1,2\n"), "no column 'displacement' or 'contact_radius'"));

@@ -85,8 +85,9 @@ TEST_F(FittedForceMap, OfNothingButDamageIsRefused) {
     auto curve = jpk_contact(3, 0.0, 0.0, 20.0);
     curve.readings[0].pop_back();
     const auto path = folder_.write("map.jpk-force-map", jpk_map_file({curve}));
-    EXPECT_TRUE(holds(message_of([&] { (void)fit_force_map(path, {}, sphere(), {}, {1}); }),
-                      "none of 1 force curves could be read and fitted; the first: member 'index/3/segments/0"));
+    EXPECT_TRUE(
+        holds(message_of([&] { (void)fit_force_map(path, {}, sphere(), {}, {1}); }),
+              "none of 1 force curves could be read and fitted; reason of the first: member 'index/3/segments/0"));
 }
 
 TEST_F(FittedForceMap, IsWrittenAsTableAndMaps) {

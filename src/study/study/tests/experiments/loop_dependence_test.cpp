@@ -257,7 +257,7 @@ TEST_F(LoopsOfAStudy, RefuseInputsThatCannotBe) {
               std::string::npos);
     EXPECT_NE(error_of("sphere_radius = \"lens\"\n", experiment(0, "A", "sphere_radius = \"lens = 2 mm\"\n"),
                        "[inputs]\nlens = \"1.0 ± 0.1 mm\"\n")
-                  .find("one name is one input"),
+                  .find("expected one value per name"),
               std::string::npos);
 }
 

@@ -93,10 +93,9 @@ TEST(FileContent, WhatIsNothingIsRefusedWithItsReason) {
                   (void)file_content(folder.write("notes.md", "# Notes\nnone\n"));
               }).find("text without a row of numbers"),
               std::string::npos);
-    EXPECT_NE(message_of([&] {
-                  (void)file_content(folder.write("other.toml", "a = 1\n"));
-              }).find("TOML without a key that setae knows"),
-              std::string::npos);
+    EXPECT_NE(
+        message_of([&] { (void)file_content(folder.write("other.toml", "a = 1\n")); }).find("TOML without a known key"),
+        std::string::npos);
     EXPECT_NE(message_of([&] {
                   (void)file_content(folder.write("study.toml", "[surfaces.A]\nmeasurments = []\n"));
               }).find("measurements"),
@@ -150,7 +149,7 @@ TEST(FoundFiles, AFolderWithoutFilesIsSaidToBeOne) {
     const auto found = found_files({folder.path("empty")});
     EXPECT_TRUE(found.files.empty());
     ASSERT_EQ(found.unreadable.size(), 1u);
-    EXPECT_NE(found.unreadable[0].reason.find("a folder without files"), std::string::npos);
+    EXPECT_NE(found.unreadable[0].reason.find("the folder contains no files"), std::string::npos);
 }
 
 }  // namespace

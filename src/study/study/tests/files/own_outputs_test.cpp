@@ -59,7 +59,7 @@ TEST_F(OwnOutputs, ArePassedOverInFoldersAndTakenWhereNamed) {
     EXPECT_EQ(found_files({fits}).files, std::vector<std::string>{fits});
     const auto results = found_files({folder_.path("data/old")});
     ASSERT_EQ(results.unreadable.size(), 1u);
-    EXPECT_NE(results.unreadable[0].reason.find("nothing but what setae wrote"), std::string::npos);
+    EXPECT_NE(results.unreadable[0].reason.find("only files that setae wrote"), std::string::npos);
 }
 
 }  // namespace

@@ -59,7 +59,7 @@ TEST_F(StudyDrafts, AskForWhatNoFileSays) {
     const auto text = draft().text;
     EXPECT_TRUE(std::regex_search(
         text,
-        std::regex(R"(\n# tip_radius = "\?" +# such as "10 ± 3 nm"; without it waves down to 2.00 µm are believed\n)")))
+        std::regex(R"(\n# tip_radius = "\?" +# such as "10 ± 3 nm"; without it waves are used down to 2.00 µm\n)")))
         << text;
     EXPECT_NE(text.find("\n# instrument = \"?\""), std::string::npos);
     EXPECT_NE(text.find("\n# unit = \"?\""), std::string::npos);
@@ -180,13 +180,13 @@ TEST_F(StudyGaps, NameTheLineThatAsks) {
     EXPECT_EQ(
         gaps(
             "[[surfaces.A.measurements]]\nfile = \"afm.csv\"\ninstrument = \"afm\"\n# tip_radius = \"?\"  # such as\n"),
-        std::vector<std::string>{"4 afm.csv: no tip_radius of the afm: waves down to 2.00 µm are believed"});
+        std::vector<std::string>{"4 afm.csv: no tip_radius of the afm: waves are used down to 2.00 µm"});
     EXPECT_EQ(gaps("[[surfaces.A.measurements]]\nfile = \"afm.csv\"\ninstrument = \"afm\"\ntip_radius = \"10 nm\"\n"),
               std::vector<std::string>{});
     EXPECT_EQ(
         gaps(
             "[surfaces.A]\nmeasurements = [\n  { file = \"afm.csv\", instrument = \"tem\" },\n  { file = \"afm.csv\" },\n]\n"),
-        std::vector<std::string>{"4 afm.csv: no instrument: waves down to 2.00 µm are believed"});
+        std::vector<std::string>{"4 afm.csv: no instrument: waves are used down to 2.00 µm"});
 }
 
 TEST_F(StudyGaps, TellFilesThatCannotBeRead) {
@@ -195,8 +195,8 @@ TEST_F(StudyGaps, TellFilesThatCannotBeRead) {
         "[surfaces.A]\nmeasurements = [\n  { file = \"plain.txt\", instrument = \"tem\" },\n  { file = \"none.csv\" },\n]\n"
         "[surfaces.B]\npower_spectrum = \"plain.txt\"\n");
     ASSERT_EQ(lines.size(), 4u);
-    EXPECT_EQ(lines[0], "3 plain.txt: no unit of its heights: it cannot be read without");
-    EXPECT_EQ(lines[1], "3 plain.txt: no size: it cannot be read without");
+    EXPECT_EQ(lines[0], "3 plain.txt: no unit of heights, without which the file cannot be read");
+    EXPECT_EQ(lines[1], "3 plain.txt: no size, without which the file cannot be read");
     EXPECT_TRUE(lines[2].starts_with("4 none.csv: no such file")) << lines[2];
     EXPECT_TRUE(lines[3].starts_with("7 plain.txt: 4 columns without units")) << lines[3];
 }
@@ -211,10 +211,12 @@ TEST_F(StudyGaps, TellWhatExperimentsNeed) {
              "[elastomers.soft]\nsurface_energy = \"25 mJ/m2\"\n[elastomers.hard]\nsurface_energy = \"25 mJ/m2\"\n"
              "[[experiments]]\nfile = \"loop.csv\"\nsurface = \"A\"\nelastomer = \"soft\"\n");
     ASSERT_EQ(lines.size(), 2u);
-    EXPECT_EQ(lines[0],
-              "8 elastomer hard: no modulus, neither youngs_modulus nor a loop on it: nothing is predicted of it");
-    EXPECT_EQ(lines[1],
-              "11 loop.csv: no sphere_radius, neither of the experiment nor of elastomer 'soft': it cannot be fitted");
+    EXPECT_EQ(
+        lines[0],
+        "8 elastomer hard: no modulus: neither youngs_modulus nor a loop is given, so that nothing can be predicted for this elastomer");
+    EXPECT_EQ(
+        lines[1],
+        "11 loop.csv: no sphere_radius, neither for the experiment nor for elastomer 'soft': the loop cannot be fitted");
 }
 
 TEST_F(StudyGaps, TellWhatTablesInCommentsAsk) {

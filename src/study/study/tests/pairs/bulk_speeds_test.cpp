@@ -27,7 +27,7 @@ TEST(SpeedsBeyondBulk, NamesTheBoundAndTheFarthestPair) {
     ASSERT_EQ(alerts.size(), 1U);
     EXPECT_EQ(alerts[0].code, "SPEED_BEYOND_BULK");
     EXPECT_EQ(alerts[0].subject, "soft");
-    EXPECT_NE(alerts[0].message.find("on A its edge needs 2.00"), std::string::npos) << alerts[0].message;
+    EXPECT_NE(alerts[0].message.find("on A the contact edge needs 2.00"), std::string::npos) << alerts[0].message;
     EXPECT_NE(alerts[0].message.find("at most 1.5 times"), std::string::npos) << alerts[0].message;
 }
 

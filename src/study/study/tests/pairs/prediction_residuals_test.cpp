@@ -94,7 +94,7 @@ TEST(PredictionTest, LeavesPairsWithoutErrorsOutByName) {
     ASSERT_TRUE(result.prediction_test) << result.prediction_test.reason;
     EXPECT_EQ(result.prediction_test->n, 1);
     EXPECT_EQ(result.prediction_test->left_out.at(0),
-              "A × " + study.elastomers[0].name + ": no standard error of the measured value");
+              "A × " + study.elastomers[0].name + ": the measured value has no standard error");
     const auto json = output::to_json(result);
     EXPECT_DOUBLE_EQ(json.at("prediction_test").at("chi_squared").at("value").get<double>(),
                      result.prediction_test->chi_squared);

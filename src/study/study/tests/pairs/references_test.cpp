@@ -54,7 +54,7 @@ TEST(PublishedPair, LeavesTheWorkAlongTheRetractionUndetermined) {
     auto study = study_with_reference();
     const auto along = run_study(study, {1}).pairs.at(0).work_along_retraction;
     EXPECT_FALSE(along);
-    EXPECT_EQ(along.reason, "undetermined: only the pull-off is known");
+    EXPECT_EQ(along.reason, "undetermined: only W_ret at pull-off is known");
     study.published.front().retraction.reset();
     EXPECT_EQ(run_study(study, {1}).pairs.at(0).work_along_retraction.reason, "the retraction was not measured");
 }

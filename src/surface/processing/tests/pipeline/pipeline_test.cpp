@@ -142,15 +142,15 @@ TEST(StepText, ThatCannotBeReadNamesWhatIsNearest) {
               "unknown step 'level_plan'; did you mean 'level_plane'?; setae level --explain lists them");
     EXPECT_EQ(
         complaint("despike treshold=5"),
-        "unknown parameter 'treshold' of despike; did you mean 'threshold'?; it has threshold, reach, replace_by");
-    EXPECT_EQ(complaint("transpose turns=1"), "unknown parameter 'turns' of transpose; it has none");
-    EXPECT_EQ(complaint("despike threshold=high"), "threshold: 'high' is no number");
-    EXPECT_EQ(complaint("despike reach=2.5"), "reach: '2.5' is no whole number");
+        "unknown parameter 'treshold' of despike; did you mean 'threshold'?; expected one of threshold, reach, replace_by");
+    EXPECT_EQ(complaint("transpose turns=1"), "unknown parameter 'turns' of transpose; this step has no parameters");
+    EXPECT_EQ(complaint("despike threshold=high"), "threshold: 'high' is not a number");
+    EXPECT_EQ(complaint("despike reach=2.5"), "reach: '2.5' is not a whole number");
     EXPECT_EQ(complaint("align_rows method=modal"),
               "method: 'modal'; expected one of mean, median, median_of_differences, polynomial");
-    EXPECT_EQ(complaint("despike threshold"), "step 'despike threshold': 'threshold'; expected NAME=VALUE");
+    EXPECT_EQ(complaint("despike threshold"), "step 'despike threshold': 'threshold' is no parameter; expected NAME=VALUE");
     EXPECT_EQ(complaint("mask_out region=\"include"), "step 'mask_out region=\"include': a quote is not closed");
-    EXPECT_EQ(complaint(" "), "empty step; expected a name such as level_plane");
+    EXPECT_EQ(complaint(" "), "empty step; expected a name, such as level_plane");
     EXPECT_NE(complaint("crop x_from=5").find("x_from: "), std::string::npos);
 }
 

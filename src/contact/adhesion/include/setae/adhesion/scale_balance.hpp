@@ -11,7 +11,8 @@ namespace setae::adhesion {
 /// How roughness comes into contact and stays: what closes by itself (stored < 0.25 gained) needs nothing, what stores
 /// more than it gains opens by itself, what lies between closes under pressure alone and stays closed.
 enum class Closing { by_itself, under_pressure, opens };
-[[nodiscard]] const char* name(Closing closing);  ///< "closes by itself", "closes under pressure", "opens by itself"
+[[nodiscard]] const char* name(
+    Closing closing);  ///< "spontaneous full contact", "full contact only under pressure", "opens spontaneously"
 
 /// Energy of conforming, scale by scale: what the roughness above each wavevector gains and stores.
 struct ScaleBalance {

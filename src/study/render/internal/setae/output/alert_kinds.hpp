@@ -6,12 +6,14 @@
 
 namespace setae::output {
 
-/// A kind of alert as a page shows it. What is to be done stands in each alert itself.
+/// A kind of warning as a page shows it, in full sentences.
 struct AlertKind {
     std::string code;
     std::string about;          ///< what it is about: "files", "spectra", …
-    std::string said;           ///< when it is said, with its threshold
-    std::string rests_on = {};  ///< why the threshold is where it is; empty for alerts without one
+    std::string said;           ///< what it means, with its threshold
+    std::string effect;         ///< how large the effect on results is, or where its size is printed
+    std::string action;         ///< what to do; each warning has an action of its own, too
+    std::string rests_on = {};  ///< why the threshold is where it is; empty for warnings without one
 };
 
 /// Every kind of alert that setae knows.
