@@ -154,7 +154,8 @@ Option Options::add(const std::string& names, Value& value, const std::string& d
 
 void Options::ask(std::span<const fields::Option> asked, void* request) {
     for (const auto& option : asked) {
-        const auto names = (option.also.empty() ? "" : fmt::format("--{},", option.also)) + dashed(option.name);
+        const auto names = (option.also.empty() ? "" : fmt::format("--{},", option.also)) + dashed(option.name) +
+                           (option.word.empty() ? "" : fmt::format(",{}", option.word));
         auto added = std::visit(
             [&](auto* value) {
                 if constexpr (std::is_same_v<decltype(value), bool*>)
@@ -162,8 +163,11 @@ void Options::ask(std::span<const fields::Option> asked, void* request) {
                 else return add(names, *value, fields::help_of(option));
             },
             option.place(request));
-        if (option.quantity) added.quantity(*option.quantity);
+        if (option.named_each_time) added.one_at_a_time();
+        if (option.quantity) added.quantity(*option.quantity, std::string(option.usual_unit));
         if (option.domain) added.within(*option.domain);
+        if (option.whole) added.between(option.whole->least, option.whole->greatest);
+        if (option.offered) added.offering(option.offered());
         if (option.check) added.read_by(option.check);
         if (!option.choices.empty()) added.one_of({option.choices.begin(), option.choices.end()});
         if (option.shows_default) added.default_shown();

@@ -12,6 +12,8 @@ struct Wanted {
     std::string radius;
     std::optional<double> ratio;
     bool free = false;
+    int order = 1;
+    std::vector<std::string> steps;
 };
 
 }  // namespace
@@ -21,11 +23,18 @@ struct Asked<Wanted> {
     using R = Wanted;
     static constexpr std::array options{
         option<&R::radius>("sphere_radius", "radius of the sphere")
-            .of(positive(dimension::length))
+            .of(positive(dimension::length), "mm")
             .such_as("1 mm")
             .or_else("that of the file"),
         option<&R::ratio>("poisson_ratio", "Poisson ratio").within(domain::poisson_ratio).in_python("nu"),
         option<&R::free>("free", "free edges"),
+        option<&R::order>("order", "order of the derivative").between(1, 3),
+        option<&R::steps>("step", "step of the processing")
+            .offering([] {
+                return std::vector<std::string>{"level", "despike"};
+            })
+            .one_at_a_time()
+            .or_word("steps"),
     };
 };
 
@@ -40,6 +49,19 @@ TEST(Option, KnowsWhereItsValueIsKept) {
     EXPECT_EQ(wanted.radius, "2 mm");
     EXPECT_EQ(wanted.ratio, 0.4);
     EXPECT_TRUE(wanted.free);
+}
+
+TEST(Option, SaysWhatItMayBe) {
+    const auto& [radius, ratio, free, order, step] = Asked<Wanted>::options;
+    EXPECT_EQ(radius.usual_unit, "mm");
+    EXPECT_EQ(ratio.domain->upper, 0.5);
+    EXPECT_FALSE(free.whole);
+    EXPECT_EQ(order.whole->least, 1);
+    EXPECT_EQ(order.whole->greatest, 3);
+    EXPECT_EQ(step.offered(), (std::vector<std::string>{"level", "despike"}));
+    EXPECT_TRUE(step.named_each_time);
+    EXPECT_FALSE(order.named_each_time);
+    EXPECT_EQ(step.word, "steps");
 }
 
 TEST(Option, HasASentenceOfHelp) {
