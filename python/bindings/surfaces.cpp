@@ -232,7 +232,7 @@ void bind_surfaces(nb::module_& module) {
                 std::vector<answers::Suspect> suspects;
                 for (const auto& item : items)
                     suspects.push_back({item->path, [item] { return measurements_of(*item); }});
-                const auto found = answers::diagnosis(suspects, tip_radius, {}, every_measurement);
+                const auto found = answers::diagnosis(suspects, {tip_radius}, {}, every_measurement);
                 if (found.failures.size() == items.size())
                     throw InvalidArgument(fmt::format("{}", fmt::join(found.failures, "; ")));
                 return output::as_text(answers::to_json(found));

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "convert/heights_output.hpp"
+#include "convert/processing_text.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
 #include "setae/output/quantity_table.hpp"
@@ -19,8 +20,8 @@ void ContactSurface::add_to(Options& options) {
              "a map or a line, or a file or container that holds one; a table of a spectrum, or a study, of which a "
              "surface is made")
         .of_inputs();
-    file.add_to(options);
-    processing.add_to(options);
+    options.ask(file);
+    options.ask(processing);
     options
         .add(
             "--trend", measured.trend,
