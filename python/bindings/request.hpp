@@ -18,6 +18,17 @@ namespace setae::python {
 /// Keywords of Python for options that are called otherwise in the library: "work_of_adhesion" is W_int.
 std::map<std::string, std::string, std::less<>>& keywords();
 
+/// What an option is given, as the library keeps it. @throws TypeError that names the option.
+template <class Value>
+Value as(const nb::object& given, const std::string& option) {
+    try {
+        return nb::cast<Value>(given);
+    } catch (const nb::cast_error&) {
+        const std::string type = nb::type_name(given.type()).c_str();
+        throw nb::type_error((option + ": a value of type " + type + " is not accepted").c_str());
+    }
+}
+
 /// Options of a request, or of a part of it, as attributes that Python reads and writes.
 template <class Request, class Part = Request>
 void bind_options(nb::class_<Request>& request, std::span<const fields::Option> options) {
@@ -30,8 +41,8 @@ void bind_options(nb::class_<Request>& request, std::span<const fields::Option> 
             [place](Request& self) {
                 return std::visit([](const auto* value) { return nb::cast(*value); }, place(static_cast<Part*>(&self)));
             },
-            [place](Request& self, nb::object value) {
-                std::visit([&](auto* member) { *member = nb::cast<std::remove_cvref_t<decltype(*member)>>(value); },
+            [place, name](Request& self, nb::object value) {
+                std::visit([&](auto* member) { *member = as<std::remove_cvref_t<decltype(*member)>>(value, name); },
                            place(static_cast<Part*>(&self)));
             });
     }

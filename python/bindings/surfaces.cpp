@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "heights.hpp"
+#include "request.hpp"
 #include "setae/answers/adhesion.hpp"
 #include "setae/answers/diagnosis.hpp"
 #include "setae/answers/functions_of_scale.hpp"
@@ -104,21 +105,12 @@ void bind_texture(nb::module_& module) {
 }
 
 void bind_adhesion(nb::module_& module) {
-    nb::class_<answers::AdhesionRequest>(module, "Solids")
-        .def(
-            "__init__",
-            [](answers::AdhesionRequest* request, const std::string& youngs_modulus, const std::string& work,
-               const std::string& surface_energy, double poisson_ratio, const std::string& rough_modulus,
-               double rough_poisson_ratio, const std::string& radius, const std::string& preload) {
-                require_within(domain::poisson_ratio, poisson_ratio, fmt::format("{}", poisson_ratio));
-                require_within(domain::poisson_ratio, rough_poisson_ratio, fmt::format("{}", rough_poisson_ratio));
-                new (request)
-                    answers::AdhesionRequest{youngs_modulus,      work,   surface_energy, poisson_ratio, rough_modulus,
-                                             rough_poisson_ratio, radius, preload};
-                (void)request->study({});  // what is wrong with it is said here
-            },
-            nb::arg("youngs_modulus"), nb::arg("work"), nb::arg("surface_energy"), nb::arg("poisson_ratio"),
-            nb::arg("rough_modulus"), nb::arg("rough_poisson_ratio"), nb::arg("radius"), nb::arg("preload"));
+    nb::class_<answers::AdhesionRequest> solids(module, "Solids");
+    solids.def(nb::init<>());
+    bind_asked(solids);
+    solids.def(
+        "require_valid", [](const answers::AdhesionRequest& request) { (void)request.study({}); },
+        "raises InvalidArgument for what is missing or malformed");
     module.def(
         "adhesion_of_files",
         [](const Items& items, const answers::AnalysisRequest& request, const answers::AdhesionRequest& solids,
