@@ -29,12 +29,19 @@ Value as(const nb::object& given, const std::string& option) {
     }
 }
 
+/// The name of an option as an attribute; "from" and "as", which Python reserves, go by their keyword.
+inline std::string attribute_of(const fields::Option& option) {
+    const std::string name(option.name);
+    const bool reserved = nb::cast<bool>(nb::module_::import_("keyword").attr("iskeyword")(name));
+    return reserved ? std::string(option.keyword) : name;
+}
+
 /// Options of a request, or of a part of it, as attributes that Python reads and writes.
 template <class Request, class Part = Request>
 void bind_options(nb::class_<Request>& request, std::span<const fields::Option> options) {
     for (const auto& option : options) {
-        const std::string name(option.name);
-        if (!option.keyword.empty()) keywords()[name] = option.keyword;
+        const auto name = attribute_of(option);
+        if (!option.keyword.empty()) keywords()[std::string(option.name)] = option.keyword;
         const auto place = option.place;
         request.def_prop_rw(
             name.c_str(),

@@ -48,7 +48,7 @@ struct setae::fields::Asked<setae::answers::BlindTipRequest> {
     using R = answers::BlindTipRequest;
     static constexpr std::array options{
         option<&R::points>("points", "extent of the estimated tip in pixels, an odd number").default_shown(),
-        option<&R::threshold>("threshold", "height by which the map must demand a sharper tip; twice the noise")
+        option<&R::threshold>("threshold", "height by which the map must demand a sharper tip, about twice the noise")
             .of(non_negative(dimension::length))
             .such_as("0.2 nm")
             .or_else("0"),

@@ -136,9 +136,9 @@ struct setae::fields::Asked<setae::answers::ProcessingRequest> {
     using R = answers::ProcessingRequest;
     static constexpr std::array options{
         option<&R::file>("pipeline", "file of processing steps, in YAML or TOML").such_as("p.yml"),
-        option<&R::steps>("step",
-                          "processing step after those of a pipeline's file, named once for each step; `setae level "
-                          "--explain` lists steps")
+        option<&R::steps>(
+            "step",
+            "processing step after those of a pipeline file, named once per step; `setae level --explain` lists steps")
             .offering(answers::step_names)
             .read_by([](const std::string& text) { (void)processing::step_from_text(text); })
             .such_as("despike threshold=5")
