@@ -22,20 +22,7 @@ void ContactSurface::add_to(Options& options) {
         .of_inputs();
     options.ask(file);
     options.ask(processing);
-    options
-        .add(
-            "--trend", measured.trend,
-            "removed from measured heights: none, mean, tilt, parabola; default: as before a spectrum, none of heights that "
-            "repeat themselves")
-        .offering({"none", "mean", "tilt", "parabola"})
-        .read_by([](const std::string& text) { (void)topography::trend_from_name(text); });
-    options
-        .add(
-            "--edges", measured.edges,
-            "automatic: a map whose heights do not go on across its edges is repeated with a warning; periodic: it repeats "
-            "itself; windowed: heights go to their mean within a tenth of either edge")
-        .one_of({"automatic", "periodic", "windowed"})
-        .default_shown();
+    options.ask(measured);
     options.ask(made);
 }
 

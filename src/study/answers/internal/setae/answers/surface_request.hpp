@@ -110,6 +110,14 @@ consteval fields::Option tip_radius_option() {
         .such_as("10 ± 2 nm")
         .or_else("that of the file");
 }
+template <auto Member>
+consteval fields::Option trend_option(std::string_view meaning) {
+    return fields::option<Member>("trend", meaning)
+        .offering([] {
+            return std::vector<std::string>{"none", "mean", "tilt", "parabola"};
+        })
+        .read_by([](const std::string& text) { (void)topography::trend_from_name(text); });
+}
 
 }  // namespace setae::answers
 
@@ -157,11 +165,7 @@ struct setae::fields::Asked<setae::answers::MeasurementRequest> {
             .of(positive(dimension::length), "nm")
             .such_as("500 nm")
             .or_else("that of the file"),
-        option<&R::trend>("trend", "trend removed before analysis: none, mean, tilt or parabola")
-            .offering([] {
-                return std::vector<std::string>{"none", "mean", "tilt", "parabola"};
-            })
-            .read_by([](const std::string& text) { (void)topography::trend_from_name(text); })
+        answers::trend_option<&R::trend>("trend removed before analysis: none, mean, tilt or parabola")
             .or_else("none after a pipeline that levels, else by instrument"),
     };
 };
