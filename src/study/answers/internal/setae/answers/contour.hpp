@@ -60,7 +60,7 @@ struct setae::fields::Asked<setae::answers::ContourRequest> {
             .of(positive(dimension::length))
             .such_as("20 nm"),
         option<&R::hidden>("hide",
-                           "part of the picture that shows no sample: x,y,width,height in pixels; may be repeated")
+                           "part of the picture without sample as x,y,width,height in pixels, given once per part")
             .such_as("0,900,300,124")
             .in_python("hidden"),
         option<&R::whole_picture>("whole_picture", "scale bars and text that are found are not hidden"),

@@ -48,7 +48,7 @@ struct setae::fields::Asked<setae::answers::SelfAffineRequest> {
             .read_by([](const std::string& text) { (void)answers::wavevector_range(text); })
             .such_as("1e5:1e8")
             .or_else("all"),
-        option<&R::no_rolloff>("no_rolloff", "fit of a power law without roll-off"),
-        option<&R::short_cutoff>("short_cutoff", "the fit also finds where the spectrum ends"),
+        option<&R::no_rolloff>("no_rolloff", "self-affine fit of a power law without roll-off"),
+        option<&R::short_cutoff>("short_cutoff", "the self-affine fit also finds where the spectrum ends"),
     };
 };
