@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bindings.hpp"
+#include "request.hpp"
 #include "setae/answers/containers.hpp"
 #include "setae/answers/format_list.hpp"
 #include "setae/answers/json_schemas.hpp"
@@ -11,20 +12,16 @@ namespace setae::python {
 
 void bind_containers(nb::module_& module) {
     using Request = answers::ContainerRequest;
-    nb::class_<Request>(module, "ContainerRequest")
-        .def(nb::init<>())
+    nb::class_<Request> request(module, "ContainerRequest");
+    request.def(nb::init<>())
         .def_rw("files", &Request::files)
-        .def_rw("taken_over", &Request::from)
         .def_rw("output", &Request::output)
-        .def_rw("name", &Request::name)
-        .def_rw("description", &Request::description)
-        .def_rw("layout", &Request::as)
-        .def_rw("keep_values", &Request::keep_values)
+        .def_rw("every_file", &Request::every_file)
         .def_rw("sizes", &Request::sizes)
         .def_rw("units", &Request::units)
         .def_rw("channels", &Request::channels)
-        .def_rw("trends", &Request::trends)
-        .def_rw("every_file", &Request::every_file);
+        .def_rw("trends", &Request::trends);
+    bind_asked(request);
     module.def(
         "write_container",
         [](const Request& request) {

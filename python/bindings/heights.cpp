@@ -13,7 +13,6 @@
 #include "setae/answers/diagnosis.hpp"
 #include "setae/answers/processed_file.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/processing/step_text.hpp"
 #include "setae/study/pipeline_file.hpp"
 
 namespace setae::python {
@@ -255,14 +254,7 @@ void bind_heights(nb::module_& module) {
             });
         },
         nb::arg("paths"), nb::arg("about"), nb::arg("heights").none(), "as `setae info --json` prints it");
-    module.def(
-        "steps",
-        [] {
-            std::vector<std::string> names;
-            for (const auto& step : processing::step_descriptions()) names.push_back(step.name);
-            return names;
-        },
-        "names of the steps that Scan.process() takes");
+    module.def("steps", &answers::step_names, "names of the steps that Scan.process() takes");
 }
 
 }  // namespace setae::python

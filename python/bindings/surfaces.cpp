@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "heights.hpp"
+#include "request.hpp"
 #include "setae/answers/adhesion.hpp"
 #include "setae/answers/diagnosis.hpp"
 #include "setae/answers/functions_of_scale.hpp"
@@ -77,19 +78,9 @@ void bind_analysis(nb::module_& module) {
 
 void bind_texture(nb::module_& module) {
     using Request = answers::TextureRequest;
-    nb::class_<Request>(module, "TextureRequest")
-        .def(nb::init<>())
-        .def_rw("standard", &Request::standard)
-        .def_rw("only", &Request::only)
-        .def_rw("s_filter", &Request::s_filter)
-        .def_rw("l_filter", &Request::l_filter)
-        .def_rw("section_length", &Request::section_length)
-        .def_rw("profile", &Request::kind)
-        .def_rw("averages", &Request::averages)
-        .def_rw("mean_line", &Request::mean_line)
-        .def_rw("between", &Request::between)
-        .def_rw("material_height", &Request::material_height)
-        .def_rw("material_ratio", &Request::material_ratio);
+    nb::class_<Request> request(module, "TextureRequest");
+    request.def(nb::init<>());
+    bind_asked(request);
     module.def(
         "texture",
         [](const Items& items, const Request& request, bool every_measurement) {
@@ -104,21 +95,12 @@ void bind_texture(nb::module_& module) {
 }
 
 void bind_adhesion(nb::module_& module) {
-    nb::class_<answers::AdhesionRequest>(module, "Solids")
-        .def(
-            "__init__",
-            [](answers::AdhesionRequest* request, const std::string& youngs_modulus, const std::string& work,
-               const std::string& surface_energy, double poisson_ratio, const std::string& rough_modulus,
-               double rough_poisson_ratio, const std::string& radius, const std::string& preload) {
-                require_within(domain::poisson_ratio, poisson_ratio, fmt::format("{}", poisson_ratio));
-                require_within(domain::poisson_ratio, rough_poisson_ratio, fmt::format("{}", rough_poisson_ratio));
-                new (request)
-                    answers::AdhesionRequest{youngs_modulus,      work,   surface_energy, poisson_ratio, rough_modulus,
-                                             rough_poisson_ratio, radius, preload};
-                (void)request->study({});  // what is wrong with it is said here
-            },
-            nb::arg("youngs_modulus"), nb::arg("work"), nb::arg("surface_energy"), nb::arg("poisson_ratio"),
-            nb::arg("rough_modulus"), nb::arg("rough_poisson_ratio"), nb::arg("radius"), nb::arg("preload"));
+    nb::class_<answers::AdhesionRequest> solids(module, "Solids");
+    solids.def(nb::init<>());
+    bind_asked(solids);
+    solids.def(
+        "require_valid", [](const answers::AdhesionRequest& request) { (void)request.study({}); },
+        "raises InvalidArgument for what is missing or malformed");
     module.def(
         "adhesion_of_files",
         [](const Items& items, const answers::AnalysisRequest& request, const answers::AdhesionRequest& solids,
@@ -197,20 +179,13 @@ void bind_surfaces(nb::module_& module) {
         .def_prop_ro("columns", [](nb::handle self) { return columns(nb::cast<const Scales&>(self).table, self); })
         .def_prop_ro("units", [](const Scales& found) { return units(found.table); })
         .def("json", [](const Scales& found) { return output::as_text(answers::to_json(found)); });
-    nb::class_<answers::ScaleRequest>(module, "ScaleRequest")
-        .def(nb::init<>())
-        .def_rw("area", &answers::ScaleRequest::area)
-        .def_rw("slope", &answers::ScaleRequest::slope)
-        .def_rw("all", &answers::ScaleRequest::all)
-        .def_rw("binned", &answers::ScaleRequest::binned)
-        .def_rw("order", &answers::ScaleRequest::order)
-        .def_rw("bins_per_decade", &answers::ScaleRequest::bins_per_decade)
-        .def_rw("distance", &answers::ScaleRequest::distance)
-        .def_rw("longest", &answers::ScaleRequest::longest)
-        .def_rw("statistic", &answers::ScaleRequest::statistic)
-        .def_rw("along", &answers::ScaleRequest::along)
-        .def_rw("weighting", &answers::ScaleRequest::weighting)
-        .def_rw("every_measurement", &answers::ScaleRequest::every_measurement);
+    using ScaleRequest = answers::ScaleRequest;
+    nb::class_<ScaleRequest> scales(module, "ScaleRequest");
+    scales.def(nb::init<>()).def_rw("every_measurement", &ScaleRequest::every_measurement);
+    bind_asked(scales);
+    bind_options(scales, fields::Asked<ScaleRequest>::differences);
+    bind_options(scales, fields::Asked<ScaleRequest>::of_area);
+    bind_options(scales, fields::Asked<ScaleRequest>::autocorrelation);
     module.def(
         "functions_of_scale",
         [](const std::string& function, const Items& items, const answers::AnalysisRequest& analysis,
@@ -232,7 +207,7 @@ void bind_surfaces(nb::module_& module) {
                 std::vector<answers::Suspect> suspects;
                 for (const auto& item : items)
                     suspects.push_back({item->path, [item] { return measurements_of(*item); }});
-                const auto found = answers::diagnosis(suspects, tip_radius, {}, every_measurement);
+                const auto found = answers::diagnosis(suspects, {tip_radius}, {}, every_measurement);
                 if (found.failures.size() == items.size())
                     throw InvalidArgument(fmt::format("{}", fmt::join(found.failures, "; ")));
                 return output::as_text(answers::to_json(found));

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "heights.hpp"
+#include "request.hpp"
 #include "setae/answers/blind_tip.hpp"
 #include "setae/answers/heights_file.hpp"
 #include "setae/answers/synthesis.hpp"
@@ -22,40 +23,17 @@ struct TipAndSurface {
     std::string json;
 };
 
-void bind_synthesis_request(nb::module_& module) {
-    using Request = answers::SynthesisRequest;
-    nb::class_<Request>(module, "SynthesisRequest")
-        .def(nb::init<>())
-        .def_rw("hurst", &Request::hurst)
-        .def_rw("rolloff", &Request::rolloff)
-        .def_rw("short_cutoff", &Request::short_cutoff)
-        .def_rw("long_cutoff", &Request::long_cutoff)
-        .def_rw("rms_height", &Request::rms_height)
-        .def_rw("rms_slope", &Request::rms_slope)
-        .def_rw("plateau", &Request::plateau)
-        .def_rw("spectrum", &Request::spectrum)
-        .def_rw("spectrum_unit", &Request::spectrum_unit)
-        .def_rw("pixels", &Request::pixels)
-        .def_rw("size", &Request::size)
-        .def_rw("window_of", &Request::window_of)
-        .def_rw("seed", &Request::seed)
-        .def_rw("line", &Request::line)
-        .def_rw("exact_rms", &Request::exact_rms)
-        .def_rw("amplitudes", &Request::amplitudes)
-        .def_rw("stretch", &Request::stretch)
-        .def_rw("angle", &Request::angle)
-        .def_rw("skewness", &Request::skewness)
-        .def_rw("kurtosis", &Request::kurtosis);
-}
-
 }  // namespace
 
 void bind_synthesis(nb::module_& module) {
-    bind_synthesis_request(module);
+    using Request = answers::SynthesisRequest;
+    nb::class_<Request> request(module, "SynthesisRequest");
+    request.def(nb::init<>()).def_rw("spectrum_unit", &Request::spectrum_unit);
+    bind_asked(request);
     nb::class_<Made>(module, "Made").def_ro("heights", &Made::heights).def_ro("json", &Made::json);
     module.def(
         "synthesize",
-        [](const answers::SynthesisRequest& request, const std::string& output) {
+        [](const Request& request, const std::string& output) {
             return unlocked([&](const auto&) {
                 if (!output.empty()) answers::require_heights_ending(output);
                 auto made = answers::synthesis_of(request);
@@ -74,11 +52,9 @@ void bind_synthesis(nb::module_& module) {
             });
         },
         nb::arg("heights"), nb::arg("file"), "in the format that the file's ending names");
-    nb::class_<answers::BlindTipRequest>(module, "BlindTipRequest")
-        .def(nb::init<>())
-        .def_rw("threshold", &answers::BlindTipRequest::threshold)
-        .def_rw("points", &answers::BlindTipRequest::points)
-        .def_rw("rounds", &answers::BlindTipRequest::rounds);
+    nb::class_<answers::BlindTipRequest> tip(module, "BlindTipRequest");
+    tip.def(nb::init<>());
+    bind_asked(tip);
     nb::class_<TipAndSurface>(module, "TipAndSurface")
         .def_ro("tip", &TipAndSurface::tip)
         .def_ro("surface", &TipAndSurface::surface)

@@ -7,7 +7,7 @@ import html
 from typing import Any
 
 from . import _setae
-from ._options import Text, text
+from ._options import Text, filled, text
 from ._quantities import Answer, Quantity
 from ._scan import Measured, items
 from ._spectra import Surface, analysis_of, shared_options
@@ -65,7 +65,18 @@ def work_of_adhesion(
     of the soft solid.  radius, preload: of a sphere pressed on and pulled off; its pull-off and loss are lower bounds that become JKR's as
     the roughness tends to zero.
     """
-    solids = _setae.Solids(text(E), text(W_int), text(gamma), nu, text(rough_E), rough_nu, text(radius), text(preload))
+    solids = filled(
+        _setae.Solids(),
+        youngs_modulus=text(E),
+        poisson_ratio=nu,
+        work_of_adhesion=text(W_int),
+        surface_energy=text(gamma),
+        rough_E=text(rough_E),
+        rough_nu=rough_nu,
+        radius=text(radius),
+        preload=text(preload),
+    )
+    solids.require_valid()
     if isinstance(surface, Surface):
         if measurement:
             raise TypeError(f"{', '.join(measurement)}: the surface is analysed already; say it to setae.surface")

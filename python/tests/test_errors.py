@@ -76,6 +76,11 @@ def test_solids(argument, words, data):
         setae.work_of_adhesion(data / "rougher/afm_1.txt", **solids)
 
 
+def test_value_of_another_type(data):
+    with pytest.raises(TypeError, match="points: a value of type str"):
+        setae.tip(data / "rougher/afm_1.txt", points="many")
+
+
 @pytest.mark.parametrize(
     "argument",
     [{"window": "hamming"}, {"longest": "1 kg"}, {"contours": "lines"}, {"conversion": "none"}, {"memory": -1.0}, {"bootstrap_resamples": -1}],

@@ -2,6 +2,8 @@
 #include <memory>
 #include <utility>
 
+#include <nlohmann/json.hpp>
+
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
@@ -9,7 +11,6 @@
 #include "psd/surface_options.hpp"
 #include "setae/answers/adhesion.hpp"
 #include "setae/core/layout.hpp"
-#include "setae/core/units.hpp"
 #include "setae/output/contact_answers.hpp"
 #include "setae/output/predicted_quantities.hpp"
 #include "setae/output/quantity_table.hpp"
@@ -71,25 +72,7 @@ ExitCode run(const Arguments& arguments) {
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     arguments->surface.add_to(options);
-    options
-        .add("--E,--youngs-modulus", arguments->solids.youngs_modulus,
-             "Young's modulus of the soft solid, such as \"0.7 ± 0.02 MPa\"")
-        .quantity(positive(dimension::pressure));
-    options.add("--nu,--poisson-ratio", arguments->solids.poisson_ratio, "its Poisson ratio")
-        .within(domain::poisson_ratio);
-    options
-        .add("--w,--work-of-adhesion", arguments->solids.work, "intrinsic work of adhesion, such as \"37 ± 3.7 mJ/m2\"")
-        .quantity(positive(dimension::surface_energy));
-    options.add("--gamma,--surface-energy", arguments->solids.surface_energy, "surface energy of the soft solid")
-        .quantity(non_negative(dimension::surface_energy));
-    options.add("--rough-E", arguments->solids.rough_modulus, "Young's modulus of the rough solid; default rigid")
-        .quantity(positive(dimension::pressure));
-    options
-        .add("--radius", arguments->solids.radius, "of a soft sphere that is pressed on and pulled off; with --preload")
-        .quantity(positive(dimension::length));
-    options.add("--preload", arguments->solids.preload, "its largest force, such as 1mN")
-        .quantity(non_negative(dimension::force));
-    options.add("--rough-nu", arguments->solids.rough_poisson_ratio, "its Poisson ratio").within(domain::poisson_ratio);
+    options.ask(arguments->solids);
     options.example("setae adhesion stylus.csv afm.ibw --E \"0.7 ± 0.02 MPa\" --w \"37 ± 3.7 mJ/m2\" --gamma 25mJ/m2",
                     "work of adhesion of a soft solid on the measured surface");
     options.example("setae adhesion spectrum.csv --E 0.7MPa --w 37mJ/m2 --gamma 25mJ/m2 --radius 1.25mm --preload 1mN",

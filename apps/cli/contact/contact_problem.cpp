@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "convert/heights_output.hpp"
+#include "convert/processing_text.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
 #include "setae/output/quantity_table.hpp"
@@ -19,22 +20,9 @@ void ContactSurface::add_to(Options& options) {
              "a map or a line, or a file or container that holds one; a table of a spectrum, or a study, of which a "
              "surface is made")
         .of_inputs();
-    file.add_to(options);
-    processing.add_to(options);
-    options
-        .add(
-            "--trend", measured.trend,
-            "removed from measured heights: none, mean, tilt, parabola; default: as before a spectrum, none of heights that "
-            "repeat themselves")
-        .offering({"none", "mean", "tilt", "parabola"})
-        .read_by([](const std::string& text) { (void)topography::trend_from_name(text); });
-    options
-        .add(
-            "--edges", measured.edges,
-            "automatic: a map whose heights do not go on across its edges is repeated with a warning; periodic: it repeats "
-            "itself; windowed: heights go to their mean within a tenth of either edge")
-        .one_of({"automatic", "periodic", "windowed"})
-        .default_shown();
+    options.ask(file);
+    options.ask(processing);
+    options.ask(measured);
     options.ask(made);
 }
 

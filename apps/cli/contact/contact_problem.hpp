@@ -5,8 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "convert/pipeline_option.hpp"
-#include "files/file_options.hpp"
 #include "plot/figure_output.hpp"
 #include "program/options.hpp"
 #include "setae/answers/contact_problem.hpp"
@@ -19,8 +17,8 @@ namespace setae::cli {
 /// A file whose surface touches, or from whose spectrum one is made.
 struct ContactSurface : answers::ContactSurfaceRequest {
     std::string path;
-    FileOptions file;
-    PipelineOption processing;
+    answers::FileRequest file;
+    answers::ProcessingRequest processing;
 
     void add_to(Options& options);
     /// answers::contact_surface(). @throws InvalidArgument for no file, and as it does.

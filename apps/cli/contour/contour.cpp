@@ -16,7 +16,6 @@
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/number_text.hpp"
-#include "setae/core/units.hpp"
 #include "setae/file_figures/contour_figure.hpp"
 #include "setae/imaging/calibration_file.hpp"
 #include "setae/output/contour_file.hpp"
@@ -232,33 +231,9 @@ Action declare(Options& options) {
     options.add("--anchors", arguments->anchors,
                 "points the trace must pass (JSON), or a whole trace to be made again");
     options.add("--segment", arguments->segment, "number of the segment written, longest first, or all");
-    options.add("--vacuum", arguments->vacuum, "which side is vacuum").one_of({"automatic", "bright", "dark"});
-    options
-        .add("--shape", arguments->shape, "re-entrant stretches: highest point over each x, cut, or the curve itself")
-        .one_of({"envelope", "cut", "parametric"});
-    options.add("--pixel", arguments->pixel, "size of a pixel, such as \"0.055 nm\" or \"1 nm x 0.2 nm\"")
-        .read_by([](const std::string& text) { (void)answers::pixel_size_of(text); });
-    options.add("--scale-bar", arguments->scale_bar, "what the scale bar in the picture stands for, such as \"5 nm\"")
-        .quantity(positive(dimension::length));
-    options.add("--calibration", arguments->calibration, "a calibration kept by --save-calibration");
+    options.ask<answers::ContourRequest>(*arguments);
     options.add("--save-calibration", arguments->save_calibration,
-                "keep the pixel size for pictures of the same magnification");
-    options.flag("--ignore-stated-pixel-size", arguments->ignore_stated,
-                 "go by --pixel or --scale-bar even where the file contradicts it");
-    options.add("--foil-thickness", arguments->foil_thickness, "of the sample along the beam, such as \"20 nm\"")
-        .quantity(positive(dimension::length));
-    options.add("--hide", arguments->hidden,
-                "x,y,width,height: a part of the picture that shows no sample, in pixels; may be repeated");
-    options.flag("--whole-picture", arguments->whole_picture, "do not hide scale bars and text that are found");
-    options.add("--smoothing", arguments->smoothing,
-                "length of the smoothing spline [px]; default: least expected error");
-    options.add("--denoise", arguments->denoise,
-                "smooth the picture first by a Gaussian of this standard deviation [px]");
-    options.add("--least-length", arguments->least_length,
-                "shorter segments are left out [px]; default 50, of masks 0");
-    options.add(
-        "--image", arguments->image,
-        "image of a file that holds several: its number, counted from 0, or its title; default: the first that is no spectrum and no Fourier transform");
+                "file that keeps the pixel size for pictures of the same magnification");
     options.flag("--no-overlay", arguments->no_overlay, "write no OUT.png");
     options.example("setae contour tem.dm3 -o contour.csv",
                     "the profile, contour.json with what makes it again, contour.png with the edge drawn in");

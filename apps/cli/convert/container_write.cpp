@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "files/file_options.hpp"
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
@@ -46,19 +45,7 @@ Action declare(Options& options) {
     options.add("files", request.files, "measured files, which become one surface, and containers, which keep theirs")
         .of_inputs();
     options.add("-o,--output", request.output, "container to write, OUT.zip");
-    options.add("--name", request.name, "name of the surface that the files are of; default: the output's");
-    options.add("--description", request.description, "its description");
-    options.add("--from", request.from, "containers and studies (.toml) whose surfaces are taken over");
-    options.add("--size", request.sizes,
-                "extent where files leave it open, \"1 mm x 1 mm\", or of one: \"FILE=1 mm x 1 mm\"");
-    options.add("--unit", request.units, "unit of lengths where files leave it open, um, or of one: FILE=um");
-    options.add(
-        "--channel", request.channels,
-        "channel by its number, counted from 0, or its name, or of one file: FILE=1; default: the preferred one");
-    options.add("--detrend", request.trends,
-                "what is to be removed: mean, tilt or parabola, or of one file: FILE=tilt; default: mean");
-    add_layout_option(options, request.as);
-    add_keep_values_option(options, request.keep_values);
+    options.ask(request);
     options.example("setae container write afm.ibw stylus.csv -o surface.zip --name \"my surface\"",
                     "two measurements of one surface");
     options.example("setae container write --from study.toml -o surfaces.zip", "the surfaces of a study");

@@ -8,10 +8,10 @@
 
 #include "convert/heights_output.hpp"
 #include "convert/output_jobs.hpp"
-#include "files/file_options.hpp"
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
+#include "setae/answers/surface_request.hpp"
 #include "setae/bytes/protected_inputs.hpp"
 #include "setae/core/errors.hpp"
 
@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 struct Arguments {
     Common common;
-    FileOptions file;
+    answers::FileRequest file;
     std::vector<std::string> paths;
     std::string folder, to;
     bool all_channels = false;
@@ -106,7 +106,7 @@ Action declare(Options& options) {
     options.add("--to", arguments->to, "ending of files in that folder, such as x3p");
     options.flag("--all-channels", arguments->all_channels,
                  "every channel of heights, its number before the ending of OUT");
-    arguments->file.add_to(options);
+    options.ask(arguments->file);
     options.example("setae convert map.ibw map.x3p", "one file, its format by the ending");
     options.example("setae convert *.spm -o x3p_files --to x3p", "many files, into a folder");
     options.example("setae convert heights.npy heights.gwy --size \"5 um x 5 um\" --unit m",

@@ -8,14 +8,14 @@
 
 #include "convert/heights_output.hpp"
 #include "convert/output_jobs.hpp"
-#include "convert/pipeline_option.hpp"
-#include "files/file_options.hpp"
+#include "convert/processing_text.hpp"
 #include "plot/figure_output.hpp"
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/pages.hpp"
 #include "program/print_json.hpp"
 #include "setae/answers/processed_file.hpp"
+#include "setae/answers/surface_request.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/file_figures/level_figure.hpp"
 #include "setae/study/pipeline_file.hpp"
@@ -25,8 +25,8 @@ namespace {
 
 struct Arguments {
     Common common;
-    FileOptions file;
-    PipelineOption processing;
+    answers::FileRequest file;
+    answers::ProcessingRequest processing;
     std::vector<std::string> paths;
     std::string output, folder, to = "x3p", written_pipeline, documentation;
     FigureOption figure;
@@ -104,7 +104,7 @@ ExitCode run(const Arguments& arguments) {
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     options.add("files", arguments->paths, "measurements").of_inputs();
-    arguments->processing.add_to(options);
+    options.ask(arguments->processing);
     options.add(
         "-o,--output", arguments->output,
         "what the one file is written to, by its ending, the best plane subtracted where no step is named; .svg, .pdf or .png: figure of heights before and after");
@@ -113,7 +113,7 @@ Action declare(Options& options) {
     options.add("--to", arguments->to, "ending of files in that folder, x3p without it");
     options.add("--write-pipeline", arguments->written_pipeline, "write the steps as p.yml or p.toml");
     options.add("--documentation", arguments->documentation, "write the page on all steps");
-    arguments->file.add_to(options);
+    options.ask(arguments->file);
     options.example("setae level map.ibw -o levelled.x3p", "the best plane is subtracted");
     options.example("setae level map.ibw --step level_plane --step \"despike threshold=5\" -o levelled.svg",
                     "two steps, drawn before and after");

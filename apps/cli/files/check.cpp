@@ -4,13 +4,12 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
-#include "files/file_options.hpp"
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
 #include "setae/answers/diagnosis.hpp"
-#include "setae/core/units.hpp"
 
 namespace setae::cli::check_command {
 namespace {
@@ -33,9 +32,9 @@ constexpr const char* explanation =
 
 struct Arguments {
     Common common;
-    FileOptions file;
+    answers::FileRequest file;
     std::vector<std::string> files;
-    std::string tip_radius;
+    answers::DiagnosisRequest request;
     bool strict = false;
 };
 
@@ -43,7 +42,7 @@ ExitCode run(const Arguments& arguments) {
     std::vector<answers::Suspect> suspects;
     for (const auto& path : arguments.files)
         suspects.push_back({path, [path, &arguments] { return answers::measurements_of(path, arguments.file); }});
-    const auto diagnosis = answers::diagnosis(suspects, arguments.tip_radius, arguments.common.workers());
+    const auto diagnosis = answers::diagnosis(suspects, arguments.request, arguments.common.workers());
     for (const auto& failure : diagnosis.failures) complain(failure);
     if (arguments.common.json) {
         print_json(answers::to_json(diagnosis));
@@ -64,9 +63,8 @@ Action declare(Options& options) {
     options
         .add("files", arguments->files, "measurements: files or containers; several are also compared with each other")
         .of_inputs();
-    arguments->file.add_to(options);
-    options.add("--tip-radius", arguments->tip_radius, "such as \"10 nm\", where the file does not say it")
-        .quantity(positive(dimension::length), "nm");
+    options.ask(arguments->file);
+    options.ask(arguments->request);
     options.flag("--strict", arguments->strict, "exit code 1 where anything is found");
     options.example("setae check afm.ibw --tip-radius \"10 nm\"", "what is wrong with one map, and what to do");
     options.example("setae check a.ibw b.ibw stylus.csv", "the same, and whether they agree with each other");

@@ -5,12 +5,12 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "files/file_options.hpp"
 #include "files/listed_file.hpp"
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
 #include "program/terminal.hpp"
+#include "setae/answers/surface_request.hpp"
 #include "setae/core/words.hpp"
 
 namespace setae::cli::info_command {
@@ -28,9 +28,9 @@ constexpr const char* explanation =
 
 struct Arguments {
     Common common;
-    FileOptions file;
-    std::vector<std::string> files;
-    bool heights = false, no_heights = false, all = false;
+    answers::FileRequest file;
+    answers::ContentsRequest request;  ///< but for what the file leaves open
+    bool all = false;
 };
 
 /// Alerts of what was read, then reasons of what was not; whether a channel is bad. A member of a container that cannot
@@ -58,11 +58,10 @@ bool show_remarks(const answers::Contents& contents, bool json) {
 }
 
 ExitCode run(const Arguments& arguments) {
-    const auto contents = answers::contents({.paths = arguments.files,
-                                             .questions = arguments.file.questions(),
-                                             .channel = arguments.file.channel,
-                                             .heights = arguments.heights,
-                                             .no_heights = arguments.no_heights});
+    auto request = arguments.request;
+    request.questions = arguments.file.questions();
+    request.channel = arguments.file.channel;
+    const auto contents = answers::contents(request);
     if (!contents.files.empty() && arguments.common.json) print_json(answers::to_json(contents));
     if (!arguments.common.json)
         print(file_tables(contents.files, arguments.all ? Detail::all : Detail::usual, output_size().width));
@@ -78,11 +77,11 @@ ExitCode run(const Arguments& arguments) {
 
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
-    options.add("files", arguments->files, "files of any kind that setae reads, or folders of them").of_inputs();
+    options.add("files", arguments->request.paths, "files of any kind that setae reads, or folders of them")
+        .of_inputs();
     options.flag("--long", arguments->all, "all that is known of each, orientation of maps, date and rms height too");
-    options.flag("--heights", arguments->heights, "read heights of files above 64 MB too");
-    options.flag("--no-heights", arguments->no_heights, "read headers alone");
-    arguments->file.add_to(options);
+    options.ask(arguments->request);
+    options.ask(arguments->file);
     options.example("setae info afm.ibw scan.csv", "channels, size, unit and heights of two files");
     options.example("setae info folder/*.spm --json", "the same for a script");
     options.example("setae info scan.txt --unit um", "a file that does not state its unit");

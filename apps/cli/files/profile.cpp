@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "files/file_options.hpp"
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
@@ -28,7 +27,7 @@ constexpr const char* explanation =
 
 struct Arguments {
     Common common;
-    FileOptions file;
+    answers::FileRequest file;
     std::string path, from, to, unit, width, output;
     std::optional<Index> points;
 };
@@ -99,12 +98,13 @@ ExitCode run(const Arguments& arguments) {
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     options.add("file", arguments->path, "a map, or a file or container that holds one").of_inputs();
-    arguments->file.add_to(options);
-    options.add("--from", arguments->from, "x,y of its first point");
-    options.add("--to", arguments->to, "x,y of its last point");
-    options.add("--unit-xy", arguments->unit, "unit of --from and --to: um, nm, mm …, or px for points of the map");
-    options.add("--width", arguments->width, "average across it, such as 5px or \"300 nm\"");
-    options.add("--points", arguments->points, "along it; default: about one a pixel");
+    options.ask(arguments->file);
+    options.add("--from", arguments->from, "x,y of the first point of the line, such as 0,0");
+    options.add("--to", arguments->to, "x,y of the last point of the line, such as 5,2.5");
+    options.add("--unit-xy", arguments->unit,
+                "unit of x and y of both points: um, nm, mm …, or px for points of the map");
+    options.add("--width", arguments->width, "width of the mean across the line, such as 5px or \"300 nm\"");
+    options.add("--points", arguments->points, "number of points along the line; default: about one per pixel");
     options.add("-o,--output", arguments->output, "write OUT.csv");
     options.example("setae profile map.ibw --from 0,0 --to 5,2.5 --unit-xy um -o line.csv",
                     "heights between two points");

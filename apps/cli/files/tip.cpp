@@ -4,8 +4,6 @@
 #include <nlohmann/json.hpp>
 
 #include "convert/heights_output.hpp"
-#include "convert/pipeline_option.hpp"
-#include "files/file_options.hpp"
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
@@ -13,7 +11,6 @@
 #include "setae/answers/blind_tip.hpp"
 #include "setae/answers/diagnosis.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/core/units.hpp"
 #include "setae/output/quantity_table.hpp"
 #include "setae/study/pipeline_file.hpp"
 
@@ -31,8 +28,8 @@ constexpr const char* explanation =
 
 struct Arguments {
     Common common;
-    FileOptions file;
-    PipelineOption processing;
+    answers::FileRequest file;
+    answers::ProcessingRequest processing;
     answers::BlindTipRequest request;
     std::string path, output, reconstruction;
 };
@@ -63,17 +60,12 @@ ExitCode run(const Arguments& arguments) {
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     options.add("file", arguments->path, "a map, or a file or container that holds one").of_inputs();
-    arguments->file.add_to(options);
-    arguments->processing.add_to(options);
-    options.add("--points", arguments->request.points, "extent of the estimate in pixels, odd").default_shown();
-    options
-        .add("--threshold", arguments->request.threshold,
-             "height by which the map must demand a sharper tip, such as \"0.2 nm\"; default 0")
-        .quantity(non_negative(dimension::length));
-    options.add("--rounds", arguments->request.rounds, "at most so many sweeps over the map").default_shown();
-    options.add("-o,--output", arguments->output, "write the tip, apex up: " + endings_of_heights());
+    options.ask(arguments->file);
+    options.ask(arguments->processing);
+    options.ask(arguments->request);
+    options.add("-o,--output", arguments->output, "file for the tip, apex up: " + endings_of_heights());
     options.add("--reconstruction", arguments->reconstruction,
-                "write the surface where it is certain, undefined elsewhere");
+                "file for the surface where the surface is certain, undefined elsewhere");
     options.example("setae tip map.ibw -o tip.x3p", "the bluntest tip that could have made the map");
     options.example("setae tip map.ibw --threshold \"0.2 nm\" --reconstruction surface.x3p",
                     "with noise allowed for, and the surface where it is certain");

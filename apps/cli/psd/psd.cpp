@@ -8,7 +8,6 @@
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
 #include "program/terminal.hpp"
-#include "psd/psd_fit.hpp"
 #include "psd/surface_options.hpp"
 #include "setae/answers/power_spectrum.hpp"
 #include "setae/file_figures/spectrum_figure.hpp"
@@ -29,23 +28,17 @@ constexpr const char* explanation =
 struct Arguments {
     Common common;
     SurfaceOptions surface;
-    bool isotropic = false;
-    bool abel = false;
-    FitOptions fit;
-    bool binned = false;
+    answers::PowerSpectrumRequest request;  ///< but for the surface and its analysis
     std::string output;
     FigureOption figure;
 };
 
 ExitCode run(const Arguments& arguments) {
     require_table_or_figure(arguments.output);
-    const auto spectrum = answers::power_spectrum({.surface = arguments.surface.surface(),
-                                                   .analysis = arguments.surface.analysis(),
-                                                   .isotropic = arguments.isotropic,
-                                                   .abel = arguments.abel,
-                                                   .binned = arguments.binned,
-                                                   .fit = arguments.fit},
-                                                  arguments.common.workers());
+    auto request = arguments.request;
+    request.surface = arguments.surface.surface();
+    request.analysis = arguments.surface.analysis();
+    const auto spectrum = answers::power_spectrum(request, arguments.common.workers());
     const auto& [surface, table, fit] = spectrum;
     const auto code = report_failures(surface);
     if (code == ExitCode::nothing_done) return code;
@@ -73,10 +66,8 @@ ExitCode run(const Arguments& arguments) {
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     arguments->surface.add_to(options);
-    options.flag("--iso", arguments->isotropic, "also C_iso, on the combined grid");
-    options.flag("--abel", arguments->abel, "also C_iso by the inverse Abel transform, on the combined grid");
-    arguments->fit.add_to(options);
-    options.flag("--binned", arguments->binned, "one measurement on the combined grid too");
+    options.ask(arguments->request);
+    options.ask(arguments->request.fit);
     options.add("-o,--output", arguments->output, "table OUT.csv or OUT.nc; figure OUT.svg, .pdf or .png");
     arguments->figure.add_to(options);
     options.example("setae psd afm.ibw --tip-radius \"10 nm\" -o psd.svg",

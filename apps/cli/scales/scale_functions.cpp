@@ -2,13 +2,14 @@
 // sdrp, acf and vbw: functions of a distance, of one measurement or combined from several.
 #include <memory>
 
+#include <nlohmann/json.hpp>
+
 #include "plot/figure_output.hpp"
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
 #include "psd/surface_options.hpp"
 #include "setae/answers/functions_of_scale.hpp"
-#include "setae/core/units.hpp"
 #include "setae/file_figures/scale_figure.hpp"
 #include "setae/tables/table_file.hpp"
 
@@ -26,6 +27,8 @@ constexpr const char* vbw_explanation =
     "rms of all residuals of the best line (--area: plane) in each of m cells, m = 1, 2, 4, ... while n/m >= 4\n"
     "distance: size/m; reliable from the shortest wavelength                                     10.1088/2051-672X/aa51f8\n";
 
+using Asked = fields::Asked<answers::ScaleRequest>;
+
 /// Options of all three verbs.
 struct ScaleArguments {
     Common common;
@@ -36,11 +39,7 @@ struct ScaleArguments {
 
     void add_to(Options& options) {
         surface.add_measurements_to(options, "measurements of one surface: files or containers");
-        options.flag("--all", request.all, "also distances that sampling, tip or resolution make unreliable");
-        options.flag("--binned", request.binned, "one measurement in the bins of combined ones too");
-        options.add("--bins-per-decade", request.bins_per_decade, "bins of combined functions").between(1, 1000);
-        options.add("--weighting", request.weighting, "equal, per_instrument or by_count")
-            .one_of({"equal", "per_instrument", "by_count"});
+        options.ask(request);
         options.add("-o,--output,--csv", output, "table OUT.csv or OUT.nc; figure OUT.svg, .pdf or .png");
         figure.add_to(options);
     }
@@ -78,15 +77,7 @@ ExitCode run_vbw(const ScaleArguments& arguments) { return run(arguments, answer
 Action sdrp_command(Options& options) {
     auto arguments = std::make_shared<ScaleArguments>();
     arguments->add_to(options);
-    options
-        .add("--distance", arguments->request.distance,
-             "length of the stencil, such as 100nm, or several: 10nm,100nm; default ten a decade")
-        .read_by([](const std::string& text) { (void)answers::distances_of(text); });
-    options.add("--order", arguments->request.order, "of the derivative: 1 slope, 2 curvature, 3").between(1, 3);
-    options
-        .add("--statistic", arguments->request.statistic, "rms, variance, mean, skewness, kurtosis, minimum, maximum")
-        .one_of_unlisted({"rms", "variance", "mean", "skewness", "kurtosis", "minimum", "maximum"});
-    options.add("--along", arguments->request.along, "x, y or both").one_of({"x", "y", "both"});
+    options.ask(Asked::differences, &arguments->request);
     options.example("setae sdrp afm.ibw --tip-radius \"10 nm\" -o slope.svg", "rms slope at every scale, as a figure");
     options.example("setae sdrp stylus.csv afm.ibw --order 2 --distance 100nm,1um",
                     "curvature at two scales, of two measurements combined");
@@ -96,10 +87,8 @@ Action sdrp_command(Options& options) {
 Action acf_command(Options& options) {
     auto arguments = std::make_shared<ScaleArguments>();
     arguments->add_to(options);
-    options.flag("--area", arguments->request.area, "maps over all directions, not along their lines");
-    options.add("--longest", arguments->request.longest, "longest distance of --area, which maps read by bands need")
-        .quantity(positive(dimension::length));
-    options.flag("--slope", arguments->request.slope, "the rms slope between points, sqrt(2A)/d");
+    options.ask(Asked::of_area, &arguments->request);
+    options.ask(Asked::autocorrelation, &arguments->request);
     options.example("setae acf afm.ibw -o acf.csv", "along the scan lines, as a table");
     options.example("setae acf map.x3p --area -o acf.svg", "over all directions, as a figure");
     return action(options, arguments, acf_explanation, run_acf);
@@ -108,8 +97,7 @@ Action acf_command(Options& options) {
 Action vbw_command(Options& options) {
     auto arguments = std::make_shared<ScaleArguments>();
     arguments->add_to(options);
-    options.flag("--area", arguments->request.area,
-                 "planes in rectangles of maps, not lines in pieces of their scan lines");
+    options.ask(Asked::of_area, &arguments->request);
     options.example("setae vbw stylus.csv -o vbw.svg", "rms height left in pieces of every length, as a figure");
     return action(options, arguments, vbw_explanation, run_vbw);
 }

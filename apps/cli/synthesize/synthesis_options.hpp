@@ -8,7 +8,7 @@ namespace setae::cli {
 
 /// Options of verbs that make surfaces.
 struct SynthesisOptions : answers::SynthesisRequest {
-    void add_to(Options& options);
+    void add_to(Options& options) { options.ask<answers::SynthesisRequest>(*this); }
 };
 
 }  // namespace setae::cli

@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "setae/adhesion/stored_energy.hpp"
@@ -71,7 +72,10 @@ study::Study AdhesionRequest::study(const study::SurfaceAnalysisOptions& analysi
         throw InvalidArgument(
             "`radius` and `preload` are given together or not at all, such as `radius = 1.25 mm` and `preload = 1 mN`");
     if (youngs_modulus.empty() || work.empty() || surface_energy.empty())
-        throw InvalidArgument("expected `E = 1.1 MPa`, `w = 37 mJ/m2` and `gamma = 25 mJ/m2`");
+        throw InvalidArgument(
+            "expected `youngs_modulus = 1.1 MPa`, `work_of_adhesion = 37 mJ/m2` and `surface_energy = 25 mJ/m2`");
+    for (const double ratio : {poisson_ratio, rough_poisson_ratio})
+        require_within(domain::poisson_ratio, ratio, fmt::format("{}", ratio));
     study::Study study;
     study.analysis = analysis;
     study.counter_youngs_modulus = rough_modulus.empty() ? std::numeric_limits<double>::infinity()

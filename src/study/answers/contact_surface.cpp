@@ -64,7 +64,7 @@ Alert alert_of(const processing::Seam& seam, const topography::Metadata& metadat
 }  // namespace
 
 void MeasuredSurfaceRequest::require_valid() const {
-    require_word("edges", edges, {"automatic", "periodic", "windowed"});
+    require_word("edges", edges, fields::Asked<MeasuredSurfaceRequest>::edges);
     (void)given_trend(*this);
 }
 

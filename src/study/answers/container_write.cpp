@@ -175,7 +175,7 @@ bool WrittenContainer::complete() const {
 }
 
 WrittenContainer write_container(const ContainerRequest& request) {
-    if (request.output.empty()) throw InvalidArgument("no output; give it, as in -o measurements.zip");
+    if (request.output.empty()) throw InvalidArgument("no output; expected `output = measurements.zip`");
     if (request.files.empty() && request.from.empty())
         throw InvalidArgument("no file; expected measured files or containers, or `from` with a container or study");
     require_files(request, request.sizes, "`size`");

@@ -16,6 +16,13 @@ void append(std::vector<diagnostics::Finding>& findings, std::vector<diagnostics
     findings.insert(findings.end(), std::make_move_iterator(found.begin()), std::make_move_iterator(found.end()));
 }
 
+/// A radius in place of that of the file, and of its standard error.
+void set_tip(topography::Instrument& instrument, const Estimate& radius) {
+    instrument.tip_radius = radius.value;
+    instrument.tip_radius_standard_error.reset();
+    if (radius.uncertain()) instrument.tip_radius_standard_error = radius.standard_error;
+}
+
 /// What was made of the heights when they were read.
 std::vector<diagnostics::Finding> of_reading(const topography::Measurement& measurement) {
     std::vector<diagnostics::Finding> findings;
@@ -32,18 +39,18 @@ std::vector<topography::Measurement> measurements_of(const std::string& path, co
     return found;
 }
 
-Diagnosis diagnosis(const std::vector<Suspect>& suspects, const std::string& tip_radius, parallel::Threads threads,
+Diagnosis diagnosis(const std::vector<Suspect>& suspects, const DiagnosisRequest& request, parallel::Threads threads,
                     bool every_measurement) {
     if (suspects.empty()) throw InvalidArgument("no file; expected at least one measurement");
     const diagnostics::DiagnosisOptions options{.threads = threads};
-    std::optional<double> radius;
-    if (!tip_radius.empty()) radius = parse_quantity(tip_radius, dimension::length);
+    std::optional<Estimate> radius;
+    if (!request.tip_radius.empty()) radius = parse_uncertain_quantity(request.tip_radius, positive(dimension::length));
     Diagnosis diagnosis;
     std::vector<topography::Measurement> all;
     for (const auto& suspect : suspects) {
         try {
             for (auto& measurement : suspect.measurements()) {
-                if (radius) topography::metadata(measurement).instrument.tip_radius = radius;
+                if (radius) set_tip(topography::metadata(measurement).instrument, *radius);
                 auto found = of_reading(measurement);
                 append(found, diagnostics::diagnose(measurement, options));
                 if (found.empty()) diagnosis.faultless.push_back(topography::label(topography::metadata(measurement)));

@@ -10,7 +10,6 @@
 #include "setae/bytes/source.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
-#include "setae/processing/step_text.hpp"
 #include "setae/study/pipeline_file.hpp"
 #include "setae/tables/power_spectrum_table.hpp"
 
@@ -56,6 +55,12 @@ study::FileQuestions FileRequest::questions() const {
     return questions;
 }
 
+std::vector<std::string> step_names() {
+    std::vector<std::string> names;
+    for (const auto& step : processing::step_descriptions()) names.push_back(step.name);
+    return names;
+}
+
 processing::Pipeline ProcessingRequest::pipeline() const {
     auto pipeline = file.empty() ? processing::Pipeline{} : study::read_pipeline(file);
     for (const auto& step : steps) pipeline.entries.push_back({processing::step_from_text(step)});
@@ -64,7 +69,7 @@ processing::Pipeline ProcessingRequest::pipeline() const {
 
 study::MeasurementInput MeasurementRequest::input(const std::string& path) const {
     const auto read = file.read_options();
-    require_word("instrument", instrument, {"stylus", "afm", "tem", "optical"});
+    require_word("instrument", instrument, fields::Asked<MeasurementRequest>::instruments);
     study::MeasurementInput input;
     input.file = path;
     input.channel = file.channel;
@@ -82,8 +87,9 @@ study::MeasurementInput MeasurementRequest::input(const std::string& path) const
 }
 
 study::SurfaceAnalysisOptions AnalysisRequest::analysis() const {
-    require_word("contours", contours, {"sinc_corrected", "segments"});
-    require_word("conversion", conversion, {"exact", "eq11"});
+    using Asked = fields::Asked<AnalysisRequest>;
+    require_word("contours", contours, Asked::contours);
+    require_word("conversion", conversion, Asked::conversions);
     if (!(memory > 0.0)) throw InvalidArgument(fmt::format("memory {} GiB; expected more than 0", memory));
     if (resamples < 0) throw InvalidArgument(fmt::format("{} resamples; expected 0 or more", resamples));
     study::SurfaceAnalysisOptions options;

@@ -124,7 +124,7 @@ topography::Measurement SynthesisPlan::make() const {
 }
 
 SynthesisPlan SynthesisRequest::plan(parallel::Threads threads) const {
-    require_word("amplitudes", amplitudes, {"gaussian", "exact"});
+    require_word("amplitudes", amplitudes, fields::Asked<SynthesisRequest>::amplitudes);
     if (size.empty()) throw InvalidArgument("no extent; expected `size = 5 um`");
     SynthesisPlan plan;
     plan.line = line;

@@ -77,11 +77,12 @@ std::vector<TextureParameter> TextureRequest::parameters_of(const topography::Me
 TextureAnswer texture_of(const study::SurfaceInput& surface, const TextureRequest& request, parallel::Threads threads,
                          bool every_measurement) {
     if (request.standard.empty()) throw InvalidArgument("no standard; expected iso25178 or iso21920");
-    require_word("standard", request.standard, {"iso25178", "iso21920"});
-    require_word("profile", request.kind, {"primary", "waviness", "roughness"});
-    require_word("averages", request.averages, {"evaluation_length", "sections"});
-    require_word("mean line", request.mean_line, {"mean", "zero"});
-    require_word("between", request.between, {"linear", "nothing"});
+    using Asked = fields::Asked<TextureRequest>;
+    require_word("standard", request.standard, Asked::standards);
+    require_word("profile", request.kind, Asked::profiles);
+    require_word("averages", request.averages, Asked::averages);
+    require_word("mean line", request.mean_line, Asked::mean_lines);
+    require_word("between", request.between, Asked::between);
     if (!request.only.empty()) (void)request.chosen();
     TextureAnswer answer;
     for (const auto& input : surface.measurements) {

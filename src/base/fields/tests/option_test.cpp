@@ -24,7 +24,7 @@ struct Asked<Wanted> {
     using R = Wanted;
     static constexpr std::array options{
         option<&R::radius>("sphere_radius", "radius of the sphere")
-            .of(positive(dimension::length))
+            .of(positive(dimension::length), "mm")
             .such_as("1 mm")
             .or_else("that of the file"),
         option<&R::ratio>("poisson_ratio", "Poisson ratio").within(domain::poisson_ratio).in_python("nu"),
@@ -48,6 +48,19 @@ TEST(Option, KnowsWhereItsValueIsKept) {
     std::get<std::vector<long>*>(Asked<Wanted>::options[3].place(&wanted))->push_back(12);
     EXPECT_TRUE(wanted.free);
     EXPECT_EQ(wanted.left_out, std::vector<long>{12});
+}
+
+TEST(Option, SaysWhatItMayBe) {
+    const auto& [radius, ratio, free, order, step] = Asked<Wanted>::options;
+    EXPECT_EQ(radius.usual_unit, "mm");
+    EXPECT_EQ(ratio.domain->upper, 0.5);
+    EXPECT_FALSE(free.whole);
+    EXPECT_EQ(order.whole->least, 1);
+    EXPECT_EQ(order.whole->greatest, 3);
+    EXPECT_EQ(step.offered(), (std::vector<std::string>{"level", "despike"}));
+    EXPECT_TRUE(step.named_each_time);
+    EXPECT_FALSE(order.named_each_time);
+    EXPECT_EQ(step.word, "steps");
 }
 
 TEST(Option, HasASentenceOfHelp) {

@@ -6,6 +6,7 @@
 
 #include "setae/answers/adhesion.hpp"
 #include "setae/answers/contact_comparison.hpp"
+#include "setae/answers/diagnosis.hpp"
 #include "setae/answers/power_spectrum.hpp"
 #include "setae/answers/surface_request.hpp"
 #include "setae/core/constants.hpp"
@@ -70,6 +71,18 @@ TEST(AdhesionRequest, NeedsItsThreeNumbersAndBothOfASphere) {
     auto without_preload = whole;
     without_preload.radius = "1 mm";
     EXPECT_THROW((void)without_preload.study({}), InvalidArgument);
+}
+
+TEST(AdhesionRequest, RefusesAPoissonRatioAboveOneHalf) {
+    const AdhesionRequest solids{
+        .youngs_modulus = "1 MPa", .work = "37 mJ/m2", .surface_energy = "25 mJ/m2", .poisson_ratio = 0.7};
+    EXPECT_THROW((void)solids.study({}), InvalidArgument);
+}
+
+TEST(Diagnosis, TakesATipWithItsStandardError) {
+    const std::vector<Suspect> suspects{{"wave", [] { return std::vector{wave("wave").in_memory.read()}; }}};
+    EXPECT_TRUE(diagnosis(suspects, {"10 ± 2 nm"}).failures.empty());
+    EXPECT_THROW((void)diagnosis(suspects, {"-10 nm"}), InvalidArgument);
 }
 
 /// C_iso = 1e-4 q^-3.6 between waves of 1 um and 125 nm, by its table.

@@ -20,6 +20,11 @@ using Place = std::variant<bool*, int*, long*, std::uint64_t*, double*, std::str
                            std::optional<std::uint64_t>*, std::optional<double>*, std::optional<std::string>*,
                            std::vector<std::string>*, std::vector<long>*, std::vector<double>*>;
 
+/// Whole numbers that an option may be, both ends among them.
+struct WholeNumbers {
+    int least = 0, greatest = 0;
+};
+
 /// Something a request asks for: its name, its meaning, its domain, and where its value is kept. The command line, the
 /// keys of a study, the Python package and the reference pages are made from it.
 struct Option {
@@ -29,19 +34,25 @@ struct Option {
     std::string_view keyword{};                        ///< in Python, where it is not the name: "W_int"
     std::string_view example{};                        ///< a value: "50 mJ/m2"
     std::string_view otherwise{};                      ///< what holds where it is not given: "four pixels"
+    std::string_view word{};                           ///< of a word of the command line that may be it: "table"
     std::optional<Expected> quantity{};                ///< of a text with a unit
+    std::string_view usual_unit{};                     ///< that a number without unit is told to have: "nm"
     std::optional<Domain> domain{};                    ///< of a number
+    std::optional<WholeNumbers> whole{};               ///< of a whole number
     std::span<const std::string_view> choices{};       ///< words that it may be
+    std::vector<std::string> (*offered)() = nullptr;   ///< words that shells offer; it may be others, too
     void (*check)(const std::string& text) = nullptr;  ///< throws InvalidArgument where a text is malformed
+    bool named_each_time = false;                      ///< of several values, each of them after its name
     bool shows_default = false;                        ///< the value of a new request is shown as the default
     char separator = '\0';                             ///< of several values in one word: ',' in "12,17"
     bool single = false;                               ///< of several, one value each time that it is named
     bool is_input = false;                             ///< a file that is read
     Place (*place)(void* request) = nullptr;
 
-    [[nodiscard]] consteval Option of(const Expected& expected) const {
+    [[nodiscard]] consteval Option of(const Expected& expected, std::string_view unit = {}) const {
         Option option = *this;
         option.quantity = expected;
+        option.usual_unit = unit;
         return option;
     }
     [[nodiscard]] consteval Option within(const Domain& values) const {
@@ -49,9 +60,19 @@ struct Option {
         option.domain = values;
         return option;
     }
+    [[nodiscard]] consteval Option between(int least, int greatest) const {
+        Option option = *this;
+        option.whole = {least, greatest};
+        return option;
+    }
     [[nodiscard]] consteval Option one_of(std::span<const std::string_view> words) const {
         Option option = *this;
         option.choices = words;
+        return option;
+    }
+    [[nodiscard]] consteval Option offering(std::vector<std::string> (*words)()) const {
+        Option option = *this;
+        option.offered = words;
         return option;
     }
     [[nodiscard]] consteval Option read_by(void (*reader)(const std::string&)) const {
@@ -67,6 +88,11 @@ struct Option {
     [[nodiscard]] consteval Option or_else(std::string_view what_holds) const {
         Option option = *this;
         option.otherwise = what_holds;
+        return option;
+    }
+    [[nodiscard]] consteval Option one_at_a_time() const {
+        Option option = *this;
+        option.named_each_time = true;
         return option;
     }
     [[nodiscard]] consteval Option default_shown() const {
@@ -92,6 +118,11 @@ struct Option {
     [[nodiscard]] consteval Option short_name(std::string_view letter) const {
         Option option = *this;
         option.also = letter;
+        return option;
+    }
+    [[nodiscard]] consteval Option or_word(std::string_view argument) const {
+        Option option = *this;
+        option.word = argument;
         return option;
     }
     [[nodiscard]] consteval Option in_python(std::string_view name_there) const {

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
 #include "setae/core/quantity.hpp"
+#include "setae/core/units.hpp"
+#include "setae/fields/option.hpp"
 #include "setae/output/json.hpp"
 #include "setae/topography/blind_tip.hpp"
 #include "setae/topography/certainty.hpp"
@@ -13,8 +16,8 @@ namespace setae::answers {
 
 /// What `setae tip` is asked of a map.
 struct BlindTipRequest {
-    std::string threshold;  ///< "0.2 nm"; empty: 0
-    Index points = 21;      ///< extent of the estimate, odd
+    std::string threshold;
+    Index points = 21;
     int rounds = 100;
 
     /// @throws InvalidArgument for a malformed length.
@@ -39,3 +42,16 @@ struct BlindTipAnswer {
 [[nodiscard]] output::Json to_json(const BlindTipAnswer& answer);
 
 }  // namespace setae::answers
+
+template <>
+struct setae::fields::Asked<setae::answers::BlindTipRequest> {
+    using R = answers::BlindTipRequest;
+    static constexpr std::array options{
+        option<&R::points>("points", "extent of the estimated tip in pixels, an odd number").default_shown(),
+        option<&R::threshold>("threshold", "height by which the map must demand a sharper tip, about twice the noise")
+            .of(non_negative(dimension::length))
+            .such_as("0.2 nm")
+            .or_else("0"),
+        option<&R::rounds>("rounds", "largest number of passes over the map").default_shown(),
+    };
+};

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "setae/answers/made_surface.hpp"
 #include "setae/answers/surface_request.hpp"
+#include "setae/fields/option.hpp"
 #include "setae/parallel/for_each.hpp"
 #include "setae/processing/pipeline.hpp"
 #include "setae/topography/detrend.hpp"
@@ -21,8 +24,8 @@ enum class BeyondMap {
 
 /// How a measured map or line is taken into a contact.
 struct MeasuredSurfaceRequest {
-    std::string trend;                ///< "none", "mean", "tilt", "parabola"; empty: study::trend_after()
-    std::string edges = "automatic";  ///< "periodic": it repeats itself; "windowed": heights go to their mean there
+    std::string trend;  ///< empty: study::trend_after()
+    std::string edges = "automatic";
 
     /// @throws InvalidArgument for other words.
     void require_valid() const;
@@ -70,3 +73,18 @@ struct ContactSurfaceRequest {
                                                                        parallel::Threads threads = {});
 
 }  // namespace setae::answers
+
+template <>
+struct setae::fields::Asked<setae::answers::MeasuredSurfaceRequest> {
+    using R = answers::MeasuredSurfaceRequest;
+    static constexpr std::array<std::string_view, 3> edges{"automatic", "periodic", "windowed"};
+    static constexpr std::array options{
+        answers::trend_option<&R::trend>("trend removed from measured heights: none, mean, tilt or parabola")
+            .or_else("as before a spectrum, none for heights that repeat themselves"),
+        option<&R::edges>(
+            "edges",
+            "edges of the map: repeated, with a warning if they differ (automatic), repeated (periodic), or brought to the mean height within a tenth (windowed)")
+            .one_of(edges)
+            .default_shown(),
+    };
+};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -9,6 +10,7 @@
 
 #include "setae/core/arrays.hpp"
 #include "setae/core/constants.hpp"
+#include "setae/fields/option.hpp"
 #include "setae/formats/channel.hpp"
 #include "setae/output/json.hpp"
 #include "setae/study/file_content.hpp"
@@ -51,8 +53,7 @@ struct ContentsRequest {
     std::vector<std::string> paths;  ///< files, or folders of them
     study::FileQuestions questions;
     formats::ChannelChoice channel;  ///< the only one that is shown
-    bool heights = false;            ///< read heights of files above 64 MB too
-    bool no_heights = false;         ///< read headers alone
+    bool heights = false, no_heights = false;
 };
 
 /// What was found, and what is wrong with it.
@@ -69,3 +70,12 @@ struct Contents {
 [[nodiscard]] output::Json to_json(const Contents& contents);
 
 }  // namespace setae::answers
+
+template <>
+struct setae::fields::Asked<setae::answers::ContentsRequest> {
+    using R = answers::ContentsRequest;
+    static constexpr std::array options{
+        option<&R::heights>("heights", "heights of files above 64 MB are read, too"),
+        option<&R::no_heights>("no_heights", "only headers are read, no heights"),
+    };
+};

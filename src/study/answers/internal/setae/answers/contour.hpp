@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "setae/core/units.hpp"
+#include "setae/fields/option.hpp"
 #include "setae/imaging/micrograph.hpp"
 #include "setae/study/contours.hpp"
 
@@ -17,11 +21,11 @@ namespace setae::answers {
 /// How the contour in a micrograph is traced, as `setae contour` is told.
 struct ContourRequest {
     std::string vacuum = "automatic", shape = "envelope";
-    std::string pixel, scale_bar, calibration, foil_thickness;  ///< calibration: a file
-    std::vector<std::string> hidden;                            ///< "x,y,width,height" in pixels
-    std::optional<double> smoothing, least_length;              ///< [px]
-    double denoise = 0;                                         ///< [px]
-    std::string image;  ///< of a file of several: its number, counted from 0, or its title; empty: the first picture
+    std::string pixel, scale_bar, calibration, foil_thickness;
+    std::vector<std::string> hidden;
+    std::optional<double> smoothing, least_length;
+    double denoise = 0;
+    std::string image;
     bool ignore_stated = false, whole_picture = false;
 
     /// @throws InvalidArgument for malformed texts and a calibration given twice.
@@ -29,3 +33,44 @@ struct ContourRequest {
 };
 
 }  // namespace setae::answers
+
+template <>
+struct setae::fields::Asked<setae::answers::ContourRequest> {
+    using R = answers::ContourRequest;
+    static constexpr std::array<std::string_view, 3> sides{"automatic", "bright", "dark"};
+    static constexpr std::array<std::string_view, 3> shapes{"envelope", "cut", "parametric"};
+    static constexpr std::array options{
+        option<&R::vacuum>("vacuum", "side of the picture that is vacuum, by grey level").one_of(sides).default_shown(),
+        option<&R::shape>("shape",
+                          "profile where the contour turns back: the highest point over each x, a cut, or the curve "
+                          "itself (parametric)")
+            .one_of(shapes)
+            .default_shown(),
+        option<&R::pixel>("pixel", "size of a pixel, or width and height as \"1 nm x 0.2 nm\"")
+            .read_by([](const std::string& text) { (void)answers::pixel_size_of(text); })
+            .such_as("0.055 nm")
+            .or_else("that of the file"),
+        option<&R::scale_bar>("scale_bar", "length that the scale bar in the picture stands for")
+            .of(positive(dimension::length))
+            .such_as("5 nm"),
+        option<&R::calibration>("calibration", "file of a calibration that was saved from another picture"),
+        option<&R::ignore_stated>("ignore_stated_pixel_size",
+                                  "pixel size or scale bar given hold even where the file contradicts them"),
+        option<&R::foil_thickness>("foil_thickness", "thickness of the sample along the beam")
+            .of(positive(dimension::length))
+            .such_as("20 nm"),
+        option<&R::hidden>("hide",
+                           "part of the picture without sample as x,y,width,height in pixels, given once per part")
+            .such_as("0,900,300,124")
+            .in_python("hidden"),
+        option<&R::whole_picture>("whole_picture", "scale bars and text that are found are not hidden"),
+        option<&R::smoothing>("smoothing", "length of the smoothing spline in pixels")
+            .or_else("that of the smallest expected error"),
+        option<&R::denoise>("denoise", "standard deviation in pixels of a Gaussian that smooths the picture first")
+            .default_shown(),
+        option<&R::least_length>("least_length", "shortest length in pixels of a segment that is kept")
+            .or_else("50, of masks 0"),
+        option<&R::image>("image", "image of a file that holds several: a number, counted from 0, or a title")
+            .or_else("the first that is no spectrum and no Fourier transform"),
+    };
+};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <functional>
 #include <string>
 #include <vector>
@@ -16,6 +17,11 @@ namespace setae::answers {
 /// @throws what reading throws; InvalidArgument where no channel holds heights.
 [[nodiscard]] std::vector<topography::Measurement> measurements_of(const std::string& path, const FileRequest& options);
 
+/// What `setae check` is told beside the files.
+struct DiagnosisRequest {
+    std::string tip_radius;
+};
+
 /// What is looked at: a file, and what gives its measurements.
 struct Suspect {
     std::string file;
@@ -29,12 +35,18 @@ struct Diagnosis {
     std::vector<std::string> failures;  ///< of files that could not be looked at
 };
 
-/// tip_radius: "10 nm", of all; empty: as the files say.  every_measurement: the first failure is thrown.
+/// request: of all suspects.  every_measurement: the first failure is thrown.
 /// @throws InvalidArgument where there is nothing to look at, and for a malformed radius.
-[[nodiscard]] Diagnosis diagnosis(const std::vector<Suspect>& suspects, const std::string& tip_radius,
+[[nodiscard]] Diagnosis diagnosis(const std::vector<Suspect>& suspects, const DiagnosisRequest& request,
                                   parallel::Threads threads = {}, bool every_measurement = false);
 
 /// Alerts with "effects".
 [[nodiscard]] output::Json to_json(const Diagnosis& diagnosis);
 
 }  // namespace setae::answers
+
+template <>
+struct setae::fields::Asked<setae::answers::DiagnosisRequest> {
+    using R = answers::DiagnosisRequest;
+    static constexpr std::array options{answers::tip_radius_option<&R::tip_radius>()};
+};

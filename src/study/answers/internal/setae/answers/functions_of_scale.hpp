@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "setae/core/table.hpp"
+#include "setae/core/units.hpp"
+#include "setae/fields/option.hpp"
 #include "setae/output/json.hpp"
 #include "setae/scales/function_of_scale.hpp"
 #include "setae/study/surface_analysis.hpp"
@@ -22,17 +26,10 @@ enum class ScaleFunction { differences, autocorrelation, variable_bandwidth };
 struct ScaleRequest {
     study::SurfaceInput surface;
     std::uint64_t largest_map = study::SurfaceAnalysisOptions{}.largest_map;
-    bool area = false;    ///< maps over all directions (autocorrelation, variable bandwidth)
-    bool slope = false;   ///< the rms slope between points (autocorrelation)
-    bool all = false;     ///< also distances that sampling, tip or resolution make unreliable
-    bool binned = false;  ///< one measurement in the bins of combined ones too
-    int order = 1;        ///< of the derivative (differences)
-    int bins_per_decade = 10;
-    std::string distance;                        ///< of differences; empty: ten a decade
-    std::string longest;                         ///< of an area's autocorrelation
-    std::string statistic = "rms", along = "x";  ///< of differences
-    std::string weighting = "equal";             ///< of measurements
-    bool every_measurement = false;              ///< the first failure of one is thrown
+    bool area = false, slope = false, all = false, binned = false;
+    int order = 1, bins_per_decade = 10;
+    std::string distance, longest, statistic = "rms", along = "x", weighting = "equal";
+    bool every_measurement = false;  ///< the first failure of one is thrown
 };
 
 /// A function of a distance, of each measurement and combined from several.
@@ -52,3 +49,44 @@ struct FunctionsOfScale {
 [[nodiscard]] output::Json to_json(const FunctionsOfScale& found);
 
 }  // namespace setae::answers
+
+template <>
+struct setae::fields::Asked<setae::answers::ScaleRequest> {
+    using R = answers::ScaleRequest;
+    static constexpr std::array<std::string_view, 3> weightings{"equal", "per_instrument", "by_count"};
+    static constexpr std::array<std::string_view, 7> statistics{"rms",      "variance", "mean",   "skewness",
+                                                                "kurtosis", "minimum",  "maximum"};
+    static constexpr std::array<std::string_view, 3> directions{"x", "y", "both"};
+    /// Of all functions.
+    static constexpr std::array options{
+        option<&R::all>("all", "unreliable distances, too: those that sampling, tip or resolution distort"),
+        option<&R::binned>("binned", "one measurement is shown in the bins of combined measurements, too"),
+        option<&R::bins_per_decade>("bins_per_decade", "bins per decade of combined functions")
+            .between(1, 1000)
+            .default_shown(),
+        option<&R::weighting>("weighting", "weights of measurements that are combined")
+            .one_of(weightings)
+            .default_shown(),
+    };
+    static constexpr std::array differences{
+        option<&R::distance>("distance", "length of the stencil, or several lengths separated by commas")
+            .read_by([](const std::string& text) { (void)answers::distances_of(text); })
+            .such_as("10nm,100nm")
+            .or_else("ten per decade"),
+        option<&R::order>("order", "order of the derivative: 1 slope, 2 curvature, 3 third derivative")
+            .between(1, 3)
+            .default_shown(),
+        option<&R::statistic>("statistic", "statistic of the derivative").one_of(statistics).default_shown(),
+        option<&R::along>("along", "direction of the differences").one_of(directions).default_shown(),
+    };
+    /// Of autocorrelation and variable bandwidth.
+    static constexpr std::array of_area{
+        option<&R::area>("area", "maps as areas, over all directions or by planes, instead of along scan lines"),
+    };
+    static constexpr std::array autocorrelation{
+        option<&R::longest>("longest", "longest distance over an area, needed for maps that are read in bands")
+            .of(positive(dimension::length))
+            .such_as("5 um"),
+        option<&R::slope>("slope", "rms slope between points, sqrt(2A)/d, instead of A"),
+    };
+};

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "setae/answers/self_affine.hpp"
 #include "setae/core/table.hpp"
+#include "setae/fields/option.hpp"
 #include "setae/output/json.hpp"
 #include "setae/study/surface_analysis.hpp"
 
@@ -14,9 +16,7 @@ namespace setae::answers {
 struct PowerSpectrumRequest {
     study::SurfaceInput surface;
     study::SurfaceAnalysisOptions analysis;
-    bool isotropic = false;  ///< also C_iso, on the combined grid
-    bool abel = false;       ///< also C_iso by the inverse Abel transform, on the combined grid
-    bool binned = false;     ///< one measurement on the combined grid too
+    bool isotropic = false, abel = false, binned = false;
     SelfAffineRequest fit;
     bool every_measurement = false;  ///< the first failure of one is thrown, in place of a spectrum without it
 };
@@ -39,3 +39,13 @@ struct PowerSpectrum {
 [[nodiscard]] output::Json to_json(const PowerSpectrum& spectrum);
 
 }  // namespace setae::answers
+
+template <>
+struct setae::fields::Asked<setae::answers::PowerSpectrumRequest> {
+    using R = answers::PowerSpectrumRequest;
+    static constexpr std::array options{
+        option<&R::isotropic>("iso", "also C_iso, on the combined grid").in_python("isotropic"),
+        option<&R::abel>("abel", "also C_iso by the inverse Abel transform, on the combined grid"),
+        option<&R::binned>("binned", "one measurement is shown on the combined grid, too"),
+    };
+};

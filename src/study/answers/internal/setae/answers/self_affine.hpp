@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
 #include "setae/core/quantity.hpp"
 #include "setae/core/table.hpp"
+#include "setae/fields/option.hpp"
 #include "setae/output/json.hpp"
 #include "setae/spectra/self_affine_fit.hpp"
 #include "setae/study/surface_analysis.hpp"
@@ -18,7 +20,7 @@ namespace setae::answers {
 /// Whether and how a self-affine surface is fitted.
 struct SelfAffineRequest {
     bool wanted = false;
-    std::string range;  ///< of wavevectors, "1e5:1e8"; empty: all
+    std::string range;
     bool no_rolloff = false, short_cutoff = false;
 };
 
@@ -36,3 +38,17 @@ void add_model(Table& table, const spectra::SelfAffineFit& fit);
 [[nodiscard]] output::Json to_json(const spectra::SelfAffineFit& fit);
 
 }  // namespace setae::answers
+
+template <>
+struct setae::fields::Asked<setae::answers::SelfAffineRequest> {
+    using R = answers::SelfAffineRequest;
+    static constexpr std::array options{
+        option<&R::wanted>("fit", "fit of a self-affine surface: H, C_0 and roll-off"),
+        option<&R::range>("fit_range", "wavevectors of the self-affine fit in 1/m")
+            .read_by([](const std::string& text) { (void)answers::wavevector_range(text); })
+            .such_as("1e5:1e8")
+            .or_else("all"),
+        option<&R::no_rolloff>("no_rolloff", "self-affine fit of a power law without roll-off"),
+        option<&R::short_cutoff>("short_cutoff", "the self-affine fit also finds where the spectrum ends"),
+    };
+};

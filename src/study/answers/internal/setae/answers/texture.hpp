@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
+
+#include "setae/core/units.hpp"
+#include "setae/fields/option.hpp"
 
 #include "setae/output/json.hpp"
 #include "setae/parallel/for_each.hpp"
@@ -57,3 +62,55 @@ struct TextureAnswer {
 [[nodiscard]] output::Json to_json(const TextureAnswer& answer);
 
 }  // namespace setae::answers
+
+template <>
+struct setae::fields::Asked<setae::answers::TextureRequest> {
+    using R = answers::TextureRequest;
+    static constexpr std::array<std::string_view, 2> standards{"iso25178", "iso21920"};
+    static constexpr std::array<std::string_view, 3> profiles{"primary", "waviness", "roughness"};
+    static constexpr std::array<std::string_view, 2> averages{"evaluation_length", "sections"};
+    static constexpr std::array<std::string_view, 2> mean_lines{"mean", "zero"};
+    static constexpr std::array<std::string_view, 2> between{"linear", "nothing"};
+    static constexpr std::array options{
+        option<&R::standard>("standard",
+                             "standard of the parameters: of maps (iso25178), or of lines (iso21920; of a map the mean "
+                             "over scan lines)")
+            .one_of(standards),
+        option<&R::only>("only", "symbols or names of the parameters of a standard that are wanted")
+            .such_as("Sq, Sdr")
+            .or_else("all"),
+        option<&R::s_filter>("s_filter", "nesting index of the Gaussian S-filter (λs)")
+            .of(positive(dimension::length))
+            .such_as("2.5um"),
+        option<&R::l_filter>(
+            "l_filter",
+            "Gaussian L-filter: \"default\" for both filters of iso21920 by Ra (ISO 4288), or a nesting index (λc)")
+            .read_by([](const std::string& text) {
+                if (text != "default") (void)parse_quantity(text, positive(dimension::length));
+            })
+            .such_as("0.8mm"),
+        option<&R::section_length>("section_length", "length of a section by iso21920")
+            .of(positive(dimension::length))
+            .such_as("0.8mm")
+            .or_else("the nesting index of the L-filter, else all"),
+        option<&R::kind>("profile", "profile whose parameters iso21920 gives").one_of(profiles).or_else("roughness"),
+        option<&R::averages>(
+            "averages", "averages of iso21920: over the evaluation length (2021), or over sections (ISO 4287:1997)")
+            .one_of(averages)
+            .or_else("evaluation_length"),
+        option<&R::mean_line>("mean_line",
+                              "zero of heights in iso21920: the mean, or zero for profiles that an instrument filtered")
+            .one_of(mean_lines)
+            .or_else("mean"),
+        option<&R::between>("between", "heights between points in the material ratio: linear (triangles), or nothing")
+            .one_of(between)
+            .or_else("linear"),
+        option<&R::material_height>("material_height", "height c above the mean in Smr(c) and Rmr(c)")
+            .of(dimension::length)
+            .such_as("0.2um")
+            .or_else("0"),
+        option<&R::material_ratio>("material_ratio", "material ratio p in Smc(p) and Rmc(p), from 0 to 1")
+            .within(domain::share)
+            .or_else("0.5, the median"),
+    };
+};

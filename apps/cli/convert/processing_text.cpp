@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "convert/pipeline_option.hpp"
+#include "convert/processing_text.hpp"
 
 #include <algorithm>
 
@@ -15,29 +15,12 @@
 namespace setae::cli {
 namespace {
 
-std::vector<std::string> step_names() {
-    std::vector<std::string> names;
-    for (const auto& step : processing::step_descriptions()) names.push_back(step.name);
-    return names;
-}
-
 std::string with_blanks(std::string name) {
     std::replace(name.begin(), name.end(), '_', ' ');
     return name;
 }
 
 }  // namespace
-
-void add_processing_options(Options& options, answers::ProcessingRequest& processing) {
-    options.add("--pipeline", processing.file, "processing steps, a file p.yml or p.toml");
-    options
-        .add(
-            "--step", processing.steps,
-            "a step behind them, such as \"despike threshold=5\"; may stand several times; `setae level --explain` lists them")
-        .one_at_a_time()
-        .offering(step_names())
-        .read_by([](const std::string& text) { (void)processing::step_from_text(text); });
-}
 
 std::string as_line(const processing::StepRecord& record) {
     std::string numbers;
