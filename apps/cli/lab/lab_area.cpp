@@ -15,8 +15,8 @@
 #include "setae/core/errors.hpp"
 #include "setae/figures/figure.hpp"
 #include "setae/roughness/true_area.hpp"
-#include "setae/validation/true_area_of_maps.hpp"
 #include "setae/tables/table_file.hpp"
+#include "setae/validation/true_area_of_maps.hpp"
 
 namespace setae::cli::lab_area_command {
 namespace {
@@ -38,7 +38,7 @@ struct AreaArguments {
 
 constexpr std::array asked{
     fields::option<&AreaArguments::points>("points", "number of points along each side of a map")
-        .within({128, 32768, false, "from 128 to 32768"})
+        .between(128, 32768)
         .default_shown(),
     fields::option<&AreaArguments::seed>("seed", "seed of the maps").default_shown(),
 };

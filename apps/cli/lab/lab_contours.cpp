@@ -35,13 +35,11 @@ struct Arguments {
 
 using Trials = validation::ContourTrialOptions;
 constexpr std::array asked{
-    fields::option<&Trials::runs>("runs", "number of pictures of each kind")
-        .within({1, 100000, false, "from 1 to 100000"})
-        .default_shown(),
+    fields::option<&Trials::runs>("runs", "number of pictures of each kind").between(1, 100000).default_shown(),
     fields::option<&Trials::first_seed>("seed", "seed of the first run; further runs use the next numbers")
         .default_shown(),
     fields::option<&Trials::size>("size", "number of pixels along each side of a picture")
-        .within({200, 8000, false, "from 200 to 8000"})
+        .between(200, 8000)
         .default_shown(),
     fields::option<&Trials::kinds>("kind", "kinds of pictures, by name").or_else("all"),
     fields::option<&Trials::pictures>(

@@ -35,10 +35,10 @@ constexpr std::array asked{
         .of(positive(dimension::length))
         .such_as("20 nm"),
     fields::option<&FoilArguments::surfaces>("surfaces", "number of simulated surfaces")
-        .within({2, 10000, false, "from 2 to 10000"})
+        .between(2, 10000)
         .default_shown(),
     fields::option<&FoilArguments::bins_per_decade>("bins_per_decade", "number of bins per decade of wavevector")
-        .within({1, 100, false, "from 1 to 100"})
+        .between(1, 100)
         .default_shown(),
 };
 

@@ -43,12 +43,12 @@ struct Arguments {
 using Coverage = validation::LoopCoverageOptions;
 constexpr std::array asked{
     fields::option<&Coverage::runs>("runs", "number of loops per signal-to-noise ratio, or of data sets per mechanism")
-        .within({1, 1000000, false, "from 1 to 1000000"})
+        .between(1, 1000000)
         .default_shown(),
     fields::option<&Coverage::first_seed>("seed", "seed of the first run; further runs use the next numbers")
         .default_shown(),
     fields::option<&Coverage::samples>("samples", "number of samples of each branch")
-        .within({20, 1000000, false, "from 20 to 1000000"})
+        .between(20, 1000000)
         .default_shown(),
     fields::option<&Coverage::signal_to_noise>("snr", "signal-to-noise ratios").default_shown(),
 };

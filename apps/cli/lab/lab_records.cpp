@@ -35,9 +35,7 @@ struct Arguments {
 using Trials = validation::RecordTrialOptions;
 constexpr std::array asked{
     fields::option<&Trials::pairs>("pairs", "pairs of kinds together instead of single kinds"),
-    fields::option<&Trials::runs>("runs", "number of records of each kind or pair")
-        .within({1, 1000000, false, "from 1 to 1000000"})
-        .default_shown(),
+    fields::option<&Trials::runs>("runs", "number of records of each kind or pair").between(1, 1000000).default_shown(),
     fields::option<&Trials::first_seed>("seed", "seed of the first record; further records use the next numbers")
         .default_shown(),
 };

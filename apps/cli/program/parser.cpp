@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -153,42 +152,26 @@ Option Options::add(const std::string& names, Value& value, const std::string& d
     return real ? option.within(domain::finite) : natural ? option.natural() : option;
 }
 
-namespace {
-
-/// Whether a domain is of whole numbers with a first and a last one.
-bool counts(const fields::Place& place, const Domain& domain) {
-    const bool whole = std::visit(
-        [](const auto* value) {
-            using Value = std::remove_cvref_t<decltype(*value)>;
-            return std::is_same_v<Value, int> || std::is_same_v<Value, long> ||
-                   std::is_same_v<Value, std::optional<long>> || std::is_same_v<Value, std::vector<long>>;
-        },
-        place);
-    return whole && std::isfinite(domain.lower) && std::isfinite(domain.upper);
-}
-
-}  // namespace
-
 void Options::ask(std::span<const fields::Option> asked, void* request) {
     for (const auto& option : asked) {
-        const auto names = (option.also.empty() ? "" : fmt::format("--{},", option.also)) + dashed(option.name);
-        const auto place = option.place(request);
+        const auto names = (option.also.empty() ? "" : fmt::format("--{},", option.also)) + dashed(option.name) +
+                           (option.word.empty() ? "" : fmt::format(",{}", option.word));
         auto added = std::visit(
             [&](auto* value) {
                 if constexpr (std::is_same_v<decltype(value), bool*>)
                     return flag(names, *value, fields::help_of(option));
                 else return add(names, *value, fields::help_of(option));
             },
-            place);
-        if (option.quantity) added.quantity(*option.quantity);
-        if (option.domain && counts(place, *option.domain))
-            added.between(static_cast<int>(option.domain->lower), static_cast<int>(option.domain->upper));
-        else if (option.domain) added.within(*option.domain);
+            option.place(request));
+        if (option.separator != '\0') added.separated_by(option.separator);
+        if (option.named_each_time) added.one_at_a_time();
+        if (option.is_input) added.of_inputs();
+        if (option.quantity) added.quantity(*option.quantity, std::string(option.usual_unit));
+        if (option.domain) added.within(*option.domain);
+        if (option.whole) added.between(option.whole->least, option.whole->greatest);
+        if (option.offered) added.offering(option.offered());
         if (option.check) added.read_by(option.check);
         if (!option.choices.empty()) added.one_of({option.choices.begin(), option.choices.end()});
-        if (option.separator != '\0') added.separated_by(option.separator);
-        if (option.single) added.one_at_a_time();
-        if (option.is_input) added.of_inputs();
         if (option.shows_default) added.default_shown();
     }
 }
@@ -344,8 +327,7 @@ fields::Spelling spelling_of(const CLI::App& command) {
 std::string objection_to(const CLI::App& program, const CLI::ParseError& error) {
     const auto& command = named_command(program);
     const bool of_command = &command != &program;
-    const auto help =
-        of_command ? "see `setae help " + path_of(command) + "`" : "see `setae --help`";
+    const auto help = of_command ? "see `setae help " + path_of(command) + "`" : "see `setae --help`";
     const auto words = program.remaining(true);
     std::string said = error.what();
     if (command.get_require_subcommand_min() > 0) {

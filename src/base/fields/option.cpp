@@ -8,7 +8,7 @@ namespace setae::fields {
 std::string help_of(const Option& option) {
     std::string text(option.meaning);
     if (!option.example.empty()) text += fmt::format(", such as \"{}\"", option.example);
-    if (option.single) text += "; may be repeated";
+    if (option.named_each_time) text += "; may be repeated";
     if (!option.otherwise.empty()) text += fmt::format("; default: {}", option.otherwise);
     return text;
 }

@@ -15,6 +15,8 @@ struct Wanted {
     std::vector<long> left_out;
     std::vector<std::string> notes;
     std::string table;
+    int order = 1;
+    std::vector<std::string> steps;
 };
 
 }  // namespace
@@ -32,6 +34,13 @@ struct Asked<Wanted> {
         option<&R::left_out>("exclude", "numbers of frames left out").separated_by(','),
         option<&R::notes>("note", "note on a frame").such_as("12: glare").one_at_a_time(),
         option<&R::table>("table", "table of frames").of_input(),
+        option<&R::order>("order", "order of the derivative").between(1, 3),
+        option<&R::steps>("step", "step of the processing")
+            .offering([] {
+                return std::vector<std::string>{"level", "despike"};
+            })
+            .one_at_a_time()
+            .or_word("steps"),
     };
 };
 
@@ -51,7 +60,7 @@ TEST(Option, KnowsWhereItsValueIsKept) {
 }
 
 TEST(Option, SaysWhatItMayBe) {
-    const auto& [radius, ratio, free, order, step] = Asked<Wanted>::options;
+    const auto& [radius, ratio, free, excluded, note, table, order, step] = Asked<Wanted>::options;
     EXPECT_EQ(radius.usual_unit, "mm");
     EXPECT_EQ(ratio.domain->upper, 0.5);
     EXPECT_FALSE(free.whole);
@@ -70,9 +79,10 @@ TEST(Option, HasASentenceOfHelp) {
 }
 
 TEST(Option, TakesSeveralValuesInOneWordOrOneAtATimeAndFiles) {
-    EXPECT_EQ(Asked<Wanted>::options[3].separator, ',');
-    EXPECT_TRUE(Asked<Wanted>::options[4].single && !Asked<Wanted>::options[3].single);
-    EXPECT_TRUE(Asked<Wanted>::options[5].is_input && !Asked<Wanted>::options[4].is_input);
+    const auto& [radius, ratio, free, excluded, note, table, order, step] = Asked<Wanted>::options;
+    EXPECT_EQ(excluded.separator, ',');
+    EXPECT_TRUE(note.named_each_time && !excluded.named_each_time);
+    EXPECT_TRUE(table.is_input && !note.is_input);
 }
 
 TEST(Spelled, NamesOptionsAsAFrontEndDoes) {

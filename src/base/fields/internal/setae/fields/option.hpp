@@ -45,7 +45,6 @@ struct Option {
     bool named_each_time = false;                      ///< of several values, each of them after its name
     bool shows_default = false;                        ///< the value of a new request is shown as the default
     char separator = '\0';                             ///< of several values in one word: ',' in "12,17"
-    bool single = false;                               ///< of several, one value each time that it is named
     bool is_input = false;                             ///< a file that is read
     Place (*place)(void* request) = nullptr;
 
@@ -103,11 +102,6 @@ struct Option {
     [[nodiscard]] consteval Option separated_by(char between) const {
         Option option = *this;
         option.separator = between;
-        return option;
-    }
-    [[nodiscard]] consteval Option one_at_a_time() const {
-        Option option = *this;
-        option.single = true;
         return option;
     }
     [[nodiscard]] consteval Option of_input() const {

@@ -204,7 +204,7 @@ struct setae::fields::Asked<setae::answers::LoopSettings> {
             .within(domain::positive)
             .default_shown(),
         option<&R::samples_dropped>("samples_dropped", "number of samples left out after the jump into contact")
-            .within({0, 1000000, false, "from 0 to 1000000"})
+            .between(0, 1000000)
             .default_shown(),
         option<&R::relaxation>("relaxation",
                                "term SHARE:TIME of the bulk's relaxation E(t)/E∞ = 1 + Σ g e^(−t/τ), which is removed "
