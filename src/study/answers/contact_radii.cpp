@@ -28,8 +28,7 @@ imaging::FrameOptions RadiusRequest::frame_options() const {
 
 imaging::RadiusOptions RadiusRequest::radius_options(parallel::Threads threads) const {
     imaging::RadiusOptions options;
-    constexpr auto& words = fields::Asked<RadiusRequest>::polarities;
-    require_word("polarity", polarity, {words.begin(), words.end()});
+    require_word("polarity", polarity, fields::Asked<RadiusRequest>::polarities);
     options.frame.polarity = polarity == "dark"     ? imaging::Polarity::dark
                              : polarity == "bright" ? imaging::Polarity::bright
                                                     : imaging::Polarity::automatic;

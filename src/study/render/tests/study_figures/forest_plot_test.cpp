@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../../../statistics/tests/simulated_replicates.hpp"
+#include "simulated_replicates.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/statistics.hpp"
 
