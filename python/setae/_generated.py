@@ -49,7 +49,7 @@ class ContainerRequest(TypedDict, total=False):
     """trend to be removed: mean, tilt or parabola, of all files or of one as FILE=tilt; default: mean"""
     layout: Text
     """layout of a text file: a narrow map (matrix), points x y z (columns), or the table of a spectrum (spectrum); default: from numbers
-    and header"""
+    and header; one of matrix, columns, spectrum"""
     keep_values: bool
     """values that mark missing heights (NO_DATA), such as -9999, stay heights; without it they become undefined"""
 
@@ -58,7 +58,7 @@ class CurveRequest(TypedDict, total=False):
     curve: bool
     """tables are force curves: force and displacement without visible adhesion; AFM files always are"""
     tip: Text
-    """shape of the tip of a force curve"""
+    """shape of the tip of a force curve; one of paraboloid, cone, three_sided_pyramid"""
     half_angle: float
     """half angle of a conical tip, or inclination of a pyramid's faces, in degrees"""
     model: Text
@@ -94,9 +94,10 @@ class FrontRequest(TypedDict, total=False):
     duration: Text
     """duration of the approach: times of the edge that is saved, such as "100 s""""
     model: Text
-    """dependence of the energy on the position of the edge"""
+    """dependence of the energy on the position of the edge; one of constant_toughness, variational, energy_release_rate, stress_intensity,
+    mean_circle"""
     method: Text
-    """solver for the equilibria"""
+    """solver for the equilibria; one of trust_region, rosso_krauth"""
 
 
 class HardWallRequest(TypedDict, total=False):
@@ -132,7 +133,7 @@ class InteractionRequest(TypedDict, total=False):
     range: Text
     """range of the attraction: its greatest tension is the work of adhesion over the range, such as "0.3 nm""""
     law: Text
-    """decay of the attraction with the gap"""
+    """decay of the attraction with the gap; one of exponential, cubic, dugdale, lennard_jones"""
 
 
 class LensRequest(TypedDict, total=False):
@@ -166,7 +167,7 @@ class LineRequest(TypedDict, total=False):
     region: Text
     """part of the frames that is analysed: x,y,width,height in pixels, such as "100,80,320,240""""
     polarity: Text
-    """grey level of the contact relative to the surroundings"""
+    """grey level of the contact relative to the surroundings; one of automatic, dark, bright"""
     smallest_radius: float
     """smallest radius of a contact, in pixels"""
     least_confidence: float
@@ -240,9 +241,9 @@ class LoopModels(TypedDict, total=False):
     models: Sequence[str] | str
     """additional model: hertz, dmt, jkr, maugis_dugdale, transition, layer, large_strain; all compares every model"""
     branch: Text
-    """branch of additional models, profile likelihood and common fits"""
+    """branch of additional models, profile likelihood and common fits; one of loading, unloading"""
     errors: Text
-    """treatment of measurement errors in additional models and common fits"""
+    """treatment of measurement errors in additional models and common fits; one of effective_variance, orthogonal_distance, force_only"""
     model_contact_point: Text
     """contact point that is held fixed in additional models, such as "1.2 um"; default: fitted"""
     cohesive_stress: Text
@@ -254,7 +255,7 @@ class LoopModels(TypedDict, total=False):
     exponent: float
     """exponent n that is held fixed in the fit of G(v); default: fitted"""
     share: Sequence[str] | str
-    """quantity that all loops have in common in one fit; modulus, work or both"""
+    """quantity that all loops have in common in one fit; modulus, work or both; one of modulus, work"""
 
 
 class LoopSettings(TypedDict, total=False):
@@ -316,7 +317,7 @@ class PatchSurveyRequest(TypedDict, total=False):
     squared_ratios: Sequence[float]
     """ratio w dx/(E* ρ²) of the grid, at most 1, which sets the range of the attraction"""
     law: Text
-    """decay of the attraction with the gap"""
+    """decay of the attraction with the gap; one of exponential, cubic, dugdale, lennard_jones"""
     seeds: int
     """number of patches of each kind"""
     seed: int
@@ -362,7 +363,7 @@ class RadiusRequest(TypedDict, total=False):
     region: Text
     """part of the frames that is analysed: x,y,width,height in pixels, such as "100,80,320,240""""
     polarity: Text
-    """grey level of the contact relative to the surroundings"""
+    """grey level of the contact relative to the surroundings; one of automatic, dark, bright"""
     smallest_radius: float
     """smallest radius of a contact, in pixels"""
     least_confidence: float
@@ -408,15 +409,15 @@ class ScaleRequest(TypedDict, total=False):
     bins_per_decade: int
     """bins per decade of combined functions"""
     weighting: Text
-    """weights of measurements that are combined"""
+    """weights of measurements that are combined; one of equal, per_instrument, by_count"""
     distance: Text
     """length of the stencil, or several lengths separated by commas, such as "10nm,100nm"; default: ten per decade"""
     order: int
     """order of the derivative: 1 slope, 2 curvature, 3 third derivative"""
     statistic: Text
-    """statistic of the derivative"""
+    """statistic of the derivative; one of rms, variance, mean, skewness, kurtosis, minimum, maximum"""
     along: Text
-    """direction of the differences"""
+    """direction of the differences; one of x, y, both"""
     area: bool
     """maps as areas, over all directions or by planes, instead of along scan lines"""
     longest: Text
@@ -460,7 +461,7 @@ class SweepRequest(TypedDict, total=False):
     range: Text
     """range of the attraction: its greatest tension is the work of adhesion over the range, such as "0.3 nm""""
     law: Text
-    """decay of the attraction with the gap"""
+    """decay of the attraction with the gap; one of exponential, cubic, dugdale, lennard_jones"""
     stage_stiffness: Text
     """stiffness of the stage that is moved, such as "10 N/m"; default: the mean gap is prescribed"""
     to_gap: Text
@@ -505,7 +506,7 @@ class SynthesisRequest(TypedDict, total=False):
     exact_rms: bool
     """heights are scaled to the rms height of the spectrum, or to the rms height given"""
     amplitudes: Text
-    """amplitudes of the modes: random, or exactly those of the spectrum"""
+    """amplitudes of the modes: random, or exactly those of the spectrum; one of gaussian, exact"""
     stretch: float
     """factor by which features are longer along one direction"""
     angle: float
@@ -518,7 +519,8 @@ class SynthesisRequest(TypedDict, total=False):
 
 class TextureRequest(TypedDict, total=False):
     standard: Text
-    """standard of the parameters: of maps (iso25178), or of lines (iso21920; of a map the mean over scan lines)"""
+    """standard of the parameters: of maps (iso25178), or of lines (iso21920; of a map the mean over scan lines); one of iso25178,
+    iso21920"""
     only: Text
     """symbols or names of the parameters of a standard that are wanted, such as "Sq, Sdr"; default: all"""
     s_filter: Text
@@ -528,13 +530,14 @@ class TextureRequest(TypedDict, total=False):
     section_length: Text
     """length of a section by iso21920, such as "0.8mm"; default: the nesting index of the L-filter, else all"""
     profile: Text
-    """profile whose parameters iso21920 gives; default: roughness"""
+    """profile whose parameters iso21920 gives; default: roughness; one of primary, waviness, roughness"""
     averages: Text
-    """averages of iso21920: over the evaluation length (2021), or over sections (ISO 4287:1997); default: evaluation_length"""
+    """averages of iso21920: over the evaluation length (2021), or over sections (ISO 4287:1997); default: evaluation_length; one of
+    evaluation_length, sections"""
     mean_line: Text
-    """zero of heights in iso21920: the mean, or zero for profiles that an instrument filtered; default: mean"""
+    """zero of heights in iso21920: the mean, or zero for profiles that an instrument filtered; default: mean; one of mean, zero"""
     between: Text
-    """heights between points in the material ratio: linear (triangles), or nothing; default: linear"""
+    """heights between points in the material ratio: linear (triangles), or nothing; default: linear; one of linear, nothing"""
     material_height: Text
     """height c above the mean in Smr(c) and Rmr(c), such as "0.2um"; default: 0"""
     material_ratio: float
