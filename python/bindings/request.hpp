@@ -45,6 +45,19 @@ constexpr const char* kind_of(const std::vector<Value>&) {
     return std::is_same_v<Value, std::string> ? "a list of texts" : "a list of numbers";
 }
 
+/// Whether Python reserves a word: an option that is called so goes by its keyword.
+inline bool is_reserved(std::string_view name) {
+    return nb::cast<bool>(nb::module_::import_("keyword").attr("iskeyword")(std::string(name)));
+}
+
+/// The help of an option and the words it may be: the documentation of keywords is made from it.
+inline std::string documentation_of(const fields::Option& option) {
+    auto text = fields::help_of(option);
+    for (const auto& word : option.choices)
+        text += (&word == &option.choices.front() ? "; one of " : ", ") + std::string(word);
+    return text;
+}
+
 /// Options of a request, or of a part of it, as attributes that Python reads and writes, by name and by keyword, with
 /// their meaning.
 template <class Request, class Part = Request>
@@ -52,12 +65,12 @@ void bind_options(nb::class_<Request>& request, std::span<const fields::Option> 
     for (const auto& option : options) {
         note_keyword(option);
         const auto place = option.place;
-        const auto help = fields::help_of(option);  // the documentation of keywords is made from it
+        const auto help = documentation_of(option);
         const auto get = [place](Request& self) {
             return std::visit([](const auto* value) { return nb::cast(*value); }, place(static_cast<Part*>(&self)));
         };
         for (const auto name : {option.name, option.keyword}) {
-            if (name.empty()) continue;
+            if (name.empty() || is_reserved(name)) continue;
             const auto set = [place, name](Request& self, nb::object value) {
                 std::visit(
                     [&](auto* member) {

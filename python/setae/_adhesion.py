@@ -57,13 +57,33 @@ def work_of_adhesion(
 ) -> WorkOfAdhesion:
     """Apparent work of adhesion of a soft solid on a rough surface.
 
-    Of simulated patches that store U_el/(A W), W = W_int r − γ1 (r − 1): W − U_el/A_app where contact is full, r = A_true/A_app,
-    U_el/A_app = (E*/8) ∫ q C1D dq [Dalvi et al., PNAS 116 (2019) 25484, (7), (8)]. Other theories are beside it, ``["answers"]``.
+    The result is that of simulated patches that store U_el/(A W), W = W_int r − γ1 (r − 1). In full contact it is W − U_el/A_app, the
+    full-contact balance (Eq. 7), with r = A_true/A_app and U_el/A_app = (E*/8) ∫ q C1D dq [Dalvi et al., PNAS 116 (2019) 25484, Eq. 7 and 8].
+    Other theories are in ``["answers"]``. The first argument is a surface of :func:`surface`, or measurements, which are averaged as by the
+    program. Pull-off force and loss of a sphere (radius, preload) are lower bounds, which approach those of JKR as the roughness tends to zero.
 
-    surface: one that :func:`surface` gave, or measurements, which are then averaged as by the program; ``measurement``: ``tip_radius``,
-    ``instrument`` … as of :func:`parameters`.  E, nu: of the soft solid.  W_int: intrinsic work of adhesion.  gamma: surface energy
-    of the soft solid.  radius, preload: of a sphere pressed on and pulled off; its pull-off and loss are lower bounds that become JKR's as
-    the roughness tends to zero.
+    Parameters
+    ----------
+    E : str or Quantity
+        Young's modulus of the soft solid, such as "0.7 ± 0.02 MPa"
+    W_int : str or Quantity
+        intrinsic work of adhesion, such as "37 ± 3.7 mJ/m2"
+    gamma : str or Quantity
+        surface energy of the soft solid, such as "25 mJ/m2"
+    nu : float, default 0.5
+        Poisson ratio of the soft solid, from 0 to 0.5
+    rough_E : str or Quantity
+        Young's modulus of the rough solid, such as "70 GPa"; default: a rigid solid
+    rough_nu : float, default 0.0
+        Poisson ratio of the rough solid, from 0 to 0.5
+    radius : str or Quantity
+        radius of a soft sphere that is pressed on and pulled off, given with the preload, such as "1.25 mm"
+    preload : str or Quantity
+        largest force on the soft sphere, given with the radius, such as "1 mN"
+    skip_failed : bool, default False
+        measurements that cannot be analysed are left out with a warning
+    **measurement
+        keywords of measurements, as those of `parameters`
     """
     solids = filled(
         _setae.Solids(),

@@ -75,20 +75,65 @@ def contact(
     unit: str | None = None,
     keep_values: bool = False,
 ) -> Contact:
-    """A rigid rough surface pressed on an elastic half-space without friction: p ≥ 0, g ≥ 0, p g = 0 [Johnson 1985, ch. 13].
+    """A rigid rough surface pressed on an elastic body without friction: p ≥ 0, g ≥ 0, p g = 0 [Johnson 1985, ch. 13].
 
-    contact_modulus: E* = E/(1 − ν²).  One of pressure, displacement (from first touch) and mean_gap.  free: nothing touches beyond the map.
-    layer: its thickness on a rigid base, with ``nu`` and ``bonded`` or ``frictionless``.  hardness: the body flows there.
-    W_int, range: both bodies attract each other, V(0) = −W_int and V'(0) = W_int/range; ``law`` says how that falls with the gap,
-    "exponential", "cubic", "dugdale" or "lennard_jones". The equilibrium is the one met coming from far; no hardness, nothing free.
-    stage_stiffness: "10 N/m" of a stage that is moved by the displacement, with adhesion.
+    One of pressure, displacement and mean_gap is given. With W_int and range the bodies attract each other, V(0) = −W_int and
+    V'(0) = W_int/range; the equilibrium is the one reached from large distance, without hardness and free edges.
 
-    A file that is the table of a spectrum, or a study, has a surface made from it: ``pixels`` "512" or "1024x512", ``cell`` its extent,
-    ``surface`` which of a study's, ``seed``. Its waves are those of the spectrum that the grid holds.
-
-    Measured heights are levelled as before a spectrum (``trend``), unless they repeat themselves.  edges: "automatic", "periodic" for heights
-    that repeat themselves, or "windowed", which takes them to their mean within a tenth of either edge. A map that does not repeat itself and is
+    If the file is the table of a spectrum, or a study, a surface is made from it (pixels, cell, surface, seed) with the waves of the spectrum
+    that the grid holds. Measured heights are levelled as before a spectrum, unless they are periodic. A map that is not periodic and is
     repeated raises the warning MAP_NOT_PERIODIC.
+
+    Parameters
+    ----------
+    contact_modulus : str or Quantity
+        contact modulus E* = E/(1 - nu^2) of the soft body, such as "1 GPa"
+    pressure : str or Quantity
+        mean pressure over the map, such as "10 MPa"
+    displacement : str or Quantity
+        approach from first touch, such as "5 nm"
+    mean_gap : str or Quantity
+        mean gap over the map, such as "2 nm"
+    stage_stiffness : str or Quantity
+        stiffness of the stage that is displaced, with adhesion only, such as "10 N/m"
+    free : bool, default False
+        nothing touches beyond the map; without it the map repeats itself
+    layer : str or Quantity
+        thickness of an elastic layer on a rigid base, such as "1 um"; default: a half-space
+    bonded : bool, default False
+        the layer sticks to its base
+    frictionless : bool, default False
+        the layer slides on its base
+    nu : float
+        Poisson ratio of the layer, from 0 to 0.5
+    hardness : str or Quantity
+        pressure at which the body flows, such as "1 GPa"; default: the body stays elastic
+    W_int : str or Quantity
+        work of adhesion per unit area in contact, such as "50 mJ/m2"
+    range : str or Quantity
+        range of the attraction: its greatest tension is the work of adhesion over the range, such as "0.3 nm"
+    law : str, default 'exponential'
+        decay of the attraction with the gap
+    tolerance : float, default 1e-08
+        largest relative duality gap of a converged contact
+    pixels : int or str
+        points of a surface made from a spectrum, 512 or 1024x512
+    cell : str or Quantity
+        extent of a surface made from a spectrum, such as "2 um"; default: twice the longest wavelength
+    surface : str
+        name of the surface in a study from whose spectrum one is made
+    seed : int, default 1
+        seed of the phases of a surface made from a spectrum
+    trend : str
+        trend that is removed from the heights: 'none', 'mean', 'tilt' or 'parabola'
+    edges : str, default 'automatic'
+        edges of a map: 'automatic' (repeated, with a warning where heights do not match), 'periodic' or 'windowed'
+    size : str or Quantity
+        extent of the heights, where the file does not state it
+    unit : str
+        unit of the heights, where the file does not state it
+    keep_values : bool, default False
+        heights are taken as they are: no value counts as a mark of missing data
 
     Full contact of a wave needs p = E* q A/2:
 
@@ -173,13 +218,59 @@ def contact_sweep(
     unit: str | None = None,
     keep_values: bool = False,
 ) -> ContactSweep:
-    """A rigid rough surface and an elastic body that attract each other, brought together and parted; the cell repeats itself.
+    """Approach and retraction of a rigid rough surface and an elastic body that attract each other, in a periodic cell.
 
-    W_int, range, law, the body, trend and edges, and what a surface is made from: as of :func:`contact`.  stage_stiffness: of a stage that is moved, "10 N/m"; else the mean gap is.
-    to_gap, to_pressure: where it turns; without them at full contact.  A cell has a loss of its own, even a flat one.
-    largest_move: of any gap in a step, in ranges: 2 takes two thirds of the time, works change by up to 1 %.
-    maps: keep the states point by point where it is first pressed, "approach_zero_load", turns, "turn", is first drawn, "separation_zero_load",
-    and is drawn most, "greatest_tension".
+    The sweep turns at to_gap or to_pressure, without them at full contact. A cell has a loss of its own, even a flat one, because it jumps
+    into and out of contact as a whole. Surfaces are given as for :func:`contact`. With maps the states are kept point by point at first load
+    ("approach_zero_load"), where the sweep turns ("turn"), at zero load on retraction ("separation_zero_load") and at the greatest tension
+    ("greatest_tension").
+
+    Parameters
+    ----------
+    contact_modulus : str or Quantity
+        contact modulus E* = E/(1 - nu^2) of the soft body, such as "1 GPa"
+    W_int : str or Quantity
+        work of adhesion per unit area in contact, such as "50 mJ/m2"
+    range : str or Quantity
+        range of the attraction: its greatest tension is the work of adhesion over the range, such as "0.3 nm"
+    law : str, default 'exponential'
+        decay of the attraction with the gap
+    stage_stiffness : str or Quantity
+        stiffness of the stage that is moved, such as "10 N/m"; default: the mean gap is prescribed
+    to_gap : str or Quantity
+        mean gap, or position of the stage, where the sweep turns, such as "2 nm"; default: 0, full contact
+    to_pressure : str or Quantity
+        mean pressure where the sweep turns, such as "10 kPa"
+    largest_move : float, default 1.0
+        largest change of any gap per step, in ranges: 2 takes two thirds of the time, works change by up to 1 %
+    maps : bool, default False
+        states are kept point by point: at first load, at the turn, at zero load on retraction, at the greatest tension
+    layer : str or Quantity
+        thickness of an elastic layer on a rigid base, such as "1 um"; default: a half-space
+    bonded : bool, default False
+        the layer sticks to its base
+    frictionless : bool, default False
+        the layer slides on its base
+    nu : float
+        Poisson ratio of the layer, from 0 to 0.5
+    pixels : int or str
+        points of a surface made from a spectrum, 512 or 1024x512
+    cell : str or Quantity
+        extent of a surface made from a spectrum, such as "2 um"; default: twice the longest wavelength
+    surface : str
+        name of the surface in a study from whose spectrum one is made
+    seed : int, default 1
+        seed of the phases of a surface made from a spectrum
+    trend : str
+        trend that is removed from the heights: 'none', 'mean', 'tilt' or 'parabola'
+    edges : str, default 'automatic'
+        edges of a map: 'automatic' (repeated, with a warning where heights do not match), 'periodic' or 'windowed'
+    size : str or Quantity
+        extent of the heights, where the file does not state it
+    unit : str
+        unit of the heights, where the file does not state it
+    keep_values : bool, default False
+        heights are taken as they are: no value counts as a mark of missing data
 
     >>> import numpy, setae
     >>> flat = setae.scan(numpy.zeros((8, 8)), size="80 nm x 80 nm", unit="m", periodic=True)
@@ -251,12 +342,58 @@ def contact_front(
     unit: str | None = None,
     keep_values: bool = False,
 ) -> ContactFront:
-    """A soft sphere pressed on a rough surface and pulled off, the edge of the contact as a crack front.
+    """A soft sphere pressed on a rough surface and pulled off, with the edge of the contact as a crack front.
 
-    W_int: what conforming gains, an area.  to_force or to_displacement: where the loop turns.  stage_stiffness: of a stage that is moved; dead_load: the force is; else the
-    sphere's displacement is held.  shortest_wavelength: that counts, four pixels without it.  pixels, cell, surface, seed: a surface made from a spectrum or a study, as of
-    :func:`contact`; of ``realisations`` such surfaces, seeds one after the other, ``quantities`` are means with ±.
-    duration: of the way there, "100 s", keeps the edge at every step.  trend, edges: as of :func:`contact`; the contact ends within a measured map.
+    The loop turns at to_force or to_displacement. The stage is moved (stage_stiffness), or the force (dead_load), otherwise the displacement
+    of the sphere. Surfaces are given as for :func:`contact`; the contact must end within a measured map. With a duration the edge is kept at
+    every step.
+
+    Parameters
+    ----------
+    radius : str or Quantity
+        radius of the sphere, such as "1.25 mm"
+    contact_modulus : str or Quantity
+        contact modulus E* of sphere and surface together, such as "1 MPa"
+    W_int : str or Quantity
+        energy gained per unit area of full contact, such as "50 mJ/m2"
+    to_force : str or Quantity
+        force of a smooth sphere where the loop turns, such as "0.1 mN"
+    to_displacement : str or Quantity
+        displacement of a smooth sphere where the loop turns, such as "1 um"
+    stage_stiffness : str or Quantity
+        stiffness of the stage that is moved, such as "100 N/m"; default: the displacement of the sphere is prescribed
+    dead_load : bool, default False
+        the force is prescribed; the loop ends at pull-off
+    shortest_wavelength : str or Quantity
+        shortest wavelength that counts, such as "1 um"; default: four pixels
+    realisations : int, default 1
+        number of surfaces made, with seeds from `seed` on; results are means with their standard errors
+    steps : int, default 500
+        steps on approach; halved where the edge jumps
+    duration : str or Quantity
+        duration of the approach: times of the edge that is saved, such as "100 s"
+    model : str, default 'constant_toughness'
+        dependence of the energy on the position of the edge
+    method : str, default 'trust_region'
+        solver for the equilibria
+    pixels : int or str
+        points of a surface made from a spectrum, 512 or 1024x512
+    cell : str or Quantity
+        extent of a surface made from a spectrum, such as "2 um"; default: twice the longest wavelength
+    surface : str
+        name of the surface in a study from whose spectrum one is made
+    seed : int, default 1
+        seed of the phases of a surface made from a spectrum
+    trend : str
+        trend that is removed from the heights: 'none', 'mean', 'tilt' or 'parabola'
+    edges : str, default 'automatic'
+        edges of a map: 'automatic' (repeated, with a warning where heights do not match), 'periodic' or 'windowed'
+    size : str or Quantity
+        extent of the heights, where the file does not state it
+    unit : str
+        unit of the heights, where the file does not state it
+    keep_values : bool, default False
+        heights are taken as they are: no value counts as a mark of missing data
 
     >>> import numpy, setae
     >>> x = numpy.arange(64) / 64
@@ -315,11 +452,52 @@ def persson(
     contours: str | None = None,
     skip_failed: bool = False,
 ) -> PerssonContact:
-    """Area, gap and stiffness of a rough contact from its spectrum [Persson 2001], with adhesion where W_int is given [Persson 2002].
+    """Area, gap and stiffness of a rough contact from its spectrum [Persson 2001], with W_int also with adhesion [Persson 2002].
 
-    pressure: one, several as "1MPa,10MPa", or ten a decade as "1MPa:100MPa".  layer: thickness of the soft body on a rigid base, with bonded or
-    frictionless and nu, its Poisson ratio.
-    measurements …: as of :func:`power_spectrum`, or the table of a spectrum.
+    Measurements are given as for :func:`power_spectrum`, or as the table of a spectrum.
+
+    Parameters
+    ----------
+    contact_modulus : str or Quantity
+        contact modulus E* = E/(1 - nu^2) of the soft body, such as "1 GPa"
+    pressure : str or Quantity
+        mean pressure: one, several as 1MPa,10MPa, or ten per decade as 1MPa:100MPa; below 0 with adhesion
+    W_int : str or Quantity
+        work of adhesion per unit projected area, such as "50 mJ/m2"; default: none
+    layer : str or Quantity
+        thickness of an elastic layer on a rigid base, such as "1 um"; default: a half-space
+    bonded : bool, default False
+        the layer sticks to its base
+    frictionless : bool, default False
+        the layer slides on its base
+    nu : float
+        Poisson ratio of the layer, from 0 to 0.5
+    energy_factor : float, default 0.45
+        factor of the stored energy of partial contact, in (0, 1]
+    instrument : str
+        kind of the instrument: 'stylus', 'afm', 'tem' or 'optical'
+    tip_radius : str or Quantity
+        radius of the tip, with its standard error, such as '10 ± 2 nm'
+    resolution : str or Quantity
+        distance below which the instrument does not resolve heights
+    trend : str
+        trend that is removed from the heights: 'none', 'mean', 'tilt' or 'parabola'
+    size : str or Quantity
+        extent of the heights, where the file does not state it
+    unit : str
+        unit of the heights, where the file does not state it
+    keep_values : bool, default False
+        heights are taken as they are: no value counts as a mark of missing data
+    longest : str or Quantity
+        longest wavelength that counts
+    shortest : str or Quantity
+        shortest wavelength that counts
+    window : str
+        window of the spectrum: 'hann' or 'none'; None chooses by the heights
+    contours : str
+        treatment of traced contours: 'unique' or 'full'
+    skip_failed : bool, default False
+        measurements that cannot be analysed are left out with a warning
     """
     request = filled(
         _setae.PerssonRequest(),
@@ -380,10 +558,60 @@ def contact_compare(
     contours: str | None = None,
     skip_failed: bool = False,
 ) -> ContactComparison:
-    """How far Persson's theory is from the solved contacts of surfaces with the same spectrum.
+    """Persson's theory compared with the solved contacts of surfaces with the same spectrum.
 
-    pixels, cell: of every surface, "1024x512" and its extent, twice the longest wave where none is given; the shortest wave needs four pixels.
-    surfaces, seed: as many are made, and the first one's seed.  tolerance: of each contact's duality gap.  The rest: as of :func:`persson`.
+    Measurements are given as for :func:`persson`.
+
+    Parameters
+    ----------
+    contact_modulus : str or Quantity
+        contact modulus E* = E/(1 - nu^2) of the soft body, such as "1 GPa"
+    pressure : str or Quantity
+        mean pressure: one, several as 1MPa,10MPa, or ten per decade as 1MPa:100MPa; below 0 with adhesion
+    pixels : str, default '512'
+        points of each surface, 512 or 1024x512; at least four per shortest wavelength
+    cell : str or Quantity
+        extent of each surface, such as "2 um"; default: twice the longest wavelength
+    surfaces : int, default 4
+        number of surfaces
+    seed : int, default 0
+        seed of the first surface; the others have the next ones
+    tolerance : float, default 1e-06
+        largest relative duality gap of each contact
+    layer : str or Quantity
+        thickness of an elastic layer on a rigid base, such as "1 um"; default: a half-space
+    bonded : bool, default False
+        the layer sticks to its base
+    frictionless : bool, default False
+        the layer slides on its base
+    nu : float
+        Poisson ratio of the layer, from 0 to 0.5
+    energy_factor : float, default 0.45
+        factor of the stored energy of partial contact, in (0, 1]
+    instrument : str
+        kind of the instrument: 'stylus', 'afm', 'tem' or 'optical'
+    tip_radius : str or Quantity
+        radius of the tip, with its standard error, such as '10 ± 2 nm'
+    resolution : str or Quantity
+        distance below which the instrument does not resolve heights
+    trend : str
+        trend that is removed from the heights: 'none', 'mean', 'tilt' or 'parabola'
+    size : str or Quantity
+        extent of the heights, where the file does not state it
+    unit : str
+        unit of the heights, where the file does not state it
+    keep_values : bool, default False
+        heights are taken as they are: no value counts as a mark of missing data
+    longest : str or Quantity
+        longest wavelength that counts
+    shortest : str or Quantity
+        shortest wavelength that counts
+    window : str
+        window of the spectrum: 'hann' or 'none'; None chooses by the heights
+    contours : str
+        treatment of traced contours: 'unique' or 'full'
+    skip_failed : bool, default False
+        measurements that cannot be analysed are left out with a warning
 
     >>> import setae
     >>> made = setae.synthesize(hurst=0.8, rolloff="2 um", short_cutoff="250 nm", rms_height="20 nm", size="4 um", pixels="64")

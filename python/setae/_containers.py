@@ -51,8 +51,31 @@ def write_container(
 ) -> Container:
     """Writes a container that contact.engineering opens: measured files become one surface, containers among them keep theirs.
 
-    taken_over: containers and studies (.toml) whose surfaces go in.  size, unit, channel, detrend: what files leave open, of all or by file:
-    ``unit={"scan.npy": "nm"}``.  skip_failed: what cannot be read is left out; else its error is raised and nothing is written.
+    Missing size, unit, channel and detrend are given for all files, or by file: ``unit={"scan.npy": "nm"}``.
+
+    Parameters
+    ----------
+    taken_over : Sequence[str or path], default ()
+        containers and studies (.toml) whose surfaces are taken over
+    name : str
+        name of the surface that measured files become; default: that of the output
+    description : str
+        description of the surface that measured files become
+    size : Stated
+        extent where files do not state it, of all files or of one as "FILE=1 mm x 1 mm", such as "1 mm x 1 mm"
+    unit : Stated
+        unit of lengths where files do not state it, of all files or of one as FILE=um, such as "um"
+    channel : Stated
+        channel by its number, counted from 0, or by its name, of all files or of one as FILE=1; default: the preferred channel
+    detrend : Stated
+        trend to be removed: mean, tilt or parabola, of all files or of one as FILE=tilt; default: mean
+    layout : str
+        layout of a text file: a narrow map (matrix), points x y z (columns), or the table of a spectrum (spectrum); default: from
+        numbers and header
+    keep_values : bool, default False
+        values that mark missing heights (NO_DATA), such as -9999, stay heights; without it they become undefined
+    skip_failed : bool, default False
+        measurements that cannot be analysed are left out with a warning
     """
     request = filled(
         _setae.ContainerRequest(),

@@ -33,10 +33,20 @@ class Lens(Answer):
 
 def lens(file: Path, *, x: str | None = None, z: str | None = None, start: Text | None = None, stop: Text | None = None,
          pixel: Text | None = None) -> Lens:
-    """Radius and asphericity of a lens: from a table of two lengths, a profilometer's trace, or a picture of its side.
+    """Radius and asphericity of a lens from a table of two lengths, a profilometer trace, or a picture of its side.
 
-    x, z: columns, else the first two of lengths.  start, stop: points before and behind are left out, to leave out the rim.
-    pixel: its size in pictures that do not state it.
+    Parameters
+    ----------
+    x : str
+        column of positions along the lens; default: the first column of lengths
+    z : str
+        column of heights; default: the second column of lengths
+    start : str or Quantity
+        start of the range along the lens; points before are left out, such as "-0.2 mm"
+    stop : str or Quantity
+        end of the range along the lens; points beyond are left out, such as "0.2 mm"
+    pixel : str or Quantity
+        size of a pixel in pictures that do not state it, such as "2.05 um"
     """
     return Lens(_setae.lens(path(file), filled(_setae.LensRequest(), x=x, z=z, start=start, stop=stop, pixel=pixel)))
 
@@ -104,8 +114,32 @@ def contact_radii(
 ) -> ContactRadii:
     """Contact radius in every frame of a recording: a TIFF stack, an AVI, a folder of pictures, or pictures.
 
-    region: "x,y,width,height" in pixels.  polarity: "dark", "bright" or "automatic".  fringes: the edge is the innermost ring.
-    exclude, reason: numbers of frames left out, and why.
+    Parameters
+    ----------
+    pixel : str or Quantity
+        size of a pixel in the camera's pictures, such as "1.82 um"
+    frame_rate : float
+        frames per second of the camera
+    first : int
+        number of the first frame that is analysed
+    last : int
+        number of the last frame that is analysed
+    region : str
+        part of the frames that is analysed: x,y,width,height in pixels, such as "100,80,320,240"
+    polarity : str, default 'automatic'
+        grey level of the contact relative to the surroundings
+    fringes : bool, default False
+        pictures show Newton's rings around the contact; the innermost ring is the edge
+    smallest_radius : float
+        smallest radius of a contact, in pixels
+    least_confidence : float
+        smallest confidence of a reported contact, from 0 to 1
+    exclude : Sequence[int], default ()
+        numbers of frames that are left out, such as "12,17"
+    reason : str
+        reason why frames are left out, such as "glare"
+    ignore_stated_pixel_size : bool, default False
+        the given size of a pixel counts, even where a file states another
     """
     request = filled(
         _setae.RadiusRequest(),
@@ -164,14 +198,33 @@ def contact_line(
     displacement: Path | None = None,
     **recording: Any,
 ) -> ContactLine:
-    """How rough the edge of a contact is and how it moves: roughness exponent, speeds, jumps, arrests, voids inside.
+    """Roughness and motion of the edge of a contact: roughness exponent, speeds, jumps, arrests, voids inside.
 
-    frames: a recording as of :func:`contact_radii`, whose arguments are taken too; or a table, of ``save()`` or a simulation, with columns
-    "time", "radius_1" … "radius_N".  angles: places along the edge, else one every 2 px.  smallest_void: in px².
-    ring_width: of the cells that speeds are told of, "5 um".  threshold: a jump is faster than the mean by it, an arrest slower.
-    smallest_mode, largest_mode: of the roughness; 0: a quarter of the places.
-    radius, contact_modulus: of the sphere and the bodies, "1 mm", "1 MPa": what the edge works against, "release_rate"; displacement: a table of
-    "time" and "displacement", or that of the edge's own table.
+    Frames are a recording as for :func:`contact_radii`, whose keywords are accepted too, or a table, of ``save()`` or a simulation, with columns
+    "time", "radius_1" … "radius_N". With radius and contact_modulus the result has "release_rate", the energy release rate of the edge.
+
+    Parameters
+    ----------
+    angles : int
+        number of places along the edge; default: one every 2 px of the largest contact
+    smallest_void : float, default 16.0
+        smallest area of a reported void, in px^2
+    ring_width : str or Quantity
+        width of the rings whose cells have a speed each, such as "5 um"; default: the step of the edge from frame to frame
+    threshold : float, default 3.0
+        factor by which a jump is faster, and an arrest slower, than the mean speed
+    smallest_mode : int, default 3
+        smallest mode of the edge's roughness; mode 1 is the centre, mode 2 an ellipse
+    largest_mode : int, default 0
+        largest mode of the edge's roughness; default: a quarter of the places
+    radius : str or Quantity
+        radius of the sphere, for the energy release rate, such as "1 mm"
+    contact_modulus : str or Quantity
+        contact modulus E* of both bodies, for the energy release rate, such as "1 MPa"
+    displacement : str or path
+        table of time and displacement of the sphere, for the energy release rate; default: the displacement in the table of the edge
+    **recording
+        keywords of recordings, as those of `contact_radii`
     """
     request = filled(
         _setae.LineRequest(),
@@ -271,10 +324,39 @@ def force_curves(
     sensitivity: Text | None = None,
     curve_number: int | None = None,
 ) -> ForceCurves:
-    """Fits of force curves: force and displacement alone, contact found where the force leaves the baseline.
+    """Fits of force curves: force and displacement only, with the contact found where the force leaves the baseline.
 
-    tip: "paraboloid" with its radius, "cone" or "three_sided_pyramid" with its half angle in degrees.  model: "hertz", "dmt", "jkr",
-    "maugis_dugdale", "large_strain".  fit_range: "0 nm:500 nm", "1 nN:20 nN" or shares of the largest indentation.  curve_number: one of a file of many.
+    Parameters
+    ----------
+    radius : str or Quantity
+        radius of the sphere; fits of loops include a given ±, such as "7.5 um"; default: as the file states
+    tip : str, default 'paraboloid'
+        shape of the tip of a force curve
+    half_angle : float, default 0.0
+        half angle of a conical tip, or inclination of a pyramid's faces, in degrees
+    model : str, default 'hertz'
+        contact model of a force curve: hertz, dmt, jkr, maugis_dugdale or large_strain
+    fit_range : str
+        range of a force curve that is fitted, FROM:TO in indentation, force or shares of the largest indentation, such as "0 nm:500
+        nm"; default: -1:1
+    contact_point : str or Quantity, default 'fit'
+        contact point of a force curve: fit, found (where the force leaves the baseline), or a length
+    keep_baseline_slope : bool, default False
+        only the mean of free flight is removed from a force curve, not the slope
+    nu : float
+        Poisson ratio of the soft body, from 0 to 0.5; default: 0.5
+    counter_E : str or Quantity
+        Young's modulus of the counter-body, such as "70 GPa"; default: rigid
+    counter_nu : float
+        Poisson ratio of the counter-body, from 0 to 0.5; default: 0
+    mapping : str
+        mapping (TOML) that names the columns of a foreign table: a file or a known name, such as "eoh"
+    spring_constant : str or Quantity
+        spring constant of the cantilever of a force curve, such as "0.05 N/m"
+    sensitivity : str or Quantity
+        deflection sensitivity of the cantilever of a force curve, such as "55 nm/V"
+    curve_number : int
+        number of one force curve in a file of many, as the file counts them, from 0; default: `setae jkr fit` fits every curve
     """
     files = files_of(mapping=mapping, spring_constant=spring_constant, sensitivity=sensitivity, curve_number=curve_number)
     bodies = bodies_of(radius=radius, nu=nu, counter_E=counter_E, counter_nu=counter_nu)
@@ -310,10 +392,36 @@ def replicates(
     exclusions: Path | None = None,
     each_surface: bool = False,
 ) -> Replicates:
-    """What tables with a row a fit say together: y = mean of the surface + b(lens) + b(spot) + b(repeat) + error of the fit.
+    """Means of tables with one row per fit: y = mean of the surface + b(lens) + b(spot) + b(repeat) + error of the fit.
 
-    quantity: "W", "E*", "E_loss", "F_po" or a column.  group_by: outermost first; without it those of surface, lens and spot that there are.
-    exclude: "file=a.csv;reason=dust on the lens".
+    Quantities are "W", "E*", "E_loss", "F_po" or a column. Exclusions are texts such as "file=a.csv;reason=dust on the lens".
+
+    Parameters
+    ----------
+    quantity : str, default 'W'
+        quantity that is summarised: W, E*, E_loss, F_po, or the name of a column
+    group_by : Sequence[str], default ()
+        columns of the groups, outermost first, such as "surface,lens"; default: surface, lens and spot, as far as the tables have them
+    crossed : Sequence[str], default ()
+        group columns whose labels name the same item on every surface, such as a lens pressed on all surfaces
+    value : str
+        column of the values, where the name of the quantity does not determine it
+    error : str
+        column of the standard errors, where the name of the quantity does not determine it
+    unit : str
+        unit of values whose column states none, such as "mJ/m2"
+    method : str
+        fit method that is summarised, where tables have several; default: the primary fit, where tables name it
+    branch : str
+        branch that is summarised, where tables have several, such as "loading"
+    elastomer : str
+        elastomer that is summarised, where tables have several and no groups of elastomers
+    exclude : Sequence[str], default ()
+        rows that are left out, as COLUMN=LABEL with a reason, such as "file=a.csv;reason=dust on the lens"; may be repeated
+    exclusions : str or path
+        file of exclusions: TOML with [[exclude]], or CSV with a column `reason`
+    each_surface : bool, default False
+        separate variances for each surface, not pooled
     """
     request = filled(
         _setae.ReplicateRequest(),

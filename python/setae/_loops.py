@@ -14,7 +14,10 @@ from ._options import MAPPINGS, Path, Text, filled, path, text, texts
 from ._quantities import Alert, Answer, Quantity, alerts_from
 
 if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
     from ._columns import Array
+    from ._generated import LoopSettings
 
 
 class LoopFit(Answer):
@@ -110,12 +113,60 @@ class Loop:
         profile: bool = False,
         crack_speed: bool = False,
         exponent: float | None = None,
-        **settings: Any,
+        **settings: Unpack[LoopSettings],
     ) -> LoopFit:
-        """E*, W, pull-off and loss by every route, with their ±; ``models``: "hertz", "dmt", "maugis_dugdale" … or "all" beside them.
+        """E*, W, pull-off force and loss by every route, with their standard errors.
 
-        settings: ``machine_stiffness``, ``contact_point``, ``segments``, ``relaxation``, ``area_ratio``, ``samples_dropped``, ``unweighted``,
-        ``drift``, ``no_drift``, ``force_zero``, ``whole_retraction`` … as the options of ``setae jkr fit``.
+        Parameters
+        ----------
+        models : Sequence[str] or str, default ()
+            additional model: hertz, dmt, jkr, maugis_dugdale, transition, layer, large_strain; all compares every model
+        branch : str, default 'loading'
+            branch of additional models, profile likelihood and common fits
+        errors : str, default 'orthogonal_distance'
+            treatment of measurement errors in additional models and common fits
+        model_contact_point : str or Quantity
+            contact point that is held fixed in additional models, such as "1.2 um"; default: fitted
+        cohesive_stress : str or Quantity
+            cohesive stress that is held fixed in the model maugis_dugdale, such as "5 MPa"; default: fitted
+        profile : bool, default False
+            intervals of E* and W by profile likelihood
+        crack_speed : bool, default False
+            fit of G(v) = G0 (1 + (v/v0)^n) to the edge during retraction
+        exponent : float
+            exponent n that is held fixed in the fit of G(v); default: fitted
+        machine_stiffness : str or Quantity
+            stiffness of the testing machine, where the displacement is that of the stage, such as "30 ± 1 N/m"
+        rigid_contact : str or Quantity
+            file of a loop on a rigid body, from which the machine stiffness is measured
+        contact_point : str or Quantity, default 'auto'
+            contact point of force-displacement fits: auto, fit, a method such as jump_in, or a displacement
+        segments : Sequence[str] or str
+            range of samples or times that replaces a segment found; also cut=400 for cycles, "ignore=30:35 (slip)" for excluded data,
+            such as "loading=120:900"
+        baseline_share : float
+            share of the record, from the start, that is free flight; default: found from the record
+        drift : str or Quantity, default 'auto'
+            drift of the force zero in time: auto, none, linear, quadratic, cubic, or extrapolate (only the free flight before contact)
+        force_zero : str or Quantity
+            zero of force for a record without free flight; no drift is removed, such as "0 N"
+        displacement_drift : str or Quantity
+            drift rate of the displacement, where known, such as "0.1 nm/s"
+        area_ratio : float, default 1.0
+            ratio of true to apparent area of the hard surface, for losses per true area
+        samples_dropped : int, default 3
+            number of samples left out after the jump into contact
+        relaxation : Sequence[str] or str
+            term SHARE:TIME of the bulk's relaxation E(t)/E∞ = 1 + Σ g e^(−t/τ), which is removed from the force first, such as
+            "0.1:20s"
+        unweighted : bool, default False
+            ordinary least squares in radius or depth, without errors of force
+        no_drift : bool, default False
+            constant zero of force, from the free flight before contact: drift none
+        whole_retraction : bool, default False
+            fit of the retraction from the largest force on, pinned stretch included
+        retraction_modulus_free : bool, default False
+            E* as a free parameter of the retraction fit (S2)
         """
         wanted = {
             "models": texts(models),
@@ -127,11 +178,11 @@ class Loop:
             "crack_speed": crack_speed,
             "exponent": exponent,
         }
-        return LoopFit(self._answer(wanted, settings).fit)
+        return LoopFit(self._answer(wanted, dict(settings)).fit)
 
-    def energy(self, **settings: Any) -> LoopEnergy:
+    def energy(self, **settings: Unpack[LoopSettings]) -> LoopEnergy:
         """Where the energy goes: work in and out, jumps, the smooth sphere's own loss, loss per area."""
-        return LoopEnergy(self._answer({}, settings).energy)
+        return LoopEnergy(self._answer({}, dict(settings)).energy)
 
     def machine_stiffness(self) -> MachineStiffness:
         """Of a loop on something rigid: slope of force against the stage's position."""
@@ -199,11 +250,45 @@ def loop(
     curve_number: int | None = None,
     columns: Mapping[str, str] | None = None,
 ) -> Loop:
-    """A loop: a table with units in the header, setae's loop file, a workbook, a force curve.
+    """A loop from a table with units in the header, a loop file, a workbook or a force curve.
 
-    radius: of the sphere, where the file does not say it.  mapping: names the columns of a foreign table, by its file or its name.
-    columns: overrules what names and units say: ``{"force": "Load"}``, ``{"force": "Kraft[uN]"}`` with a unit that the header lacks, or an
-    expression, ``{"force": "-1 * load"}``.  camera: its own table of times and contact radii, or its pictures.
+    Parameters
+    ----------
+    radius : str or Quantity
+        radius of the sphere; fits of loops include a given ±, such as "7.5 um"; default: as the file states
+    nu : float
+        Poisson ratio of the soft body, from 0 to 0.5; default: 0.5
+    counter_E : str or Quantity
+        Young's modulus of the counter-body, such as "70 GPa"; default: rigid
+    counter_nu : float
+        Poisson ratio of the counter-body, from 0 to 0.5; default: 0
+    lens_height : str or Quantity
+        height of the soft sphere above the mount; fits are corrected for the finite height, such as "3 ± 0.1 mm"
+    layer_thickness : str or Quantity
+        thickness of a soft layer on a rigid base; fits are corrected for the finite thickness, such as "0.5 mm"
+    mapping : str
+        mapping (TOML) that names the columns of a foreign table: a file or a known name, such as "eoh"
+    camera : str or path
+        camera record with a separate clock: a table of time and contact_radius, a TIFF stack, an AVI or a folder of pictures
+    camera_mapping : str
+        mapping (TOML) of the camera's table
+    clock_offset : str or Quantity
+        time that is added to the camera's times, such as "0.12 s"; default: found from the records
+    pixel : str or Quantity
+        size of a pixel in the camera's pictures, such as "1.82 um"
+    frame_rate : float
+        frames per second of the camera
+    fringes : bool, default False
+        pictures show Newton's rings around the contact; the innermost ring is the edge
+    spring_constant : str or Quantity
+        spring constant of the cantilever of a force curve, such as "0.05 N/m"
+    sensitivity : str or Quantity
+        deflection sensitivity of the cantilever of a force curve, such as "55 nm/V"
+    curve_number : int
+        number of one force curve in a file of many, as the file counts them, from 0; default: `setae jkr fit` fits every curve
+    columns : Mapping[str, str]
+        column of a role as ROLE=COLUMN, by name or number from 1, or ROLE=EXPRESSION; roles are force, displacement, contact_radius,
+        time, such as "force=-1 * load"; default: guessed from names and units
     """
     files = files_of(
         mapping=mapping,

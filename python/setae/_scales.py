@@ -69,11 +69,22 @@ def scale_dependent(
     along: str = "x",
     **options: Any,
 ) -> FunctionOfScale:
-    """Slope (order 1), curvature (2) or third derivative (3) at every scale, as ``setae sdrp``.
+    """Slope (order 1), curvature (2) or third derivative (3) as a function of scale, as ``setae sdrp``.
 
-    [h(x + s) − h(x)]/s over d = s; [h(x − s) − 2h(x) + h(x + s)]/s² over d = 2s. distance: "100 nm" or several; ten a decade without.
-    statistic: "rms", "variance", "mean", "skewness", "kurtosis", "minimum", "maximum".  along: "x", "y", "both".
-    options: ``tip_radius``, ``instrument`` … as of :func:`power_spectrum`; ``all``: unreliable distances, too; ``binned``, ``bins_per_decade``, ``weighting``.
+    [h(x + s) − h(x)]/s over d = s; [h(x − s) − 2h(x) + h(x + s)]/s² over d = 2s.
+
+    Parameters
+    ----------
+    order : int, default 1
+        order of the derivative: 1 slope, 2 curvature, 3 third derivative
+    distance : str or Quantity or Sequence[str or Quantity], default ()
+        length of the stencil, or several lengths separated by commas, such as "10nm,100nm"; default: ten per decade
+    statistic : str, default 'rms'
+        statistic of the derivative
+    along : str, default 'x'
+        direction of the differences
+    **options
+        keywords of measurements, as those of `power_spectrum`, and of ScaleRequest
     """
     lengths: list[Any] = [distance] if not isinstance(distance, (list, tuple)) else list(distance)
     asked = {"order": order, "distance": ",".join(map(text, lengths)), "statistic": statistic, "along": along}
@@ -83,9 +94,18 @@ def scale_dependent(
 def autocorrelation(
     measurements: Measured, *, area: bool = False, slope: bool = False, longest: Text | None = None, **options: Any
 ) -> FunctionOfScale:
-    """Height-difference autocorrelation A(d) = ⟨[h(x + d) − h(x)]²⟩/2 [m²], as ``setae acf``; ``options`` as of :func:`scale_dependent`.
+    """Height-difference autocorrelation A(d) = ⟨[h(x + d) − h(x)]²⟩/2 [m²], as ``setae acf``.
 
-    area: maps over all directions.  slope: √(2A)/d in its place.
+    Parameters
+    ----------
+    area : bool, default False
+        maps as areas, over all directions or by planes, instead of along scan lines
+    slope : bool, default False
+        rms slope between points, sqrt(2A)/d, instead of A
+    longest : str or Quantity
+        longest distance over an area, needed for maps that are read in bands, such as "5 um"
+    **options
+        keywords of measurements, as those of `power_spectrum`, and of ScaleRequest
 
     >>> import numpy, setae
     >>> wave = setae.scan(3e-9 * numpy.cos(2 * numpy.pi * 8 * numpy.arange(512) / 512), size="2 um", unit="m", periodic=True)
@@ -97,5 +117,13 @@ def autocorrelation(
 
 
 def variable_bandwidth(measurements: Measured, *, area: bool = False, **options: Any) -> FunctionOfScale:
-    """Rms height left in pieces of every length about their own line (area: plane), as ``setae vbw``; ``options`` as of :func:`scale_dependent`."""
+    """Rms height in pieces of every length about their own line (area: plane), as ``setae vbw``.
+
+    Parameters
+    ----------
+    area : bool, default False
+        maps as areas, over all directions or by planes, instead of along scan lines
+    **options
+        keywords of measurements, as those of `power_spectrum`, and of ScaleRequest
+    """
     return found("vbw", measurements, {"area": area}, options)

@@ -160,12 +160,32 @@ def conform(
     seed: int | None = None,
     loops: bool = False,
 ) -> Answer:
-    """Does a soft body conform to all waves of a rough one? Random patches solved with adhesion, as ``setae lab conform --json`` prints it.
+    """Whether a soft body is in full contact with a rough one: random patches solved with adhesion, as ``setae lab conform --json``.
 
-    of: a study, whose pairs' U_el/(A W) and spectra the patches have; else ``energy_shares`` says U_el/(A W) of the patches.
-    points: of a patch along a side.  points_a_wave: of the shortest wave.  squared_ratios: w dx/(E* ρ²), at most 1, which sets the range.
-    waves_a_side: of the longest wave.  hurst_exponent: of the band, where no study says it.  law: as of :func:`contact`.
-    seeds: patches of each kind, seed: of the first.  loops: whole loops, too, minutes in place of seconds.
+    With a study, the patches have the spectra and the U_el/(A W) of its pairs; without it energy_shares states U_el/(A W).
+
+    Parameters
+    ----------
+    energy_shares : Sequence[float]
+        ratio U_el/(A W) of stored to gained energy of the patches
+    points : Sequence[int]
+        number of points along each side of a patch
+    points_a_wave : Sequence[float]
+        number of points per shortest wavelength
+    squared_ratios : Sequence[float]
+        ratio w dx/(E* ρ²) of the grid, at most 1, which sets the range of the attraction
+    waves_a_side : float
+        number of longest wavelengths along each side of a patch
+    hurst_exponent : float
+        Hurst exponent of patches, where no study gives the spectrum
+    law : str
+        decay of the attraction with the gap
+    seeds : int
+        number of patches of each kind
+    seed : int
+        seed of the first patch; further patches use the next numbers
+    loops : bool, default False
+        whole loops as well, which take minutes instead of seconds
 
     >>> import setae
     >>> found = setae.conform(energy_shares=[0.05], points=[64], points_a_wave=[8], seeds=2)

@@ -46,11 +46,52 @@ def synthesize(
     """A random surface, or a line on one, with a given spectrum; the same seed gives the same surface.
 
     C_iso(q) = C_0 for q < q_r, C_0 (q/q_r)^(−2−2H) up to q_s, 0 above; q = 2π/wavelength [Jacobs, Junge, Pastewka, Surf. Topogr. 5 (2017) 013001].
+    A self-affine spectrum takes hurst, rolloff, short_cutoff and one of rms_height, rms_slope and plateau; a spectrum table replaces them.
 
-    size: "5 um" or "5 um x 2 um".  pixels: 1024 or "1024x512".  hurst, rolloff, short_cutoff: of a self-affine spectrum, with one of rms_height,
-    rms_slope and plateau (C_iso below the roll-off, "5e-27 m4").  spectrum: a table of q and C_iso or C1D in their place; unit: of its columns.
-    window_of: the extent of a periodic surface of which ``size`` is a part.  amplitudes: "gaussian" or "exact".
-    stretch, angle: features longer along a direction, degrees.  output: written there, too.
+    Parameters
+    ----------
+    size : str or Quantity
+        extent of the surface along x and y, or one length for both, such as "5 um x 2 um"
+    pixels : int or str, default 1024
+        points along x and y, 1024x512, or one number for both
+    hurst : float
+        Hurst exponent H of a self-affine spectrum, 0 < H <= 1
+    rolloff : str or Quantity
+        roll-off wavelength, above which the spectrum is flat, such as "2 um"
+    short_cutoff : str or Quantity
+        shortest wavelength of a self-affine spectrum, such as "20 nm"
+    long_cutoff : str or Quantity
+        longest wavelength of a self-affine spectrum, such as "20 um"; default: no limit
+    rms_height : str or Quantity
+        rms height of the spectrum, such as "20 nm"
+    rms_slope : float
+        rms slope of the spectrum, such as "0.3"
+    plateau : str or Quantity
+        C_iso at wavelengths longer than the roll-off, such as "5e-27 m4"
+    spectrum : str or path
+        table of q and C_iso [m4] or C1D [m3] instead of a self-affine spectrum
+    unit : str
+        units of the columns of a spectrum's table whose header has none, such as "frequency 1/um, one-sided nm3"
+    window_of : str or Quantity
+        extent of the periodic surface from which a window of the size given is cut, which is not periodic, such as "20 um"
+    line : bool, default False
+        a line on a surface with the spectrum, instead of a map
+    exact_rms : bool, default False
+        heights are scaled to the rms height of the spectrum, or to the rms height given
+    amplitudes : str, default 'gaussian'
+        amplitudes of the modes: random, or exactly those of the spectrum
+    stretch : float, default 1.0
+        factor by which features are longer along one direction
+    angle : float, default 0.0
+        angle between the long direction of stretched features and x in degrees
+    skewness : float
+        skewness of the heights of a surface, which keeps the spectrum; default: 0
+    kurtosis : float
+        kurtosis of the heights of a surface, which keeps the spectrum; default: 3, Gaussian
+    seed : int, default 0
+        seed of the random numbers; equal seeds give equal surfaces
+    output : str or path
+        file for the surface, whose ending gives the format; nothing is written without it
 
     >>> made = synthesize(hurst=0.8, rolloff="2 um", short_cutoff="100 nm", rms_height="20 nm", size="8 um", pixels=128, amplitudes="exact", exact_rms=True)
     >>> made.scan.heights.shape, round(float(made.scan.heights.std()), 12)
@@ -104,7 +145,22 @@ def tip(measurement: Measured, *, points: int = 21, threshold: Text | None = Non
         unit: str | None = None, keep_values: bool = False) -> Tip:
     """The bluntest tip that could have made a map: t(v) ≥ min_u [i(x) + t(u) − i(x + u − v)] for every x [Villarrubia 1997].
 
-    points: extent of the estimate in pixels, odd.  threshold: twice the noise's largest deviation, else noise sharpens the tip. Level and despike first.
+    Noise above the threshold sharpens the estimate. Level and despike the map first.
+
+    Parameters
+    ----------
+    points : int, default 21
+        extent of the estimated tip in pixels, an odd number
+    threshold : str or Quantity
+        height by which the map must demand a sharper tip, about twice the noise, such as "0.2 nm"; default: 0
+    rounds : int, default 100
+        largest number of passes over the map
+    size : str or Quantity
+        extent of the heights, where the file does not state it
+    unit : str
+        unit of the heights, where the file does not state it
+    keep_values : bool, default False
+        heights are taken as they are: no value counts as a mark of missing data
     """
     request = filled(_setae.BlindTipRequest(), points=points, threshold=threshold, rounds=rounds)
     found = _setae.blind_tip(one(measurement, size, unit, keep_values), request)

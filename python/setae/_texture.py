@@ -44,11 +44,48 @@ def texture(
     keep_values: bool = False,
     skip_failed: bool = False,
 ) -> Texture:
-    """Parameters of "iso25178" (maps) or "iso21920" (lines; of maps the mean over scan lines); docs/reference/parameters.md has their formulas.
+    """Parameters of "iso25178" (maps) or "iso21920" (lines; of maps the mean over scan lines).
 
-    only: symbols or names of the parameters wanted, "Sq, Sdr"; others are not computed.
-    s_filter, l_filter: nesting indices of the Gaussian filters, "2.5 um", "0.8 mm".  profile: "primary", "waviness" or "roughness".
-    averages: "evaluation_length" or "sections".  mean_line: "mean" or "zero".  between: "linear" or "nothing".
+    The formulas are in docs/reference/parameters.md.
+
+    Parameters
+    ----------
+    only : str
+        symbols or names of the parameters of a standard that are wanted, such as "Sq, Sdr"; default: all
+    s_filter : str or Quantity
+        nesting index of the Gaussian S-filter (λs), such as "2.5um"
+    l_filter : str or Quantity
+        Gaussian L-filter: "default" for both filters of iso21920 by Ra (ISO 4288), or a nesting index (λc), such as "0.8mm"
+    section_length : str or Quantity
+        length of a section by iso21920, such as "0.8mm"; default: the nesting index of the L-filter, else all
+    profile : str
+        profile whose parameters iso21920 gives; default: roughness
+    averages : str
+        averages of iso21920: over the evaluation length (2021), or over sections (ISO 4287:1997); default: evaluation_length
+    mean_line : str
+        zero of heights in iso21920: the mean, or zero for profiles that an instrument filtered; default: mean
+    between : str
+        heights between points in the material ratio: linear (triangles), or nothing; default: linear
+    material_height : str or Quantity
+        height c above the mean in Smr(c) and Rmr(c), such as "0.2um"; default: 0
+    material_ratio : float
+        material ratio p in Smc(p) and Rmc(p), from 0 to 1; default: 0.5, the median
+    instrument : str
+        kind of the instrument: 'stylus', 'afm', 'tem' or 'optical'
+    tip_radius : str or Quantity
+        radius of the tip, with its standard error, such as '10 ± 2 nm'
+    resolution : str or Quantity
+        distance below which the instrument does not resolve heights
+    trend : str
+        trend that is removed from the heights: 'none', 'mean', 'tilt' or 'parabola'
+    size : str or Quantity
+        extent of the heights, where the file does not state it
+    unit : str
+        unit of the heights, where the file does not state it
+    keep_values : bool, default False
+        heights are taken as they are: no value counts as a mark of missing data
+    skip_failed : bool, default False
+        measurements that cannot be analysed are left out with a warning
 
     >>> import numpy, setae
     >>> wave = setae.scan(3e-9 * numpy.cos(2 * numpy.pi * 8 * numpy.arange(512) / 512), size="2 um", unit="m")

@@ -77,7 +77,7 @@ def test_solids(argument, words, data):
 
 
 def test_value_of_another_type(data):
-    with pytest.raises(TypeError, match="points: a value of type str"):
+    with pytest.raises(TypeError, match="points: str; expected a whole number"):
         setae.tip(data / "rougher/afm_1.txt", points="many")
 
 

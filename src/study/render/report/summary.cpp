@@ -179,7 +179,7 @@ std::string limits_html(const StudyResult& result) {
     if (said.limits.empty())
         return html +
                "<p>Several surfaces and elastomers test the balance against roughness and modulus. No part of the study failed.</p>";
-    constexpr std::size_t seen = 8;
+    constexpr std::size_t seen = 5;
     const auto folded = said.limits.begin() + static_cast<std::ptrdiff_t>(std::min(seen, said.limits.size()));
     html += "<p>Limits of the conclusions:</p>" + listed(said.limits.begin(), folded);
     if (folded != said.limits.end())

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""generate_keywords.py [--check]: what the package says of options, from the one description that the library has of them.
+"""python_keywords.py [--check]: what the package says of options, from the one description that the library has of them.
 
 Writes setae/_generated.py, a TypedDict of keywords for each request, and the section "Parameters" of docstrings: every keyword with its type,
 its default and its meaning. Meanings are those of the command line's help (fields::Option); keywords that are Python's alone are in OWN.
@@ -20,7 +20,7 @@ from typing import Any
 import setae
 from setae import _setae
 
-PACKAGE = pathlib.Path(__file__).resolve().parent / "setae"
+PACKAGE = pathlib.Path(__file__).resolve().parent.parent / "python/setae"
 WIDTH = 140
 
 #: Requests whose options a function takes as keywords, in the order in which a keyword is looked up.
@@ -52,7 +52,15 @@ FUNCTIONS: dict[tuple[str, str], tuple[str, ...]] = {
 def options_of(request: str) -> dict[str, str]:
     """Meaning of each option of a request, by its attribute."""
     members = vars(getattr(_setae, request))
-    return {name: member.__doc__ for name, member in members.items() if isinstance(member, property) and member.__doc__}
+    documented = {name: member.__doc__ for name, member in members.items() if isinstance(member, property) and member.__doc__}
+    return {name: text for name, text in documented.items() if not text.startswith("(self")}  # these are signatures
+
+
+def keywords_of(request: str) -> dict[str, str]:
+    """Meaning of each keyword: an option that is called otherwise in Python has its keyword only."""
+    options = options_of(request)
+    by_meaning = {meaning: name for name, meaning in options.items()}
+    return {name: meaning for name, meaning in options.items() if by_meaning[meaning] == name and name not in ("from", "as")}
 
 
 def accepts(request: str, name: str, value: Any) -> bool:
@@ -78,7 +86,7 @@ def type_of(request: str, name: str) -> str:
 def keywords_file() -> str:
     text = textwrap.dedent('''\
         # SPDX-License-Identifier: GPL-3.0-or-later
-        # Written by python/generate_keywords.py from the library's description of options: change that.
+        # Written by tools/python_keywords.py from the library's description of options: change that.
         """Keywords of requests, for type checkers and editors."""
 
         from __future__ import annotations
@@ -89,9 +97,8 @@ def keywords_file() -> str:
         from ._options import Text
         ''')
     for request in sorted({request for requests in FUNCTIONS.values() for request in requests}):
-        options = {name: meaning for name, meaning in options_of(request).items() if name.isidentifier() and name not in ("from", "as")}
         text += f"\n\nclass {request}(TypedDict, total=False):\n"
-        for name, meaning in options.items():
+        for name, meaning in keywords_of(request).items():
             text += f"    {name}: {type_of(request, name)}\n"
             text += textwrap.indent(textwrap.fill(f'"""{meaning}"""', WIDTH - 4), "    ") + "\n"
     return text
@@ -120,7 +127,13 @@ def parameters(function: ast.FunctionDef, requests: tuple[str, ...], indent: str
             raise SystemExit(f"{function.name}: '{argument.arg}' is no option of {', '.join(requests)} and not in OWN")
         lines.append(f"{argument.arg} : {readable(argument.annotation)}{default_of(default)}")
         lines += textwrap.wrap(meaning, WIDTH - len(indent) - 4, initial_indent="    ", subsequent_indent="    ")
-    if function.args.kwarg:
+    if function.args.kwarg and (request := EXPANDED.get((function.name, function.args.kwarg.arg))):
+        for name, meaning in keywords_of(request).items():
+            default = getattr(getattr(_setae, request)(), name)
+            stated = "" if default is None or default == "" or default == [] else f", default {default!r}"
+            lines.append(f"{name} : {readable(ast.parse(type_of(request, name), mode='eval').body)}{stated}")
+            lines += textwrap.wrap(meaning, WIDTH - len(indent) - 4, initial_indent="    ", subsequent_indent="    ")
+    elif function.args.kwarg:
         lines.append(f"**{function.args.kwarg.arg}")
         lines += textwrap.wrap(OWN["**" + function.args.kwarg.arg], WIDTH - len(indent) - 4, initial_indent="    ", subsequent_indent="    ")
     return "\n".join(indent + line for line in lines)
@@ -138,12 +151,18 @@ def documented(source: str, name: str) -> str:
             continue
         indent = " " * (function.col_offset + 4)
         section = "\n" + parameters(function, requests, indent)
-        plain = SECTION.sub("", documentation).rstrip()
+        plain = re.sub(r"\n{3,}", "\n\n", SECTION.sub("\n", documentation)).rstrip()
         before, arrow, examples = plain.partition(f"\n\n{indent}>>> ")
-        new = before + "\n" + section + (f"{arrow}{examples}" if arrow else "") + f"\n{indent}"
+        if before.endswith(":"):  # a sentence that introduces the examples stays with them
+            before, blank, sentence = before.rpartition("\n\n")
+            arrow = blank + sentence + arrow
+        new = before.rstrip() + "\n" + section + (f"{arrow}{examples}" if arrow else "") + f"\n{indent}"
         source = source.replace(documentation, new)
     return source
 
+
+#: Requests whose options a function takes by **name, listed as its own.
+EXPANDED = {("fit", "settings"): "LoopSettings"}
 
 #: Keywords that are Python's alone, and those of measurements that many functions share.
 OWN = {
@@ -155,6 +174,9 @@ OWN = {
     "instrument": "kind of the instrument: 'stylus', 'afm', 'tem' or 'optical'",
     "keep_values": "heights are taken as they are: no value counts as a mark of missing data",
     "longest": "longest wavelength that counts",
+    "maps": "states are kept point by point: at first load, at the turn, at zero load on retraction, at the greatest tension",
+    "output": "file for the surface, whose ending gives the format; nothing is written without it",
+    "realisations": "number of surfaces made, with seeds from `seed` on; results are means with their standard errors",
     "resolution": "distance below which the instrument does not resolve heights",
     "shortest": "shortest wavelength that counts",
     "size": "extent of the heights, where the file does not state it",
@@ -166,7 +188,6 @@ OWN = {
     "**measurement": "keywords of measurements, as those of `parameters`",
     "**options": "keywords of measurements, as those of `power_spectrum`, and of ScaleRequest",
     "**recording": "keywords of recordings, as those of `contact_radii`",
-    "**settings": "keywords of LoopSettings",
 }
 
 
@@ -181,7 +202,7 @@ def main() -> int:
     for path in stale:
         if not check:
             path.write_text(files[path], encoding="utf-8")
-        print(f"{path.relative_to(PACKAGE.parent)}: {'differs from what generate_keywords.py makes' if check else 'written'}")
+        print(f"{path.relative_to(PACKAGE.parent)}: {'differs from what python_keywords.py makes' if check else 'written'}")
     return 1 if check and stale else 0
 
 
