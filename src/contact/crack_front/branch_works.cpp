@@ -35,10 +35,10 @@ BranchWorks branch_works(const FrontLoop& loop, const contact::SphereOnFlat& sph
         if (step->least_retreat > 0.0) moving.push_back(step);
     constexpr std::size_t fewest = 4;
     if (approach.size() < fewest || moving.size() < fewest)
-        throw UndefinedDataError(fmt::format(
-            "{} steps in contact on approach and {} on retraction with the whole edge receding; expected {} "
-            "or more of both: use more steps, or press further",
-            approach.size(), moving.size(), fewest));
+        throw UndefinedDataError(
+            fmt::format("{} steps in contact on approach and {} on retraction with the whole edge in motion; expected "
+                        "{} or more of both: use more steps, or press further",
+                        approach.size(), moving.size(), fewest));
     const loops::LensAndCounterBody bodies{.radius = sphere.radius,
                                            .lens_poisson_ratio = 0.0,
                                            .counter_youngs_modulus = std::numeric_limits<double>::infinity()};

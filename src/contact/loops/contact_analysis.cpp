@@ -51,9 +51,9 @@ Outcome<BranchAnalysis> analyse_unloading(const PreparedRecord& record, const Co
     if (!contact.unloading) return Outcome<BranchAnalysis>::missing("the record has no retraction");
     IndexRange range = *contact.unloading;
     if (pinned) range.first = pinned->last + 1;
-    const std::string name = fmt::format(
-        "unloading, from {} to the {}", pinned ? "the point where the contact edge starts to recede" : "the last press",
-        contact.pull_off ? "pull-off minimum" : "last sample in contact");
+    const std::string name = fmt::format("unloading, from {} to the {}",
+                                         pinned ? "the point where the contact edge starts to move" : "the last press",
+                                         contact.pull_off ? "pull-off minimum" : "last sample in contact");
     return attempt([&] {
         return analyse_branch(record.levelled(), without_ignored(range_selection(range, name), record.segments), bodies,
                               options, loading.primary().contact_modulus);

@@ -117,7 +117,7 @@ std::vector<AlertKind> of_files() {
         {"AMBIGUOUS_COLUMNS", about,
          "Columns of numbers without a header were assigned to positions and heights by their "
          "values.",
-         "The message says how they were read; a wrong choice makes all results meaningless.",
+         "The message gives the assignment; a wrong choice makes all results meaningless.",
          "Check the shape of the data; set layout if it is wrong."},
         {"CHECKSUM", about, "A part of the file differs from its checksum.",
          "The file was changed or is damaged; sizes and offsets may be wrong.",
@@ -546,7 +546,7 @@ std::vector<AlertKind> of_surfaces() {
          "Measure a larger map; straight lines without end have Str near 0."},
         {"STD_WITHOUT_DIRECTION", about, "No direction of the texture is distinct: Str is above 0.5.",
          "The message gives Str; Std has little meaning.", "Use Std only where Str is below 0.5.",
-         "The limit is half way between a directional texture (0) and an isotropic one (1)."}};
+         "The limit is half way between Str of a directional texture, 0, and that of an isotropic one, 1."}};
 }
 
 std::vector<AlertKind> of_loops() {
@@ -692,7 +692,7 @@ std::vector<AlertKind> of_loops() {
                      study::least_work_of_adhesion),
          "The message gives the likely factor, a power of 1000.",
          "Check the units of the columns and of the sphere radius.",
-         "The limits leave room for gels and diamond, for adhesives that flow, and for contacts in "
+         "The limits include gels and diamond, adhesives that flow, and contacts in "
          "a liquid."},
         {"TWO_CONTACTS", about, "The record contains several contacts. Each is analysed.",
          "The results of the record are those of the first contact.",

@@ -77,7 +77,7 @@ public:
         const Index at = largest_step(in.loop.force, stretch);
         if (at < stretch.last && std::abs(force(at + 1) - force(at)) > clear * noise.force_noise) return at;
         throw UndefinedDataError(
-            fmt::format("the jump {} contact does not stand out from the noise", into_contact ? "into" : "out of"));
+            fmt::format("the jump {} contact does not exceed the noise", into_contact ? "into" : "out of"));
     }
     [[nodiscard]] Index before_jump_in() const {
         if (!contact.jump_in && in.loop.contact_radius.size() == 0)

@@ -33,7 +33,7 @@ void require_edge(const RecedingEdge& edge, double radius, const Estimate& conta
     };
     same(edge.force, "force");
     same(edge.contact_radius, "contact radius");
-    if (!edge.force.allFinite()) throw InvalidArgument("forces of a receding edge must be defined");
+    if (!edge.force.allFinite()) throw InvalidArgument("forces of the retraction must be defined");
     for (Index i = 1; i < edge.time.size(); ++i)
         if (!(edge.time[i] > edge.time[i - 1]))
             throw InvalidArgument(
@@ -51,8 +51,8 @@ RecedingEdge between_frames(const RecedingEdge& edge, std::vector<Index>& frames
         if (edge.contact_radius[i] > 0.0) frames.push_back(i);
     if (static_cast<Index>(frames.size()) < fewest_frames)
         throw UndefinedDataError(
-            fmt::format("{} frames show the receding edge; a fit of the crack speed needs at least {}", frames.size(),
-                        fewest_frames));
+            fmt::format("{} frames show the moving contact edge; a fit of the crack speed needs at least {}",
+                        frames.size(), fewest_frames));
     const Index first = frames.front(), count = frames.back() - first + 1;
     for (Index& frame : frames) frame -= first;
     return {.time = edge.time.segment(first, count),
@@ -92,8 +92,8 @@ public:
                     .value;
         if (!(course[n - 1] < course[0]))
             throw UndefinedDataError(
-                "the contact edge does not recede along the branch; a fit of the crack speed needs a receding "
-                "edge");
+                "the contact edge does not move inwards along the branch; a fit of the crack speed needs a "
+                "shrinking contact");
     }
 
     [[nodiscard]] const Array1D& measured() const { return measured_; }
@@ -128,8 +128,8 @@ public:
             }
         if (!std::isfinite(least))
             throw UndefinedDataError(
-                "no law of crack speed fits the receding edge: G does not rise with the speed of the edge; "
-                "check E* and the zero of force");
+                "no law of crack speed fits the moving contact edge: G does not rise with the speed of the "
+                "edge; check E* and the zero of force");
         return best;
     }
 

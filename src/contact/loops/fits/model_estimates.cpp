@@ -191,7 +191,7 @@ void fill_estimates(ModelFit& fit, const PreparedFit& prepared, const FitSolutio
     const Outcome<Estimate> no_zone = Outcome<Estimate>::missing(to_string(curve.model()) + " has no cohesive stress");
     fit.cohesive_stress = fit.transition_parameter = no_zone;
     fit.transition_share = fit.zero_load_radius = fit.pull_off_force =
-        Outcome<Estimate>::missing("a parameter of the transition equation alone");
+        Outcome<Estimate>::missing("only the transition equation has this parameter");
     if (curve.model() == ContactModel::transition) {
         fill_transition(fit, prepared, solution);
     } else {

@@ -214,7 +214,8 @@ struct Range {
 Range searched(const Loop& force, const Array1D& frames, const ClockOptions& options) {
     if (!(options.least_overlap > 0.0 && options.least_overlap <= 1.0))
         throw InvalidArgument(
-            fmt::format("least_overlap is {}; expected a number above 0 and up to 1", options.least_overlap));
+            fmt::format("the overlap of both records must be at least {}; expected a share above 0 and up to 1",
+                        options.least_overlap));
     const double end = force.time[force.time.size() - 1];
     const auto n = frames.size();
     const auto needed =

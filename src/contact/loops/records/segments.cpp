@@ -203,7 +203,7 @@ void require_adhesion(const Record& record, const Segments& segments) {
         throw UndefinedDataError(
             "the record shows no contact: it has no free flight and no jump of the force into or out of "
             "contact, or it begins and ends in contact; record free flight before or after contact, or give "
-            "the zero of force (--force-zero)");
+            "the zero of force (force_zero)");
     constexpr double range_of_noise = 12.0;  // in standard deviations, beyond any that noise reaches
     const double range = loop.force.maxCoeff() - loop.force.minCoeff(), noise = record_noise(loop.force);
     if (range <= range_of_noise * noise)

@@ -43,8 +43,8 @@ std::string readme(const Container& container) {
     std::size_t count = 0;
     for (const auto& surface : container.surfaces) count += surface.topographies.size();
     return fmt::format(
-        "This archive holds {} surface(s) and {} measurement(s). index.json says what they are; meta.yml says the same for programs\n"
-        "that know no other index.\n\n"
+        "This archive contains {} surface(s) and {} measurement(s). index.json describes them; meta.yml has the same content for programs\n"
+        "that need this index.\n\n"
         "A measurement has one to three files: \"original\", as it came from the instrument, and \"squeezed-netcdf\", the same heights as\n"
         "classic NetCDF, which is processed: multiplied by height_scale where the original carries no scale, filled by\n"
         "fill_undefined_data_mode, and with the trend of detrend_mode removed. Where other programs do not read what came from\n"

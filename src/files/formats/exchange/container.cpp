@@ -34,8 +34,8 @@ Format container_format() {
         .extensions = ".zip",
         .description =
             "ZIP with index.json or meta.yml and one measurement or more, of every generation; the original file is preferred to its processed copy; `setae container write` makes them of any number of files",
-        .heights = "as the original file says; the index's scale is applied only where that file carries none",
-        .orientation = "as the original file says",
+        .heights = "as the original file states; the scale of the index is applied only if that file has none",
+        .orientation = "as the original file states",
         .not_read =
             "publications, properties and other fields of the index do not change heights; `setae container check` lists them",
         .reference = "SurfaceTopography 1.27.1, Container/IO/Schema.py; TopoBank, manager/container_schema.py",

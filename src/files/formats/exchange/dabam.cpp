@@ -256,11 +256,13 @@ Format dabam_format() {
         .name = "DABAM mirror profile",
         .extensions = ".dat",
         .description =
-            "profiles of synchrotron mirrors from the metrology database DABAM: numbers in name.dat, their meaning and units in name.txt beside it, or in the header of the numbers alone",
+            "profiles of synchrotron mirrors from the metrology database DABAM: numbers in name.dat, their "
+            "meaning and units in name.txt in the same folder, or only in the header of the numbers",
         .heights =
-            "values times the factor of the description, or in the unit of the header; files of slopes are integrated by the trapezoidal rule, with an alert",
+            "values times the factor of the description, or in the unit of the header; files of slopes are "
+            "integrated by the trapezoidal rule, with a warning",
         .orientation = "",
-        .not_read = "slopes beside heights are listed only",
+        .not_read = "slopes given in addition to heights are listed only",
         .reference = "M. Sanchez del Rio et al., J. Synchrotron Rad. 23, 665 (2016); SR-xraylib, metrology/dabam.py",
         .tested_on_real_files = true,
         .read_elsewhere = false,

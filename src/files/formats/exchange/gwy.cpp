@@ -309,7 +309,8 @@ Format gwy_format() {
             "float64 in the field's unit; fields whose unit is no length are listed, those without any need the user's; a mask is not applied, but for undefined points that setae wrote",
         .orientation = "rows from the top",
         .not_read =
-            "graphs, spectra, volumes, presentations and selections are left alone; files of Gwyddion 1 (GWYO) and of 64-bit sizes (GWYQ) are refused",
+            "graphs, spectra, volumes, presentations and selections are not read; files of Gwyddion 1 "
+            "(GWYO) and of 64-bit sizes (GWYQ) are refused",
         .reference = "Gwyddion user guide, Format of Gwyddion Files",
         .tested_on_real_files = true,
         .carries_scale = true,

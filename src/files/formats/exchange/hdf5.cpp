@@ -149,8 +149,9 @@ Format hdf5_format() {
             "values in the unit of the attribute unit or units, or in the unit given; NaN and infinities are undefined",
         .orientation = "first index x, second y downwards; not stated in the file, taken as SurfaceTopography does",
         .not_read =
-            "values of other types, of more dimensions, behind links that are not hard, in other files, or packed otherwise than with deflate; what is promised of damaged "
-            "files ends at the library, which is not made for them: open only HDF5 files that you trust",
+            "values of other types, of more dimensions, reached by links that are not hard, in other files, "
+            "or packed otherwise than with deflate; the library is not made for damaged files: open only "
+            "HDF5 files that you trust",
         .reference = "HDF5 File Format Specification 3.0; element_size_um as ImageJ's HDF5 plugin writes it",
         .tested_on_real_files = true,
         .carries_scale = false,

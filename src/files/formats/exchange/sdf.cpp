@@ -371,7 +371,7 @@ Format sdf_format() {
         .heights =
             "value times Zscale, in metres; BAD in text, the least value of signed types and floats and the greatest of unsigned ones of 16 and 32 bits are undefined",
         .orientation = "rows from the top, as Gwyddion takes them; the standard names no direction",
-        .not_read = "compressed data, which the standard leaves open, are refused; check sums are not verified",
+        .not_read = "compressed data, which the standard does not define, are refused; check sums are not verified",
         .reference = "ISO 25178-71:2012; Gwyddion's sdfile module for undefined values and Olympus's header",
         .tested_on_real_files = true,
         .carries_scale = true,

@@ -412,7 +412,8 @@ Format x3p_format() {
         .name = "X3P",
         .extensions = ".x3p",
         .description =
-            "ZIP with main.xml and binary or listed points of a surface or profile, main.xml alone, or a ZIP of several such archives; checksums are verified",
+            "ZIP with main.xml and binary or listed points of a surface or profile, a single main.xml, or a "
+            "ZIP of several such archives; checksums are verified",
         .heights =
             "value times increment plus offset of the axis, in metres; signed int16 or int32, float32 or float64; points marked invalid or NaN are undefined",
         .orientation = "first point at the top left, x the fastest index",

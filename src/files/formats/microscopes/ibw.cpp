@@ -195,7 +195,8 @@ Format ibw_format() {
             "numbers in the wave's unit, NaN undefined; sizes are n times the distance of points as Igor scales waves: Asylum sets it to scan size over n − 1, so a map is n/(n − 1) scans wide",
         .orientation = "rows stored from the bottom, turned",
         .not_read =
-            "channels that are no heights are listed, in the unit their name tells; the preview behind the wave; force curves (`setae jkr fit` reads them)",
+            "channels that are not heights are listed, in the unit that their name implies; the preview "
+            "after the wave; force curves (`setae jkr fit` reads them)",
         .reference =
             "WaveMetrics, Technical Note 3, Igor Binary Format; names of channels as Gwyddion's module igorfile takes them",
         .tested_on_real_files = true,

@@ -15,7 +15,8 @@ Format jpk_qi_format() {
             "multiplier times raw plus offset of the slot 'calibrated', else of the file's default slot; no point is undefined",
         .orientation = "rows stored from the bottom, turned; as stored where the grid is reflected",
         .not_read =
-            "channels that are no heights (adhesion, slope, force) are listed; the curves themselves stand in .jpk-qi-data",
+            "channels that are not heights (adhesion, slope, force) are listed; the curves themselves are "
+            "in .jpk-qi-data",
         .reference = "Gwyddion's module jpkscan, written by JPK Instruments, and TIFF 6.0",
         .tested_on_real_files = true,
         .carries_scale = true,

@@ -360,8 +360,11 @@ Format mdt_format() {
         .heights = "offset plus step times integer in the unit of the frame; no point is undefined",
         .orientation = "rows stored from the bottom, turned",
         .not_read =
-            "spectra, curves and Raman arrays are listed; text and palettes are passed over; files of those alone are refused",
-        .reference = "nt-mdt module of Gwyddion, MDT reader of SurfaceTopography 1.27; no real file at hand",
+            "spectra, curves and Raman arrays are listed; text and palettes are passed over; files with "
+            "nothing else are refused",
+        .reference =
+            "nt-mdt module of Gwyddion, MDT reader of SurfaceTopography 1.27; not tested on an instrument "
+            "file",
         .carries_scale = true,
         .detect = [](std::string_view head,
                      const bytes::Source&) { return head.starts_with(mdt_magic) ? Match::yes : Match::no; },

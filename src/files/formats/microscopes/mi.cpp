@@ -213,7 +213,7 @@ Format mi_format() {
         .heights =
             "raw over 2^15 or 2^31 times the range of the channel, in its unit; absolute and multicolumn text is in that unit; sizes are in metres; no point is undefined",
         .orientation = "rows stored from the bottom, turned, for scans upwards and downwards",
-        .not_read = "channels that are no heights are listed; spectroscopy files; a thumbnail behind the channels",
+        .not_read = "channels that are not heights are listed; spectroscopy files; a thumbnail after the channels",
         .reference = "Gwyddion's module mifile, by Molecular Imaging; text dialects as the package magni takes them",
         .tested_on_real_files = true,
         .carries_scale = true,

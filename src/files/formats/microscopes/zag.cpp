@@ -84,8 +84,7 @@ Format zag_format() {
             .description = "collections of measurements of Keyence's VR series, each a ZON file and a channel",
             .heights = "as in each ZON file",
             .orientation = "rows stored from the top",
-            .not_read =
-                "measurements that are not to be shown are channels with an alert; templates and reports are left out",
+            .not_read = "hidden measurements are channels with a warning; templates and reports are left out",
             .reference = "the inventory as SurfaceTopography 1.27's ZAG reader describes it",
             .detect = detect_zag,
             .open = open_zag};

@@ -59,7 +59,7 @@ Format zmg_format() {
             .description = "KLA Zeta optical profilers: one map of integer heights",
             .heights = "unsigned integer of 2 bytes times the step along z, in µm; no point is undefined",
             .orientation = "rows from the top, as stored; not stated in the file",
-            .not_read = "what lies behind the heights",
+            .not_read = "all data after the heights",
             .reference = "Gwyddion's module zmgfile, as described by SurfaceTopography 1.27, and surfalize",
             .detect = detect_zmg,
             .open = open_zmg};

@@ -134,7 +134,8 @@ std::vector<Channel> open_al3d(const bytes::Source& source, const ReadOptions& o
     if (raster.offset < tags.end)
         throw FormatError(
             source.name, {.offset = tags.end},
-            fmt::format("Alicona: no depth image (its offset is {}); pictures alone are not read", raster.offset));
+            fmt::format("Alicona: no depth image (its offset is {}); files with only pictures are not read",
+                        raster.offset));
     require_raster(raster, source, "Alicona");
     require_texture(tags, raster, source);
     ChannelInfo info{.name = "depth image", .format = "al3d"};

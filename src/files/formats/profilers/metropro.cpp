@@ -174,20 +174,19 @@ std::vector<Channel> open_metropro(const bytes::Source& source, const ReadOption
 }  // namespace
 
 Format metropro_format() {
-    return {
-        .identifier = "metropro",
-        .name = "MetroPro",
-        .extensions = ".dat",
-        .description = "Zygo MetroPro, versions 1 to 3: phases, which are heights, and intensities",
-        .heights =
-            "raw times scale factor times obliquity factor times wavelength over 4096, 32768 or 131072 by phase resolution, negated where the header says so; "
-            "2147483640 and above are undefined",
-        .orientation = "rows from the top, as stored",
-        .not_read = "intensities are listed without being read",
-        .reference = "MetroPro reference guide, as used by Gwyddion's module metropro",
-        .tested_on_real_files = true,
-        .detect = detect_metropro,
-        .open = open_metropro};
+    return {.identifier = "metropro",
+            .name = "MetroPro",
+            .extensions = ".dat",
+            .description = "Zygo MetroPro, versions 1 to 3: phases, which are heights, and intensities",
+            .heights =
+                "raw times scale factor times obliquity factor times wavelength over 4096, 32768 or 131072 by "
+                "phase resolution, negated if the header states so; 2147483640 and above are undefined",
+            .orientation = "rows from the top, as stored",
+            .not_read = "intensities are listed without being read",
+            .reference = "MetroPro reference guide, as used by Gwyddion's module metropro",
+            .tested_on_real_files = true,
+            .detect = detect_metropro,
+            .open = open_metropro};
 }
 
 }  // namespace setae::formats

@@ -280,7 +280,9 @@ Format nmm_format() {
         .heights = "the column -Lz+Az in metres; 'nan' is undefined",
         .orientation = "lines in the order of their numbers, from the top",
         .not_read = "other columns are listed; positions are those of the grid, not the measured ones",
-        .reference = "nmmxyz module of Gwyddion, NMM reader of SurfaceTopography 1.27; no real file at hand",
+        .reference =
+            "nmmxyz module of Gwyddion, NMM reader of SurfaceTopography 1.27; not tested on an instrument "
+            "file",
         .carries_scale = true,
         .detect = detect_nmm,
         .open = open_nmm};

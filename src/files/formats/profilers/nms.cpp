@@ -102,7 +102,7 @@ Format nms_format() {
         .heights =
             "lower limit plus raw times the range of limits over 65534, in µm; no point is undefined (over 65535, the highest raw value, heights would be 15 millionths closer)",
         .orientation = "rows from the top, as stored; not stated in the file",
-        .not_read = "the picture behind the heights is listed without being read",
+        .not_read = "the picture after the heights is listed without being read",
         .reference = "SurfaceTopography and surfalize, and a file: its pitch of 312.5 is nm, for a map of 160 µm",
         .tested_on_real_files = true,
         .detect = detect_nms,

@@ -112,7 +112,7 @@ Format plux_format() {
         .heights = "float32 in µm; NaN is undefined",
         .orientation = "rows stored from the top; the file does not state it",
         .not_read = "colour pictures and stacks are passed over",
-        .reference = "PLUX reader of SurfaceTopography 1.27; no real file at hand",
+        .reference = "PLUX reader of SurfaceTopography 1.27; not tested on an instrument file",
         .carries_scale = true,
         .detect = detect_plux,
         .open = open_plux};

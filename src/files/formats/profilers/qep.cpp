@@ -189,7 +189,7 @@ Format qep_format() {
         .heights = "float64 in mm; points with a flag are undefined, and left out where steps differ",
         .orientation = "a line; turned where x falls",
         .not_read = "evaluations and drawings are passed over",
-        .reference = "QEP reader of SurfaceTopography 1.27; no real file at hand",
+        .reference = "QEP reader of SurfaceTopography 1.27; not tested on an instrument file",
         .carries_scale = true,
         .read_elsewhere = false,
         .detect = detect_qep,

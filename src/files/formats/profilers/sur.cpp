@@ -327,8 +327,9 @@ Format sur_format() {
         .description =
             "surfaces and profiles of MountainsMap and of instruments that write for it, single, in series or in layers, plain or compressed",
         .heights =
-            "raw times z spacing plus z offset, negated where the header says inverted; with special points the value two below the least is undefined",
-        .orientation = "rows stored from the top; where the header says mirrored or upside down, turned",
+            "raw times z spacing plus z offset, negated if the header states inverted; with special points "
+            "the value two below the least is undefined",
+        .orientation = "rows stored from the top; turned if the header states mirrored or upside down",
         .not_read =
             "discs, contours, spectra and force curves are refused; images and colours are listed; saturated points (one beyond least and greatest) stay heights; axes' origins",
         .reference =

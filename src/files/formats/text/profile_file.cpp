@@ -149,7 +149,7 @@ const std::vector<ProfileKey>& profile_keys() {
         {"tip_radius", "of the tip that measured", dimension::length},
         {"tip_radius_standard_error", "its standard error", dimension::length},
         {"resolution", "shortest wavelength resolved", dimension::length},
-        {"acquisition_time", "as the instrument says it", {}},
+        {"acquisition_time", "as the instrument gives it", {}},
         {"blur", "standard deviation of the picture's Gaussian blur, along x", dimension::length},
         {"smoothing_length", "of the trace's smoothing spline, along x", dimension::length},
         {"step", "between the trace's points, along x", dimension::length},

@@ -65,7 +65,8 @@ Format workbook_format() {
         .name = "workbook",
         .extensions = ".xlsx .ods",
         .description =
-            "Excel's and LibreOffice's workbooks: x and height, points x, y, z or a matrix on any sheet, each sheet read as a text with the same cells; --channel takes a sheet by its name",
+            "Excel's and LibreOffice's workbooks: x and height, points x, y, z or a matrix on any sheet, "
+            "each sheet read as a text with the same cells; `channel` selects a sheet by its name",
         .heights =
             "values in the unit stated or given; results of formulas count, text that spells a number too, also with a decimal comma; empty cells and errors such as #N/A are undefined",
         .orientation = "first row at the top",

@@ -24,7 +24,7 @@ void require_valid(const FramePixels& pixels, const ContactFrameOptions& options
             fmt::format("smallest_radius {} px, expected at least 3: the edge of a smaller disc cannot be fitted",
                         options.smallest_radius));
     if (!(options.least_confidence >= 0 && options.least_confidence <= 1))
-        throw InvalidArgument(fmt::format("least_confidence {}, expected 0 to 1", options.least_confidence));
+        throw InvalidArgument(fmt::format("the confidence limit is {}, expected 0 to 1", options.least_confidence));
     if (pixels.rows() < smallest_frame || pixels.cols() < smallest_frame)
         throw InvalidArgument(fmt::format("a frame of {} × {} pixels, expected at least {} × {}", pixels.cols(),
                                           pixels.rows(), smallest_frame, smallest_frame));

@@ -35,7 +35,8 @@ void validate(const FramePixels& pixels, const TraceOptions& options) {
     if (!(options.denoise >= 0 && options.denoise <= 20))
         throw InvalidArgument(fmt::format("denoise {} px, expected 0 … 20", options.denoise));
     if (options.least_length && !(*options.least_length >= 0))
-        throw InvalidArgument(fmt::format("least_length {} px, expected 0 or more", *options.least_length));
+        throw InvalidArgument(
+            fmt::format("the smallest length of an edge is {} px, expected 0 or more", *options.least_length));
     for (std::size_t s = 0; s < options.anchors.size(); ++s)
         for (std::size_t i = 0; i < options.anchors[s].size(); ++i) {
             const auto& a = options.anchors[s][i];

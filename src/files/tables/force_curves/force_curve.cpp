@@ -166,9 +166,10 @@ const std::vector<ForceCurveFormat>& force_curve_formats() {
          "header",
          "Nanoscope 7 and 8 user guides; Gwyddion's module nanoscope; pyMFD's reader", false},
         {"nanosurf-force", "Nanosurf force curves", ".nid",
-         "easyScan and later: sections of text, then integers; the channels Deflection and Z-Axis Sensor, else Z-Axis, of "
-         "'Spec forward', 'Spec backward' and the pauses, a line a curve; spring constant and sensitivity from the "
-         "calibration, durations from the parameters of spectroscopy",
+         "easyScan and later: sections of text, then integers; the channels Deflection and Z-Axis "
+         "Sensor, else Z-Axis, of 'Spec forward', 'Spec backward' and the pauses, one line per curve; "
+         "spring constant and sensitivity from the calibration, durations from the parameters of "
+         "spectroscopy",
          "names of sections and keys as Nanosurf's Python package NSFopen 2.1 takes them", false},
         {"afm-workshop", "AFM Workshop force curve", ".csv",
          "text with 'Force-Distance Curve' in the first line; height and force or volts of extension, then of retraction",

@@ -83,7 +83,7 @@ RecognisedLoop recognised(const DraftLoop& loop, const std::vector<std::string>&
     result.surface_remark = "by its name";
     if (auto said = stated("surface"); !said.empty()) {
         result.surface = said;
-        result.surface_remark = "as the file says";
+        result.surface_remark = "as the file states";
     } else if (result.surface.empty() && surfaces.size() == 1) {
         result.surface = surfaces.front();
         result.surface_remark = "the only one";
@@ -92,7 +92,7 @@ RecognisedLoop recognised(const DraftLoop& loop, const std::vector<std::string>&
     result.elastomer_remark = "by its name";
     if (auto said = stated("elastomer"); !said.empty()) {
         result.elastomer = said;
-        result.elastomer_remark = "as the file says";
+        result.elastomer_remark = "as the file states";
     }
     if (result.elastomer.empty()) {
         result.elastomer = "elastomer";
@@ -106,7 +106,7 @@ std::string experiment_text(const RecognisedLoop& loop) {
     std::string text =
         "[[experiments]]\n" + draft_line("file", loop.loop->file, fmt::format("{} samples", content.table->rows()));
     if (loop.reference) {
-        text += draft_line("role", "reference", "on a smooth standard");
+        text += draft_line("role", "reference", "on a smooth reference");
         if (!loop.stage.empty()) text += draft_line("stage", loop.stage, "the rough loops");
     } else {
         text += draft_line("surface", loop.surface.empty() ? "?" : loop.surface,
@@ -137,7 +137,7 @@ std::string elastomer_text(const std::string& name, const std::vector<Recognised
     const bool stated = radii.size() == 1 && !radii.begin()->empty();
     return fmt::format("[elastomers.{}]\n", draft_key(name)) +
            draft_line("surface_energy", "?", "such as \"25 ± 1 mJ/m2\"; the modulus comes from its loops") +
-           (stated ? draft_line("sphere_radius", *radii.begin(), "as its loops say")
+           (stated ? draft_line("sphere_radius", *radii.begin(), "as its loops give it")
                    : draft_line("sphere_radius", "?", "of the lens, such as \"1.25 mm\""));
 }
 
@@ -158,21 +158,12 @@ std::string rough_solid_text() {
 }
 
 constexpr const char* example =
-    "\n# No loops were found. A soft sphere pressed on a surface is told like this:\n"
-    "# [rough_solid]\n"
-    "# youngs_modulus = \"1100 GPa\"\n"
-    "# poisson_ratio = 0.06\n"
-    "#\n"
-    "# [elastomers.soft]                     # without youngs_modulus it comes from its loops\n"
-    "# youngs_modulus = \"0.7 ± 0.02 MPa\"\n"
-    "# surface_energy = \"25 ± 1 mJ/m2\"\n"
-    "# sphere_radius = \"1.25 mm\"\n"
-    "# preload = \"1 mN\"                      # loops are predicted with it, measured or not\n"
-    "#\n"
-    "# [[experiments]]\n"
-    "# file = \"loop.csv\"\n"
-    "# surface = \"A\"\n"
-    "# elastomer = \"soft\"\n";
+    "\n# No loops were found. This is how a soft sphere pressed on a surface is described:\n# "
+    "[rough_solid]\n# youngs_modulus = \"1100 GPa\"\n# poisson_ratio = 0.06\n#\n# [elastomers.soft]                     "
+    "# without youngs_modulus it comes from its loops\n# youngs_modulus = \"0.7 ± 0.02 MPa\"\n# "
+    "surface_energy = \"25 ± 1 mJ/m2\"\n# sphere_radius = \"1.25 mm\"\n# preload = \"1 mN\"                      "
+    "# loops are predicted with it, measured or not\n#\n# [[experiments]]\n# file = \"loop.csv\"\n# "
+    "surface = \"A\"\n# elastomer = \"soft\"\n";
 
 }  // namespace
 

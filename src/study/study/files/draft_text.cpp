@@ -34,10 +34,10 @@ StatedInstrument instrument_of(const DraftMeasurement& measurement) {
     const auto& instrument = measurement.info->metadata.instrument;
     for (const auto& said : {instrument.type, instrument.name})
         if (auto type = instrument_in_name(said); !type.empty())
-            return {type, "as the file says: " + (instrument.name.empty() ? instrument.type : instrument.name)};
+            return {type, "as the file states: " + (instrument.name.empty() ? instrument.type : instrument.name)};
     for (const auto& name : {measurement.channels, measurement.file})
         if (auto type = instrument_in_name(name); !type.empty()) return {type, "by its name"};
-    return {"", instrument.name.empty() ? "" : "; the file says " + instrument.name};
+    return {"", instrument.name.empty() ? "" : "; the file states " + instrument.name};
 }
 
 /// What no file says of a probe, so that short waves are not believed for nothing.
@@ -46,9 +46,9 @@ std::string probe_lines(const std::string& type, const formats::ChannelInfo& inf
     const auto believed = believed_without_probe(info);
     if (instrument.tip_radius_standard_error) return "";  // the container says it, with its ±
     if (instrument.tip_radius)
-        return draft_line("tip_radius", format_value(*instrument.tip_radius, "m"), "as the file says, without its ±");
+        return draft_line("tip_radius", format_value(*instrument.tip_radius, "m"), "as the file states, without its ±");
     if (instrument.resolution)
-        return draft_line("resolution", format_value(*instrument.resolution, "m"), "as the file says");
+        return draft_line("resolution", format_value(*instrument.resolution, "m"), "as the file states");
     if (type == "afm") return draft_question("tip_radius", "such as \"10 ± 3 nm\"; without it " + believed);
     if (type == "stylus") return draft_question("tip_radius", "such as \"5 ± 1 um\"; without it " + believed);
     if (type == "optical")
@@ -76,9 +76,9 @@ std::string draft_question(const std::string& key, const std::string& remark) {
 }
 
 std::string draft_heading(const std::string& title) {
-    return "# Drafted by `setae study init` from what the files say. A line with \"?\" asks for what no file says: put the answer\n"
-           "# in its place and take the \"# \" in front away. `setae study FILE --dry-run` lists what is still open;\n"
-           "# docs/guides/study.md explains every key.\n" +
+    return "# Drafted by `setae study init` from the content of the files. A line with \"?\" asks for what "
+           "no file contains: replace the \"?\"\n# by the answer and remove the \"# \" in front. `setae "
+           "study FILE --dry-run` lists what is missing;\n# docs/guides/study.md explains every key.\n" +
            draft_line("title", title);
 }
 

@@ -279,7 +279,7 @@ std::vector<std::string> verbs_for(FileKind kind) {
         case FileKind::mapping: return {"setae jkr fit --map", "setae jkr import --map"};
         case FileKind::pipeline: return {"setae level --pipeline"};
     }
-    throw InternalError("a kind of file without a verb");
+    throw InternalError("a kind of file without a command");
 }
 
 FileContent file_content(const std::string& file, const FileQuestions& questions) {

@@ -380,7 +380,7 @@ const Keys<ExperimentInput>& experiment_keys() {
                          parse_at(reader, "segments", [&] { loops::add_segment_edit(e.options.segments.edits, edit); });
                  })
             .choice<bool>("role", &Input::reference, {{"rough", false}, {"reference", true}},
-                          "a reference is made on a smooth standard and names no surface")
+                          "a reference is measured on a smooth reference surface and names no surface of the study")
             .add("surface", &Input::surface, "one of [surfaces]")
             .add("elastomer", &Input::elastomer, "one of [elastomers]")
             .required()
@@ -442,8 +442,10 @@ ExperimentInput read_experiment(TomlReader reader, const Study& study, Experimen
     require_same_shared_fit(reader, experiment, study);
     reader.finish();
     if (experiment.surface.empty() != experiment.reference)
-        reader.fail("surface", experiment.reference ? "a reference is made on a smooth standard and names no surface"
-                                                    : "missing; expected a declared surface, or role = \"reference\"");
+        reader.fail("surface",
+                    experiment.reference
+                        ? "a reference is measured on a smooth reference surface and names no surface of the study"
+                        : "missing; expected a declared surface, or role = \"reference\"");
     return experiment;
 }
 

@@ -89,9 +89,9 @@ TEST(EdgeSpeeds, OfReferencesApartOnTheirRidgeStayOnIt) {
 
 TEST(EdgeSpeeds, OfReferencesThatTellNoneGiveTheReason) {
     using Fit = loops::Outcome<loops::CrackSpeedFit>;
-    const auto none = edge_speed_of(study_of({Fit::missing("the contact edge does not recede")}), "E");
+    const auto none = edge_speed_of(study_of({Fit::missing("the contact edge does not move inwards")}), "E");
     EXPECT_FALSE(none);
-    EXPECT_EQ(none.reason, "reference.csv: the contact edge does not recede");
+    EXPECT_EQ(none.reason, "reference.csv: the contact edge does not move inwards");
     EXPECT_EQ(edge_speed_of(study_of({}), "E").reason, "no loop on a smooth reference is given");
     auto without_errors = fit_of(0.04, 1e-6, 0.6);
     without_errors.covariance.setZero();

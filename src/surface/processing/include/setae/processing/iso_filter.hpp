@@ -114,8 +114,8 @@ template <class Visitor>
 void visit_parameters(SplineFilter& step, Visitor& visitor) {
     visitor.length("cutoff", step.cutoff, "λc: half of a sine of this wavelength passes");
     visitor.choice("keep", step.keep, kept_names, "which part stays");
-    visitor.number("tension", step.tension, "β, 0 (bending alone) to 1 (stretching alone)");
-    visitor.flag("robust", step.robust, "whether points that stand out lose their weight");
+    visitor.number("tension", step.tension, "β, from 0 (only bending) to 1 (only stretching)");
+    visitor.flag("robust", step.robust, "whether points that deviate strongly lose their weight");
 }
 
 }  // namespace setae::processing

@@ -40,7 +40,7 @@ template <class Visitor>
 void visit_parameters(Rotate& step, Visitor& visitor) {
     visitor.angle("angle", step.angle, "from x towards y");
     visitor.choice("method", step.method, rotation_names, "how heights between points are found");
-    visitor.flag("crop", step.crop, "whether the inscribed rectangle alone is kept");
+    visitor.flag("crop", step.crop, "whether only the inscribed rectangle is kept");
 }
 
 }  // namespace setae::processing
