@@ -266,13 +266,13 @@ tables::TidyTable all_fits(const StudyResult& result) {
     };
     for (const auto& row : rows.rows) {
         const auto at = [&](const char* name) { return std::get<double>(row[column(name)]); };
-        Estimate work{at("W_int [J/m2]"), at("standard_error [J/m2]")};
-        if (const double lower = at("interval_low [J/m2]"); !std::isnan(lower))
-            work.interval = Interval{lower, at("interval_high [J/m2]"), at("level")};
+        Estimate work{at("W_int [J/m2]"), at("W_int standard_error [J/m2]")};
+        if (const double lower = at("W_int interval_low [J/m2]"); !std::isnan(lower))
+            work.interval = Interval{lower, at("W_int interval_high [J/m2]"), at("W_int level")};
         table.rows.push_back(
             {row[0], row[1], row[2], full_number(work, mJ_per_m2), exact(at("R2")), exact(at("chi2")),
              fmt::format("{:.0f}", at("n")),
-             uncertain_number({at("reported W_int [J/m2]"), at("reported standard_error [J/m2]")}, mJ_per_m2),
+             uncertain_number({at("reported W_int [J/m2]"), at("reported W_int standard_error [J/m2]")}, mJ_per_m2),
              exact(at("reported R2"))});
     }
     return table;
