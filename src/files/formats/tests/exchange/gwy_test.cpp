@@ -93,7 +93,7 @@ TEST(Gwy, FilesWithoutMapsAndOfOtherVersionsAreRefused) {
         refusal("GWYO" + gwy_object("GwyContainer", "")),
         "a.gwy: at byte 3: GWY: begins with 'GWYO', which is of Gwyddion 1, expected 'GWYP'; open it in Gwyddion 2 and save it again");
     EXPECT_NE(refusal("GWYQ" + gwy_object("GwyContainer", "")).find("of a newer Gwyddion"), std::string::npos);
-    EXPECT_NE(refusal("GWYP" + gwy_object("GwyBrick", "")).find("holds 'GwyBrick'"), std::string::npos);
+    EXPECT_NE(refusal("GWYP" + gwy_object("GwyBrick", "")).find("contains 'GwyBrick'"), std::string::npos);
 }
 
 TEST(Gwy, DamageIsRefusedWithItsPlace) {
