@@ -100,7 +100,7 @@ def keywords_file() -> str:
         text += f"\n\nclass {request}(TypedDict, total=False):\n"
         for name, meaning in keywords_of(request).items():
             text += f"    {name}: {type_of(request, name)}\n"
-            text += textwrap.indent(textwrap.fill(f'"""{meaning}"""', WIDTH - 4), "    ") + "\n"
+            text += textwrap.indent(textwrap.fill(f'"""{meaning}."""', WIDTH - 4), "    ") + "\n"
     return text
 
 

@@ -61,19 +61,13 @@ answers::ScaleFunction scale_function(const std::string& verb) {
 }
 
 void bind_analysis(nb::module_& module) {
-    nb::class_<answers::AnalysisRequest>(module, "Analysis")
-        .def(
-            "__init__",
-            [](answers::AnalysisRequest* request, const std::string& longest, const std::string& shortest,
-               const std::string& window, const std::string& contours, const std::string& conversion,
-               std::optional<double> memory, std::optional<int> resamples) {
-                new (request) answers::AnalysisRequest{longest, shortest, window, contours, conversion};
-                request->memory = memory.value_or(request->memory);
-                request->resamples = resamples.value_or(request->resamples);
-                (void)request->analysis();  // what is wrong with it is said here
-            },
-            nb::arg("longest"), nb::arg("shortest"), nb::arg("window"), nb::arg("contours"), nb::arg("conversion"),
-            nb::arg("memory").none(), nb::arg("resamples").none());
+    nb::class_<answers::AnalysisRequest> request(module, "Analysis");
+    request.def(nb::init<>());
+    bind_asked(request);
+    bind_options(request, fields::Asked<answers::AnalysisRequest>::memory);
+    request.def(
+        "require_valid", [](const answers::AnalysisRequest& asked) { (void)asked.analysis(); },
+        "raises InvalidArgument for what is malformed");
 }
 
 void bind_texture(nb::module_& module) {

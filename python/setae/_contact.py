@@ -113,7 +113,7 @@ def contact(
     range : str or Quantity
         range of the attraction: its greatest tension is the work of adhesion over the range, such as "0.3 nm"
     law : str, default 'exponential'
-        decay of the attraction with the gap
+        decay of the attraction with the gap; one of exponential, cubic, dugdale, lennard_jones
     tolerance : float, default 1e-08
         largest relative duality gap of a converged contact
     pixels : int or str
@@ -234,7 +234,7 @@ def contact_sweep(
     range : str or Quantity
         range of the attraction: its greatest tension is the work of adhesion over the range, such as "0.3 nm"
     law : str, default 'exponential'
-        decay of the attraction with the gap
+        decay of the attraction with the gap; one of exponential, cubic, dugdale, lennard_jones
     stage_stiffness : str or Quantity
         stiffness of the stage that is moved, such as "10 N/m"; default: the mean gap is prescribed
     to_gap : str or Quantity
@@ -373,9 +373,10 @@ def contact_front(
     duration : str or Quantity
         duration of the approach: times of the edge that is saved, such as "100 s"
     model : str, default 'constant_toughness'
-        dependence of the energy on the position of the edge
+        dependence of the energy on the position of the edge; one of constant_toughness, variational, energy_release_rate,
+        stress_intensity, mean_circle
     method : str, default 'trust_region'
-        solver for the equilibria
+        solver for the equilibria; one of trust_region, rosso_krauth
     pixels : int or str
         points of a surface made from a spectrum, 512 or 1024x512
     cell : str or Quantity

@@ -71,7 +71,7 @@ def write_container(
         trend to be removed: mean, tilt or parabola, of all files or of one as FILE=tilt; default: mean
     layout : str
         layout of a text file: a narrow map (matrix), points x y z (columns), or the table of a spectrum (spectrum); default: from
-        numbers and header
+        numbers and header; one of matrix, columns, spectrum
     keep_values : bool, default False
         values that mark missing heights (NO_DATA), such as -9999, stay heights; without it they become undefined
     skip_failed : bool, default False

@@ -127,7 +127,7 @@ def contact_radii(
     region : str
         part of the frames that is analysed: x,y,width,height in pixels, such as "100,80,320,240"
     polarity : str, default 'automatic'
-        grey level of the contact relative to the surroundings
+        grey level of the contact relative to the surroundings; one of automatic, dark, bright
     fringes : bool, default False
         pictures show Newton's rings around the contact; the innermost ring is the edge
     smallest_radius : float
@@ -331,7 +331,7 @@ def force_curves(
     radius : str or Quantity
         radius of the sphere; fits of loops include a given ±, such as "7.5 um"; default: as the file states
     tip : str, default 'paraboloid'
-        shape of the tip of a force curve
+        shape of the tip of a force curve; one of paraboloid, cone, three_sided_pyramid
     half_angle : float, default 0.0
         half angle of a conical tip, or inclination of a pyramid's faces, in degrees
     model : str, default 'hertz'

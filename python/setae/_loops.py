@@ -122,9 +122,10 @@ class Loop:
         models : Sequence[str] or str, default ()
             additional model: hertz, dmt, jkr, maugis_dugdale, transition, layer, large_strain; all compares every model
         branch : str, default 'loading'
-            branch of additional models, profile likelihood and common fits
+            branch of additional models, profile likelihood and common fits; one of loading, unloading
         errors : str, default 'orthogonal_distance'
-            treatment of measurement errors in additional models and common fits
+            treatment of measurement errors in additional models and common fits; one of effective_variance, orthogonal_distance,
+            force_only
         model_contact_point : str or Quantity
             contact point that is held fixed in additional models, such as "1.2 um"; default: fitted
         cohesive_stress : str or Quantity

@@ -80,9 +80,9 @@ def scale_dependent(
     distance : str or Quantity or Sequence[str or Quantity], default ()
         length of the stencil, or several lengths separated by commas, such as "10nm,100nm"; default: ten per decade
     statistic : str, default 'rms'
-        statistic of the derivative
+        statistic of the derivative; one of rms, variance, mean, skewness, kurtosis, minimum, maximum
     along : str, default 'x'
-        direction of the differences
+        direction of the differences; one of x, y, both
     **options
         keywords of measurements, as those of `power_spectrum`, and of ScaleRequest
     """

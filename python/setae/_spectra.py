@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from . import _setae
 from ._columns import Columns
-from ._options import Text, text
+from ._options import Text, filled, text
 from ._quantities import Alert, Answer, Band, Quantity, alerts_from, number, quantity_from
 from ._scan import Measured, items
 
@@ -42,7 +42,11 @@ def analysis_of(
     memory: float | None = None,
     bootstrap_resamples: int | None = None,
 ) -> _setae.Analysis:
-    return _setae.Analysis(text(longest), text(shortest), text(window), text(contours), text(conversion), memory, bootstrap_resamples)
+    texts = {"longest": longest, "shortest": shortest, "window": window, "contours": contours, "conversion": conversion}
+    given = {name: text(value) for name, value in texts.items() if value is not None}
+    analysis = filled(_setae.Analysis(), memory=memory, bootstrap_resamples=bootstrap_resamples, **given)
+    analysis.require_valid()
+    return analysis
 
 
 class Spectrum(Columns):

@@ -179,7 +179,7 @@ def conform(
     hurst_exponent : float
         Hurst exponent of patches, where no study gives the spectrum
     law : str
-        decay of the attraction with the gap
+        decay of the attraction with the gap; one of exponential, cubic, dugdale, lennard_jones
     seeds : int
         number of patches of each kind
     seed : int

@@ -79,7 +79,7 @@ def synthesize(
     exact_rms : bool, default False
         heights are scaled to the rms height of the spectrum, or to the rms height given
     amplitudes : str, default 'gaussian'
-        amplitudes of the modes: random, or exactly those of the spectrum
+        amplitudes of the modes: random, or exactly those of the spectrum; one of gaussian, exact
     stretch : float, default 1.0
         factor by which features are longer along one direction
     angle : float, default 0.0

@@ -59,13 +59,14 @@ def texture(
     section_length : str or Quantity
         length of a section by iso21920, such as "0.8mm"; default: the nesting index of the L-filter, else all
     profile : str
-        profile whose parameters iso21920 gives; default: roughness
+        profile whose parameters iso21920 gives; default: roughness; one of primary, waviness, roughness
     averages : str
-        averages of iso21920: over the evaluation length (2021), or over sections (ISO 4287:1997); default: evaluation_length
+        averages of iso21920: over the evaluation length (2021), or over sections (ISO 4287:1997); default: evaluation_length; one of
+        evaluation_length, sections
     mean_line : str
-        zero of heights in iso21920: the mean, or zero for profiles that an instrument filtered; default: mean
+        zero of heights in iso21920: the mean, or zero for profiles that an instrument filtered; default: mean; one of mean, zero
     between : str
-        heights between points in the material ratio: linear (triangles), or nothing; default: linear
+        heights between points in the material ratio: linear (triangles), or nothing; default: linear; one of linear, nothing
     material_height : str or Quantity
         height c above the mean in Smr(c) and Rmr(c), such as "0.2um"; default: 0
     material_ratio : float

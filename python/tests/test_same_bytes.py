@@ -281,7 +281,7 @@ def test_contact_front(printed):
     made = ("--pixels", 64, "--cell", "20 um", "--realisations", 2)
     several = setae.contact_front("rougher/truth.csv", **asked, pixels=64, cell="20 um", realisations=2)
     assert several.json() == printed("contact", "front", "rougher/truth.csv", *typed, *made)
-    with pytest.raises(setae.InvalidArgument, match="--to-force"):
+    with pytest.raises(setae.InvalidArgument, match="to_force"):
         setae.contact_front("coarse.nc", radius="1 mm", contact_modulus="1 MPa", W_int="50 mJ/m2")
     with pytest.raises(setae.InvalidArgument, match="duration"):
         front.save_edge("edge.csv")
@@ -385,7 +385,7 @@ def test_replicates(printed):
 def test_several_measurements_are_refused_where_one_is_meant():
     with pytest.raises(TypeError, match="3 measurements; expected one"):
         setae.tip(files())
-    with pytest.raises(setae.InvalidArgument, match="0 of --pressure"):
+    with pytest.raises(setae.InvalidArgument, match="0 of `pressure`"):
         setae.contact("rougher/afm_1.txt", contact_modulus="1 GPa")
 
 

@@ -66,7 +66,7 @@ void add_statistics(Table& load, const Compared& what, const Array2D& values, co
 }  // namespace
 
 void ComparisonRequest::require_complete() const {
-    (void)theory.body();
+    theory.require_complete();
     if ((pressures_of(theory.pressure) <= 0.0).any())
         throw InvalidArgument(fmt::format("'{}': expected pressures above 0", theory.pressure));
     if (surfaces < 1) throw InvalidArgument(fmt::format("{} surfaces, expected at least one", surfaces));

@@ -93,12 +93,11 @@ std::vector<Alert> alerts_of_grid(const std::string& file, const half_space::Int
                                   const half_space::Body& body, const half_space::Grid& grid) {
     const auto resolution = half_space::resolution_of(interaction, body, grid);
     if (resolution.squared_ratio <= 0.5 + 1e-9) return {};
-    return {
-        {"ADHESION_GRID", file,
-         fmt::format("contact edges are trapped between pixels: w dx/(E* rho^2) is {:.2g}; up to 0.5, works are "
-                     "right to 1 %; at 1, opening needs a sixth too much work",
-                     resolution.squared_ratio),
-         fmt::format("pixels of {} or less, or a longer `range`", format_value(resolution.pixel_of_warning, "m"))}};
+    return {{"ADHESION_GRID", file,
+             fmt::format("contact edges are trapped between pixels: w dx/(E* rho^2) is {:.2g}; up to 0.5, works are "
+                         "right to 1 %; at 1, opening needs a sixth too much work",
+                         resolution.squared_ratio),
+             fmt::format("pixels of {} or less, or a longer `range`", format_value(resolution.pixel_of_warning, "m"))}};
 }
 
 void add_input(output::Json& json, const std::string& file, const std::vector<processing::StepRecord>& processing,

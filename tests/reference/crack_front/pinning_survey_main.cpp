@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// pinning_survey [table | short]: the table of docs/validation/crack-front.md, k of straight fronts on both branches with
+// pinning_survey [table | short]: the table of docs/validation/crack-front.md, k of straight fronts on both branches
+// with
 //   its standard error over realisations, against U_el/AW and the front's length; `short`: its small cases
 // pinning_survey bands [SEEDS]: fronts through all waves at once and through two bands after each other
 #include <cmath>

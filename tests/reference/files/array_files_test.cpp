@@ -77,7 +77,7 @@ TEST(ArrayFilesWithoutSize, AreListedAndAskedFor) {
         (void)channels[1].read();
         FAIL() << "read";
     } catch (const InvalidArgument& error) {
-        EXPECT_NE(std::string(error.what()).find("--size"), std::string::npos) << error.what();
+        EXPECT_NE(std::string(error.what()).find("`size`"), std::string::npos) << error.what();
     }
 }
 

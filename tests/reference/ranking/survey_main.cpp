@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// ranking_survey estimators [SETS]: the tables of docs/validation/estimators.md, W_int of designs like the published one
-// ranking_survey floored [SETS]: the same by the number of pairs whose true balance is below 0
-// ranking_survey classes [SETS] [SCATTER mJ/m²] [MODEL …]: docs/validation/ranking.md, data sets of each model ranked
-// ranking_survey against [SETS] [SCATTER] [MODEL …]: the same, the true model and `reversible` alone
-// ranking_survey bias [SETS] [SCATTER]: 60 mJ/m² added to W_ret of every pair
-// ranking_survey jitter [SETS]: the published pairs with W_ret moved by 1 mJ/m²
+// ranking_survey estimators [SETS]: the tables of docs/validation/estimators.md, W_int of designs like the published
+// one ranking_survey floored [SETS]: the same by the number of pairs whose true balance is below 0 ranking_survey
+// classes [SETS] [SCATTER mJ/m²] [MODEL …]: docs/validation/ranking.md, data sets of each model ranked ranking_survey
+// against [SETS] [SCATTER] [MODEL …]: the same, the true model and `reversible` alone ranking_survey bias [SETS]
+// [SCATTER]: 60 mJ/m² added to W_ret of every pair ranking_survey jitter [SETS]: the published pairs with W_ret moved
+// by 1 mJ/m²
 #include <algorithm>
 #include <chrono>
 #include <cmath>

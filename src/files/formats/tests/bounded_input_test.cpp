@@ -31,7 +31,7 @@ TEST(ZipArchive, RefusesMembersThatLeadOut) {
     for (const auto* name : {"../evil.txt", "a/../../evil", "/etc/passwd", "C:\\evil", "..\\evil"})
         EXPECT_NE(message_of([&] {
                       bytes::Archive archive(bytes::memory_source("x.zip", zip_archive({{name, "1"}})));
-                  }).find("leads out"),
+                  }).find("outside the folder"),
                   std::string::npos)
             << name;
     EXPECT_NO_THROW(bytes::Archive(bytes::memory_source("x.zip", zip_archive({{"a..b/..c", "1"}}))));

@@ -112,7 +112,7 @@ void apply_labels(const Labels& labels, MatrixHeader& header, ChannelInfo& info,
                   const bytes::Source& source) {
     info.metadata.alerts.push_back({"LABELS_NOT_HEIGHTS", source.name,
                                     fmt::format("{}, which are not heights", labels.described()),
-                                    "if they are heights, set `keep_values` to true"});
+                                    "if they are heights, set `keep_values`"});
     info.orientation = "smallest x at the left, smallest y at the top";
     if (!labels.x || labels.x->counts || !labels.y || labels.y->counts) return;
     const auto units = units_of_map(info, {labels.unit, header.unit}, options, source);

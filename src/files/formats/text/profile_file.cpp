@@ -107,7 +107,8 @@ ProfileHead read_head(const std::string& text, const std::string& name) {
     return head;
 }
 
-constexpr std::array<const char*, 4> response_keys{"blur", "smoothing_length", "step", "noise_density"};
+constexpr std::array<const char*, 4> response_keys{
+    "blur", "standard deviation of the Gaussian blur of the picture, along x", "step", "noise_density"};
 
 std::optional<TraceResponse> response_of(const ProfileHead& head, const std::string& name) {
     const char *given = nullptr, *missing = nullptr;
@@ -143,20 +144,20 @@ const std::vector<ProfileKey>& profile_keys() {
     static const std::vector<ProfileKey> keys{
         {"format", "setae profile", {}},
         {"version", "1", {}},
-        {"name", "of the measurement", {}},
-        {"instrument", "what measured: tem, stylus, afm, optical", {}},
-        {"instrument_name", "its name", {}},
-        {"tip_radius", "of the tip that measured", dimension::length},
-        {"tip_radius_standard_error", "its standard error", dimension::length},
+        {"name", "name of the measurement", {}},
+        {"instrument", "kind of instrument: tem, stylus, afm, optical", {}},
+        {"instrument_name", "name of the instrument", {}},
+        {"tip_radius", "radius of the tip that measured the profile", dimension::length},
+        {"tip_radius_standard_error", "standard error of tip_radius", dimension::length},
         {"resolution", "shortest wavelength resolved", dimension::length},
-        {"acquisition_time", "as the instrument gives it", {}},
-        {"blur", "standard deviation of the picture's Gaussian blur, along x", dimension::length},
-        {"smoothing_length", "of the trace's smoothing spline, along x", dimension::length},
-        {"step", "between the trace's points, along x", dimension::length},
-        {"noise_density", "C1D of the trace's noise before smoothing", dimension::power_spectrum_1d},
-        {"foil_thickness", "of the sample along the beam", dimension::length},
-        {"rotation", "by which the traced curve was turned, counterclockwise", dimension::none},
-        {"reentrant_share", "share of the curve's length on overhangs", dimension::none}};
+        {"acquisition_time", "time in the notation of the instrument", {}},
+        {"blur", "standard deviation of the Gaussian blur of the picture, along x", dimension::length},
+        {"smoothing_length", "length of the smoothing spline of the trace, along x", dimension::length},
+        {"step", "distance between the points of the trace, along x", dimension::length},
+        {"noise_density", "C1D of the noise of the trace before smoothing", dimension::power_spectrum_1d},
+        {"foil_thickness", "thickness of the sample along the beam", dimension::length},
+        {"rotation", "angle by which the traced curve was rotated, counterclockwise", dimension::none},
+        {"reentrant_share", "share of the length of the curve on overhangs", dimension::none}};
     return keys;
 }
 

@@ -36,7 +36,7 @@ std::vector<Alert> alerts_of(const NoDataReport& report, const std::string& subj
                                        told(report.least, unit), told(report.greatest, unit));
         if (mark.no_height)
             alerts.push_back({"NO_DATA", subject, found + ": this value marks missing heights, which are now undefined",
-                              "if they are heights, set `keep_values` to true"});
+                              "if they are heights, set `keep_values`"});
         else
             alerts.push_back({"NO_DATA_SUSPECTED", subject,
                               found + ": this value may mark missing heights; it was kept as a height",

@@ -48,7 +48,16 @@ std::string deviation_of(const StudyResult& result, const study::PairResult& pai
     return "–";
 }
 
-std::string note_of(const study::PairResult& pair) { return pair.scales ? study::words_of(pair.closing()) : ""; }
+/// How full contact forms, below the heading "full contact".
+std::string full_contact_of(const study::PairResult& pair) {
+    if (!pair.scales) return "";
+    switch (pair.closing()) {
+        case adhesion::Closing::by_itself: return "spontaneous";
+        case adhesion::Closing::under_pressure: return "under pressure";
+        case adhesion::Closing::opens: return "opens";
+    }
+    return "";
+}
 
 /// A prediction that cannot be negative, with its error.
 std::string work_by(const std::optional<adhesion::PredictedWork>& predicted) {
@@ -206,20 +215,20 @@ tables::TidyTable work_along(const StudyResult& result) {
 
 tables::TidyTable pairs(const StudyResult& result) {
     tables::TidyTable table{"Work of adhesion on approach [mJ/m²]",
-                            {"surface", "elastomer", "measured", "predicted", "Eq. 7", "deviation", ""},
+                            {"surface", "elastomer", "measured", "predicted", "Eq. 7", "deviation", "full contact"},
                             {}};
     for (const auto& p : result.pairs)
         if (p.modified || p.approach)
             table.rows.push_back({p.surface, p.elastomer, optional_number(p.approach, mJ_per_m2), answer_of(p),
-                                  work_by(p.modified), deviation_of(result, p), note_of(p)});
+                                  work_by(p.modified), deviation_of(result, p), full_contact_of(p)});
     return table;
 }
 
 tables::TidyTable all_pairs(const StudyResult& result) {
-    tables::TidyTable table{
-        "Work of adhesion on approach [mJ/m²]",
-        {"surface", "elastomer", "method", "E* [MPa]", "measured", "Eq. 7", "Eq. 7, raw", "Eq. S13", "residual", ""},
-        {}};
+    tables::TidyTable table{"Work of adhesion on approach [mJ/m²]",
+                            {"surface", "elastomer", "method", "E* [MPa]", "measured", "Eq. 7", "Eq. 7, raw", "Eq. S13",
+                             "residual", "full contact"},
+                            {}};
     for (const auto* conclusions : by_method(result))
         for (const auto& p : conclusions->pairs) {
             const auto& surface = result.surface(p.surface);
@@ -231,7 +240,7 @@ tables::TidyTable all_pairs(const StudyResult& result) {
                                   p.modified && p.approach
                                       ? uncertain_number(difference(*p.approach, p.modified->estimate), mJ_per_m2)
                                       : "–",
-                                  note_of(p)});
+                                  full_contact_of(p)});
         }
     return table;
 }
@@ -257,13 +266,13 @@ tables::TidyTable all_fits(const StudyResult& result) {
     };
     for (const auto& row : rows.rows) {
         const auto at = [&](const char* name) { return std::get<double>(row[column(name)]); };
-        Estimate work{at("W_int [J/m2]"), at("standard_error [J/m2]")};
-        if (const double lower = at("interval_low [J/m2]"); !std::isnan(lower))
-            work.interval = Interval{lower, at("interval_high [J/m2]"), at("level")};
+        Estimate work{at("W_int [J/m2]"), at("W_int standard_error [J/m2]")};
+        if (const double lower = at("W_int interval_low [J/m2]"); !std::isnan(lower))
+            work.interval = Interval{lower, at("W_int interval_high [J/m2]"), at("W_int level")};
         table.rows.push_back(
             {row[0], row[1], row[2], full_number(work, mJ_per_m2), exact(at("R2")), exact(at("chi2")),
              fmt::format("{:.0f}", at("n")),
-             uncertain_number({at("reported W_int [J/m2]"), at("reported standard_error [J/m2]")}, mJ_per_m2),
+             uncertain_number({at("reported W_int [J/m2]"), at("reported W_int standard_error [J/m2]")}, mJ_per_m2),
              exact(at("reported R2"))});
     }
     return table;

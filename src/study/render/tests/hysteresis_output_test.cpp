@@ -129,7 +129,7 @@ TEST(HysteresisOfAStudy, WithoutReferencesHasNoCrackTips) {
     const auto h = study::hysteresis_of(result);
     for (const auto& score : h.all.models) EXPECT_EQ(score.fitted.model.tip, hysteresis::Tip::none);
     ASSERT_FALSE(h.all.unranked.empty());
-    EXPECT_EQ(h.all.unranked.front().reason, "no smooth reference is given on E0.7");
+    EXPECT_EQ(h.all.unranked.front().reason, "no smooth reference on E0.7");
 }
 
 TEST(HysteresisOfAStudy, OfFewPairsIsByTheBalanceOfTheLoop) {

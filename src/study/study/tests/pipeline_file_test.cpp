@@ -94,7 +94,7 @@ TEST_F(PipelineFile, SaysOnWhichLineWhatIsWrong) {
               "p.yml:3: unknown step 'dispike'; did you mean 'despike'?; setae level --explain lists them");
     EXPECT_EQ(
         complaint("p.yml", "steps:\n  - step: despike\n    treshold: 5\n"),
-        "p.yml:3: unknown parameter 'treshold' of despike; did you mean 'threshold'?; it has threshold, reach, replace_by");
+        "p.yml:3: unknown parameter 'treshold' of despike; did you mean 'threshold'?; expected one of threshold, reach, replace_by");
     EXPECT_EQ(complaint("p.yml", "steps:\n  - step: despike\n    threshold: many\n"),
               "p.yml:3: threshold: 'many' is not a number");
     EXPECT_EQ(complaint("p.yml", "steps:\n  - step: despike\n    enabled: maybe\n"),
@@ -115,7 +115,7 @@ TEST_F(PipelineFile, SaysOnWhichLineWhatIsWrong) {
               "p.toml:5: unknown step 'levelplane'; did you mean 'level_plane'?; setae level --explain lists them");
     EXPECT_EQ(
         complaint("p.toml", "[[steps]]\nstep = \"despike\"\nthresold = 5\n"),
-        "p.toml:3: unknown parameter 'thresold' of despike; did you mean 'threshold'?; it has threshold, reach, replace_by");
+        "p.toml:3: unknown parameter 'thresold' of despike; did you mean 'threshold'?; expected one of threshold, reach, replace_by");
     EXPECT_EQ(complaint("p.toml", "[[step]]\nstep = \"despike\"\n"),
               "p.toml:1: unknown key 'step'; did you mean 'steps'?");
     EXPECT_NE(complaint("p.toml", "[[steps]\n").find("p.toml:1: TOML: "), std::string::npos);

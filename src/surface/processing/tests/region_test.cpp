@@ -133,8 +133,9 @@ std::string complaint(const std::string& text) {
 }
 
 TEST(Region, ThatCannotBeReadIsNamed) {
-    EXPECT_EQ(complaint("rectangle 1 um to 2 um"),
-              "region 'rectangle 1 um to 2 um': 'rectangle' begins no shape; expected include or exclude before each shape");
+    EXPECT_EQ(
+        complaint("rectangle 1 um to 2 um"),
+        "region 'rectangle 1 um to 2 um': 'rectangle' begins no shape; expected include or exclude before each shape");
     EXPECT_NE(complaint("exclude heights above 20").find("region 'exclude heights above 20': "), std::string::npos);
     EXPECT_NE(complaint("exclude circle 1 um").find("'circle' is not a shape; expected rectangle"), std::string::npos);
     EXPECT_NE(complaint("exclude ellipse 1 um, 2 um").find("got 2 values"), std::string::npos);

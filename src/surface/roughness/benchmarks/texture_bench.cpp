@@ -3,9 +3,9 @@
 
 #include <benchmark/benchmark.h>
 
-#include "texture/hybrid_parameters.hpp"
 #include "setae/texture/areal_parameters.hpp"
 #include "setae/texture/height_parameters.hpp"
+#include "texture/hybrid_parameters.hpp"
 #include "texture/spatial_parameters.hpp"
 
 namespace setae::texture {

@@ -35,7 +35,8 @@ TEST(PinningLaw, MeetsTheSimulatedFronts) {
     }
 }
 
-// edges of circular contacts of three surfaces, k from W_appr and W_ret at a given radius, docs/validation/crack-front.md
+// edges of circular contacts of three surfaces, k from W_appr and W_ret at a given radius,
+// docs/validation/crack-front.md
 TEST(PinningLaw, MeetsTheEdgesOfRoundContacts) {
     constexpr SimulatedFronts round[] = {{0.1, 5.33, 1.40, 0.03},  {0.1, 5.86, 1.48, 0.04},  {0.1, 6.57, 1.50, 0.05},
                                          {0.1, 7.66, 1.52, 0.03},  {0.1, 9.42, 1.61, 0.06},  {0.1, 13.4, 1.77, 0.04},

@@ -115,7 +115,7 @@ TEST(RetractionPair, WithARelaxingBulkLosesThatBeside) {
 
 TEST(RetractionPair, SaysWhatATipThatMindsItsSpeedLacks) {
     auto pair = known_pair();
-    EXPECT_NE(pair.lacks({Law::reversible, Tip::speed}).find("the speed of the testing machine"), std::string::npos);
+    EXPECT_NE(pair.lacks({Law::reversible, Tip::speed}).find("machine speed"), std::string::npos);
     pair.edge_speed.reset();
     EXPECT_NE(pair.lacks({Law::reversible, Tip::speed}).find("no speed dependence of the contact edge on E"),
               std::string::npos);

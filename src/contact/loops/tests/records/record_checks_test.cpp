@@ -133,7 +133,7 @@ TEST(ImplausibleUnits, SayWhichColumnAndTheLikelyFactor) {
     loop = smooth.make();
     loop.displacement *= 1e3;
     loop.contact_radius = Array1D();
-    expect_says(alert_of(loop, "UNITS_IMPLAUSIBLE"), "or of the displacement 10^-3");
+    expect_says(alert_of(loop, "UNITS_IMPLAUSIBLE"), "or that of the displacement 10^-3");
 }
 
 TEST(ImplausibleUnits, OfTheSphereShowToo) {

@@ -111,7 +111,8 @@ TEST(SegmentEdits, SayWhichRangeIsImpossibleAndWhy) {
     EXPECT_NE(overlap.find("overlap those of loading"), std::string::npos);
     EXPECT_NE(refused(loop, {"unloading=410:440", "loading=450:500"}).find("overlap"), std::string::npos);
     EXPECT_NE(refused(loop, {"hold=10:20"}).find("hold"), std::string::npos);
-    EXPECT_NE(refused(loop, {"loading@2=450:800"}).find("segments are given for contact 2, but the record has 1"), std::string::npos);
+    EXPECT_NE(refused(loop, {"loading@2=450:800"}).find("segments are given for contact 2, but the record has 1"),
+              std::string::npos);
     EXPECT_NE(refused(loop, {"cut=5"}).find("cut"), std::string::npos);
     EXPECT_NE(refused(loop, {"baseline=0:403"}).find("reach into contact"), std::string::npos);
     EXPECT_NE(refused(loop, {"baseline_after=700:1500"}).find("before contact ends"), std::string::npos);

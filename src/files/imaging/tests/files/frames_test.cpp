@@ -178,7 +178,7 @@ TEST(FrameSource, FlagsBadFramesAndReadsTheRest) {
     const FrameSource source(folder / "stack.tif", at_20_a_second());
     ASSERT_EQ(source.size(), 5U);
     EXPECT_EQ(source.read(0).fault, "");
-    EXPECT_EQ(source.read(1).fault, "the grey level 77");
+    EXPECT_EQ(source.read(1).fault, "all pixels have the grey level 77");
     EXPECT_EQ(source.read(2).fault, "");
     EXPECT_EQ(source.read(3).fault, "40 × 23 pixels, but the first frame has 37 × 23");
     expect_holds(source.read(4).fault, "truncated: 551 of 851 bytes");

@@ -65,7 +65,7 @@ TEST(MergedByTime, BadClocksAreNamed) {
     backwards.columns[0].values[4] = 0.25;
     EXPECT_TRUE(holds(message(backwards, camera), "force record: time runs backwards from row 4 to 5"));
     backwards.columns[0].values[4] = backwards.columns[0].values[3];
-    EXPECT_TRUE(holds(message(backwards, camera), "force record: time stands still from row 4 to 5"));
+    EXPECT_TRUE(holds(message(backwards, camera), "force record: time does not change from row 4 to 5"));
     EXPECT_TRUE(holds(message(force_record(), camera_record(Array1D{{0.1, undefined_cell}}, Array1D{{1.0, 2.0}})),
                       "camera record: time is undefined in row 2"));
     EXPECT_TRUE(holds(message(force_record(), camera, 100.0), "the clocks do not overlap"));

@@ -181,7 +181,7 @@ TEST(ColumnGuess, ShowsWhatItSawAndWhy) {
     EXPECT_TRUE(holds(text, "force: column 1 'Force' [mN], confidence 0.95: 'Force' is a word for force, mN its unit"))
         << text;
     EXPECT_TRUE(holds(text, "(text: 'ok' on line 2)")) << text;
-    EXPECT_TRUE(holds(text, "contact_radius: no column is found")) << text;
+    EXPECT_TRUE(holds(text, "contact_radius: no column found")) << text;
     EXPECT_TRUE(holds(text, "force positive in compression")) << text;
 }
 

@@ -7,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include "figures/ticks.hpp"
 #include "setae/figures/figure.hpp"
 #include "setae/figures/instrument_look.hpp"
-#include "figures/ticks.hpp"
 
 namespace setae::figures::appearance_test {
 namespace {

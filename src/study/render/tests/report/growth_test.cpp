@@ -67,11 +67,10 @@ study::StudyResult of_missing_loops(std::size_t n) {
 }
 
 std::string page_of(const study::StudyResult& result) {
-    return as_html(
-        result,
-        study_figures::study_figures(
-            result, {.threads = {1}, .max_of_a_kind = study_figures::max_of_a_kind_in_reports}),
-        run);
+    return as_html(result,
+                   study_figures::study_figures(
+                       result, {.threads = {1}, .max_of_a_kind = study_figures::max_of_a_kind_in_reports}),
+                   run);
 }
 
 std::size_t json_size(const study::StudyResult& result) {

@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "simulated_replicates.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/statistics.hpp"
+#include "simulated_replicates.hpp"
 
 namespace forest_plot_test {
 

@@ -92,7 +92,7 @@ TEST(EdgeSpeeds, OfReferencesThatTellNoneGiveTheReason) {
     const auto none = edge_speed_of(study_of({Fit::missing("the contact edge does not move inwards")}), "E");
     EXPECT_FALSE(none);
     EXPECT_EQ(none.reason, "reference.csv: the contact edge does not move inwards");
-    EXPECT_EQ(edge_speed_of(study_of({}), "E").reason, "no loop on a smooth reference is given");
+    EXPECT_EQ(edge_speed_of(study_of({}), "E").reason, "no loop on a smooth reference");
     auto without_errors = fit_of(0.04, 1e-6, 0.6);
     without_errors.covariance.setZero();
     EXPECT_NE(edge_speed_of(study_of({Fit(without_errors)}), "E").reason.find("no standard errors"), std::string::npos);

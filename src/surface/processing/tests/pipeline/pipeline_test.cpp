@@ -147,8 +147,9 @@ TEST(StepText, ThatCannotBeReadNamesWhatIsNearest) {
     EXPECT_EQ(complaint("despike threshold=high"), "threshold: 'high' is not a number");
     EXPECT_EQ(complaint("despike reach=2.5"), "reach: '2.5' is not a whole number");
     EXPECT_EQ(complaint("align_rows method=modal"),
-              "method: 'modal'; expected one of mean, median, median_of_differences, polynomial");
-    EXPECT_EQ(complaint("despike threshold"), "step 'despike threshold': 'threshold' is no parameter; expected NAME=VALUE");
+              "method: 'modal' is unknown; expected one of mean, median, median_of_differences, polynomial");
+    EXPECT_EQ(complaint("despike threshold"),
+              "step 'despike threshold': 'threshold' is no parameter; expected NAME=VALUE");
     EXPECT_EQ(complaint("mask_out region=\"include"), "step 'mask_out region=\"include': a quote is not closed");
     EXPECT_EQ(complaint(" "), "empty step; expected a name, such as level_plane");
     EXPECT_NE(complaint("crop x_from=5").find("x_from: "), std::string::npos);

@@ -5,11 +5,11 @@
 
 #include <gtest/gtest.h>
 
-#include "texture/hybrid_parameters.hpp"
 #include "samples.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/roughness/real_space.hpp"
+#include "texture/hybrid_parameters.hpp"
 
 namespace setae::texture::height_parameters_test {
 namespace {

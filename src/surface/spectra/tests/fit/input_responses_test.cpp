@@ -6,12 +6,12 @@
 #include <cmath>
 #include <random>
 
+#include "fit/whittle_fit.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/spectra/self_affine.hpp"
 #include "setae/spectral_fit/likelihood_spectrum.hpp"
 #include "setae/synthesis/random_surface.hpp"
 #include "setae/topography/dilation.hpp"
-#include "fit/whittle_fit.hpp"
 
 namespace setae::spectral_fit::input_responses_test {
 namespace {

@@ -5,10 +5,10 @@
 
 #include <gtest/gtest.h>
 
-#include "synthesis/periodic_patch.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/fourier/nonuniform.hpp"
+#include "synthesis/periodic_patch.hpp"
 
 namespace multiscale_test {
 

@@ -105,8 +105,8 @@ inline constexpr std::size_t fewest_ranked_pairs = 6, fewest_ranked_surfaces = 4
 ///
 /// known_work: W_int where the study states it; else it is found with each model.
 /// Models that lack something of a pair are unranked. Same numbers for any number of threads. Calibration:
-/// docs/validation/ranking.md. Source: Geisser, Eddy, J. Am. Stat. Assoc. 74 (1979) 153; Gelman, Bayesian Anal. 1 (2006)
-/// 515 (scatter); Yao, Vehtari, Simpson, Gelman, Bayesian Anal. 13 (2018) 917 (weights).
+/// docs/validation/ranking.md. Source: Geisser, Eddy, J. Am. Stat. Assoc. 74 (1979) 153; Gelman, Bayesian Anal. 1
+/// (2006) 515 (scatter); Yao, Vehtari, Simpson, Gelman, Bayesian Anal. 13 (2018) 917 (weights).
 [[nodiscard]] Ranking rank_models(const std::vector<RetractionModel>& models, const std::vector<RankedPair>& pairs,
                                   const std::optional<Estimate>& known_work = {}, parallel::Threads threads = {});
 

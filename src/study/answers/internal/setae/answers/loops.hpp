@@ -224,7 +224,7 @@ struct setae::fields::Asked<setae::answers::LoopModelsRequest> {
     static constexpr std::array<std::string_view, 2> branches{"loading", "unloading"};
     static constexpr std::array<std::string_view, 3> kinds_of_errors{"effective_variance", "orthogonal_distance",
                                                                      "force_only"};
-    static constexpr std::array<std::string_view, 2> sharable{"modulus", "work"};
+    static constexpr std::array<std::string_view, 2> shareable{"modulus", "work"};
     static constexpr std::array options{
         option<&R::models>("model",
                            "additional model: hertz, dmt, jkr, maugis_dugdale, transition, layer, large_strain; all "
@@ -248,6 +248,6 @@ struct setae::fields::Asked<setae::answers::LoopModelsRequest> {
         option<&R::crack_speed>("crack_speed", "fit of G(v) = G0 (1 + (v/v0)^n) to the edge during retraction"),
         option<&R::exponent>("exponent", "exponent n that is held fixed in the fit of G(v)").or_else("fitted"),
         option<&R::shared>("share", "quantity that all loops have in common in one fit; modulus, work or both")
-            .one_of(sharable),
+            .one_of(shareable),
     };
 };
