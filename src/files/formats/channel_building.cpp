@@ -137,7 +137,7 @@ Array1D standard_errors(const tables::RawTable::RawColumn& column, const bytes::
     if (column.unit.empty())
         throw FormatError(
             source.name, {},
-            fmt::format("the column '{0}' has no unit; write it beside the name, as '{0} [nm]'", column.name));
+            fmt::format("the column '{0}' has no unit; write it after the name, as '{0} [nm]'", column.name));
     for (Index i = 0; i < column.values.size(); ++i)
         if (!(column.values[i] >= 0.0) || !std::isfinite(column.values[i]))
             throw FormatError(

@@ -59,8 +59,8 @@ Tags read_tags(const bytes::Source& source) {
     const auto announced = required_tag(cursor, "TagCount");
     const auto count = tables::count_in(announced);
     if (!count || static_cast<std::uint64_t>(*count) > source.size / tag_bytes)
-        cursor.fail(
-            fmt::format("'{:.30}' tags announced, more than the file can hold; it is truncated or damaged", announced));
+        cursor.fail(fmt::format("'{:.30}' tags announced, more than the file can contain; it is truncated or damaged",
+                                announced));
     for (Index i = 0; i < *count; ++i) {
         auto [key, value] = read_tag(cursor);
         tags.values.insert_or_assign(std::move(key), std::move(value));

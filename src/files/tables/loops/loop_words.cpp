@@ -71,8 +71,9 @@ NamedRole by_words(const std::string& name, const std::vector<std::string>& word
     if (contains(names, plain)) return {sure, fmt::format("'{}' is a word for {}", name, role)};
     for (const auto& word : words)
         if (contains(known, word))
-            return plain == word ? NamedRole{sure, fmt::format("'{}' is a word for {}", name, role)}
-                                 : NamedRole{phrase, fmt::format("'{}' holds '{}', a word for {}", name, word, role)};
+            return plain == word
+                       ? NamedRole{sure, fmt::format("'{}' is a word for {}", name, role)}
+                       : NamedRole{phrase, fmt::format("'{}' contains '{}', a word for {}", name, word, role)};
     return {};
 }
 
