@@ -198,8 +198,8 @@ StudyFigure loss_shares_figure(const study::Hysteresis& h, FigureWidth width) {
     drawn.figure = {.panels = {panel}, .width_mm = wide ? page_mm : column_mm, .height_mm = 35.0 + 5.0 * count};
     if (!wide) figures::put_legend_above(drawn.figure);
     drawn.caption = fmt::format(
-        "{} {}: energy loss in the jumps of the sphere into and out of contact, the additional loss at the crack tip on retraction from a "
-        "smooth reference, and the loss due to roughness by the retraction model of each pair.{}",
+        "{} {}. Bars: jumps of the sphere into and out of contact; additional loss at the crack tip on retraction, from a "
+        "smooth reference; loss due to roughness by the retraction model of each pair.{}",
         measured ? "Measured loops of" : "Predicted loops of", setae::counted(bars.size(), "pair", "pairs"),
         measured ? " Symbols: measured energy loss, with one standard error." : "");
     return drawn;
