@@ -107,8 +107,7 @@ ProfileHead read_head(const std::string& text, const std::string& name) {
     return head;
 }
 
-constexpr std::array<const char*, 4> response_keys{
-    "blur", "standard deviation of the Gaussian blur of the picture, along x", "step", "noise_density"};
+constexpr std::array<const char*, 4> response_keys{"blur", "smoothing_length", "step", "noise_density"};
 
 std::optional<TraceResponse> response_of(const ProfileHead& head, const std::string& name) {
     const char *given = nullptr, *missing = nullptr;

@@ -75,7 +75,7 @@ loops::Outcome<PairWorkAlong> work_along_of(const PairResult& pair, const StudyR
     using Along = loops::Outcome<PairWorkAlong>;
     const auto loops_of_pair = loops_with(result, loop_quantities().front(), pair.elastomer, pair.surface, false);
     if (loops_of_pair.loops.empty())
-        return Along::missing(pair.retraction || pair.pull_off ? "undetermined: only the pull-off is known"
+        return Along::missing(pair.retraction || pair.pull_off ? "undetermined: only W_ret at pull-off is known"
                                                                : "the retraction was not measured");
     std::vector<Estimate> at_pull_off, at_largest, slope, loss, recorded;
     for (const auto* e : loops_of_pair.loops) {
