@@ -74,7 +74,8 @@ class Entity:
 
     @property
     def module(self) -> str:
-        return module_of(pathlib.Path(self.header.split("/include/")[0]))
+        folder = pathlib.Path(self.header.split("/include/")[0])
+        return module_of(folder.parent if folder.name == "mpi" else folder)  # what needs MPI is shown with its module
 
     @property
     def shown(self) -> str:

@@ -86,8 +86,10 @@ def on_files(files: Files, config: MkDocsConfig, **_: Any) -> Files:
 
 
 def as_page(markdown: str) -> str:
-    """Links to notebooks lead to their pages; a block's language alone stands behind its fence."""
+    """Links to notebooks lead to their pages, links to sources, which the site does not contain, become their words; a block keeps only
+    its language after its fence."""
     markdown = re.sub(r"(notebooks/[\w-]+)\.py\)", r"\1.md)", markdown)
+    markdown = re.sub(r"\[([^\[\]]+)\]\((?:\.\./)*(?:src|lab|apps|python|tests|tools)/[^()\s]*\)", r"\1", markdown)
     return re.sub(r"^(\s*```\w+) .*$", r"\1", markdown, flags=re.M)
 
 
