@@ -31,7 +31,7 @@ constexpr const char* explanation =
     "         beside it: (7), and Persson's theory with W, without load                        docs/concepts/conformity.md\n"
     "loop     a_max by (1) with W_app; W_ret >= W_app, F >= 3/2 pi R W_app, E_loss >= the jumps of JKR   [D19] (1), (S1)\n"
     "         for comparison E_loss = W_int r pi a_max^2, without a smooth limit                [D19] (10)\n"
-    "bridging wavevectors q above which the roughness stores more than it gains                THEORY 8\n"
+    "bridging wavevectors q above which the roughness stores more than it gains                docs/concepts/conformity.md\n"
     "pressed  q above which it stores more than 0.25 of that: closes under pressure alone      docs/concepts/conformity.md\n";
 
 struct Arguments {

@@ -152,7 +152,7 @@ Action declare(Options& options) {
         .value_named("NAME");
     options.add("-o,--output", arguments->output, "folder of tables and figure").default_shown();
     options.ask(asked, &arguments->options);
-    options.example("setae lab loops --runs 20 -o loops", "whether intervals of fitted loops hold the truth");
+    options.example("setae lab loops --runs 20 -o loops", "coverage of the intervals of fitted loops");
     options.example("setae lab loops recipe.toml --mechanism all --runs 1 -o mechanisms",
                     "whether a study finds the law of W_ret that its loops were made by");
     return action(options, arguments, explanation, run);

@@ -123,7 +123,7 @@ output::Json to_json(const Adhesion& adhesion) {
     output::Json json;
     for (const auto& q : list) json[q.quantity] = output::to_json(q);
     json["conforms"] = pair.modified->work.conforms && pair.closing() == adhesion::Closing::by_itself;
-    json["contact"] = study::words_of(pair.closing());
+    json["contact"] = adhesion::name(pair.closing());
     json["answers"] = output::to_json(answers);
     const auto& scales = *pair.scales;
     json["scales"] = {

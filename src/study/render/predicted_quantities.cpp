@@ -29,7 +29,7 @@ std::string work_sentence(const study::StudyResult& result) {
     return fmt::format("W_app {} on approach without load, {:.3g} % of the area in contact ({}), of {}: {}\n",
                        format_interval(answer.work_of_adhesion, "J/m2"), 100.0 * answer.area_fraction.value,
                        study::text_of(answer.theory).title, band_text(result.surfaces.front().used().curve.band),
-                       study::words_of(pair.closing()));
+                       adhesion::name(pair.closing()));
 }
 
 std::string unmeasured_sentence(const study::PairResult& pair) {

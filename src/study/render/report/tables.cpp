@@ -199,7 +199,7 @@ DataTable pairs_predicted(const StudyResult& result) {
              quantity("modified/work_of_adhesion"), quantity("persson_tosatti/work_of_adhesion"),
              quantity("without_area_change/work_of_adhesion"), quantity("residual"), quantity("stored_energy"),
              quantity("true_area_ratio"), quantity("wavelength_of_half_the_stored_energy"),
-             quantity("predicted_energy_loss"), TextCell{pair.scales ? study::words_of(pair.closing()) : ""}});
+             quantity("predicted_energy_loss"), TextCell{pair.scales ? adhesion::name(pair.closing()) : ""}});
     }
     return table;
 }

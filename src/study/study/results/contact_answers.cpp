@@ -80,15 +80,6 @@ TheoryText text_of(ContactTheory theory) {
     throw InternalError("a theory of contact without a name");
 }
 
-const char* words_of(adhesion::Closing closing) {
-    switch (closing) {
-        case adhesion::Closing::by_itself: return "spontaneous full contact";
-        case adhesion::Closing::under_pressure: return "full contact only under pressure";
-        case adhesion::Closing::opens: return "opens spontaneously";
-    }
-    throw InternalError("a way of closing without words");
-}
-
 ContactAnswer recommended_answer(const PairResult& pair) {
     require_prediction(pair);
     return {

@@ -31,10 +31,6 @@ struct ContactAnswer {
     bool recommended = false;
 };
 
-/// How all of the roughness comes into contact, for readers: "spontaneous full contact", "full contact only under
-/// pressure", "opens spontaneously".
-[[nodiscard]] const char* words_of(adhesion::Closing closing);
-
 /// The answer of the program for a pair, the same in every command: what simulated patches of the pair's U_el/(A W)
 /// gain.
 ///
