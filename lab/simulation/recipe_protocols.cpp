@@ -10,7 +10,7 @@ namespace {
 
 using bytes::TomlReader;
 
-constexpr Index most_pixels = 2048;
+constexpr Index max_pixels = 2048;
 
 /// A length that is not negative.
 void take(TomlReader& reader, const char* key, double& value) {
@@ -85,8 +85,8 @@ AfmProtocol read_afm(TomlReader reader) {
     }
     require_one_each(reader, "pixels", protocol.pixels.size(), protocol.sizes.size());
     for (const Index pixels : protocol.pixels)
-        if (pixels < 2 || pixels > most_pixels)
-            reader.fail("pixels", fmt::format("{}; expected 2 to {}", pixels, most_pixels));
+        if (pixels < 2 || pixels > max_pixels)
+            reader.fail("pixels", fmt::format("{}; expected 2 to {}", pixels, max_pixels));
     take_tip(reader, protocol);
     take(reader, "noise", protocol.noise);
     take(reader, "line_offset", protocol.line_offset);

@@ -20,11 +20,11 @@ using topography::TracedCurve;
 constexpr double metres = 1e-9;        // a pixel is a nanometre
 constexpr double traced_within = 3.0;  // px
 constexpr double border = 4.0;         // px: a curve is not asked for closer to the picture's border
-constexpr double least_false = 1.0;    // px
+constexpr double min_false = 1.0;      // px
 constexpr double longest_noise_wave = 200.0, shortest_noise_wave = 50.0;  // px: smoothing leaves these as they are
 constexpr double above_floor = 10.0;
-constexpr double least_density = 1e-4;  // px³: that of a picture without noise says nothing
-constexpr int cells_a_decade = 10;
+constexpr double min_density = 1e-4;  // px³: that of a picture without noise says nothing
+constexpr int cells_per_decade = 10;
 
 PixelCurve curve_of(const imaging::ContourSegment& segment) { return {segment.x, segment.y}; }
 
@@ -117,7 +117,7 @@ std::array<double, 5> spectrum_ratios(const topography::Profile& traced, const t
         const double lower = 2.0 * pi / (spectrum_band_ends[band] * metres);
         const double upper =
             2.0 * pi / (metres * (band + 1 < ratios.size() ? spectrum_band_ends[band + 1] : shortest_compared_wave));
-        const int cells = std::max(1, static_cast<int>(std::lround(cells_a_decade * std::log10(upper / lower))));
+        const int cells = std::max(1, static_cast<int>(std::lround(cells_per_decade * std::log10(upper / lower))));
         double sum = 0.0;
         int count = 0;
         for (int cell = 0; cell < cells; ++cell) {
@@ -167,7 +167,7 @@ void compare_overhangs(ContourTrial& trial, const topography::LevelledCurve& lev
     trial.overhangs = static_cast<int>(planted.size());
     trial.overhang_depth_ratio = trial.overhangs_found > 0 ? depths / trial.overhangs_found : undefined;
     for (std::size_t k = 0; k < real.size(); ++k)
-        if (!real[k] && levelled.reentrant[k].depth / metres > least_false) ++trial.overhangs_false;
+        if (!real[k] && levelled.reentrant[k].depth / metres > min_false) ++trial.overhangs_false;
 }
 
 }  // namespace
@@ -193,9 +193,8 @@ ContourTrial compared(const imaging::ContourTrace& trace, const RenderedContour&
                                   : undefined;
 
     const double length = length_along(curve).tail(1)[0];
-    trial.floor_ratio = segment.noise_density > least_density
-                            ? error_density(there.of_trace, length) / segment.noise_density
-                            : undefined;
+    trial.floor_ratio =
+        segment.noise_density > min_density ? error_density(there.of_trace, length) / segment.noise_density : undefined;
     const auto traced = in_metres(trace),
                known = in_metres(covered_part(rendered.truth.curve, there.places.front(), there.places.back()));
     compare_overhangs(trial, levelled(traced, topography::Reentrance::envelope), curve, rendered.truth.overhangs);

@@ -94,10 +94,10 @@ double planted_value(const Recipe& recipe, const std::string& target) {
 
 /// The candidates that are done in every run.
 std::vector<Candidate> chosen(const std::vector<adhesion::NextMeasurement>& next, std::vector<std::string> names) {
-    constexpr std::size_t most_telling = 3;
+    constexpr std::size_t max_informative = 3;
     std::vector<std::string> known;
     for (const auto& n : next) known.push_back(name_of(n.candidate));
-    if (names.empty()) names.assign(known.begin(), known.begin() + std::min(known.size(), most_telling));
+    if (names.empty()) names.assign(known.begin(), known.begin() + std::min(known.size(), max_informative));
     std::vector<Candidate> list;
     for (const auto& name : names) {
         const auto at = std::find(known.begin(), known.end(), name);

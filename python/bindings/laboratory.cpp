@@ -138,7 +138,7 @@ void bind_contour(nb::module_& module) {
         .def_rw("foil_thickness", &Request::foil_thickness)
         .def_rw("hidden", &Request::hidden)
         .def_rw("smoothing", &Request::smoothing)
-        .def_rw("least_length", &Request::least_length)
+        .def_rw("least_length", &Request::min_length)
         .def_rw("denoise", &Request::denoise)
         .def_rw("image", &Request::image)
         .def_rw("ignore_stated_pixel_size", &Request::ignore_stated)

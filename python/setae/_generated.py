@@ -308,9 +308,9 @@ class PatchSurveyRequest(TypedDict, total=False):
     """ratio U_el/(A W) of stored to gained energy of the patches."""
     points: Sequence[float]
     """number of points along each side of a patch."""
-    points_a_wave: Sequence[float]
+    points_per_wave: Sequence[float]
     """number of points per shortest wavelength."""
-    waves_a_side: float
+    waves_per_side: float
     """number of longest wavelengths along each side of a patch."""
     hurst_exponent: float
     """Hurst exponent of patches, where no study gives the spectrum."""

@@ -151,9 +151,9 @@ def conform(
     *,
     energy_shares: Sequence[float] | None = None,
     points: Sequence[int] | None = None,
-    points_a_wave: Sequence[float] | None = None,
+    points_per_wave: Sequence[float] | None = None,
     squared_ratios: Sequence[float] | None = None,
-    waves_a_side: float | None = None,
+    waves_per_side: float | None = None,
     hurst_exponent: float | None = None,
     law: str | None = None,
     seeds: int | None = None,
@@ -170,11 +170,11 @@ def conform(
         ratio U_el/(A W) of stored to gained energy of the patches
     points : Sequence[int]
         number of points along each side of a patch
-    points_a_wave : Sequence[float]
+    points_per_wave : Sequence[float]
         number of points per shortest wavelength
     squared_ratios : Sequence[float]
         ratio w dx/(E* ρ²) of the grid, at most 1, which sets the range of the attraction
-    waves_a_side : float
+    waves_per_side : float
         number of longest wavelengths along each side of a patch
     hurst_exponent : float
         Hurst exponent of patches, where no study gives the spectrum
@@ -188,7 +188,7 @@ def conform(
         whole loops as well, which take minutes instead of seconds
 
     >>> import setae
-    >>> found = setae.conform(energy_shares=[0.05], points=[64], points_a_wave=[8], seeds=2)
+    >>> found = setae.conform(energy_shares=[0.05], points=[64], points_per_wave=[8], seeds=2)
     >>> found["rows"][0]["area_from_far"]["value"]
     1.0
     """
@@ -196,9 +196,9 @@ def conform(
         _setae.PatchSurveyRequest(),
         energy_shares=energy_shares,
         points=points,
-        points_a_wave=points_a_wave,
+        points_per_wave=points_per_wave,
         squared_ratios=squared_ratios,
-        waves_a_side=waves_a_side,
+        waves_per_side=waves_per_side,
         hurst_exponent=hurst_exponent,
         law=law,
         seeds=seeds,

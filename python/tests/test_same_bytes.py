@@ -399,10 +399,10 @@ def test_study(printed, tmp_path):
 
 def test_conform(printed):
     asked = ("--energy-share", "0.05,0.4", "--points", 64, "--shortest-wave", 8, "--seeds", 2)
-    found = setae.conform(energy_shares=[0.05, 0.4], points=[64], points_a_wave=[8], seeds=2)
+    found = setae.conform(energy_shares=[0.05, 0.4], points=[64], points_per_wave=[8], seeds=2)
     assert found.json() == printed("lab", "conform", *asked)
     published = ROOT / "examples/nanodiamond/published.toml"
-    small = {"points": [64], "points_a_wave": [8], "waves_a_side": 2, "squared_ratios": [1], "seeds": 1}
+    small = {"points": [64], "points_per_wave": [8], "waves_per_side": 2, "squared_ratios": [1], "seeds": 1}
     of_pairs = setae.study(published).run(output="published").conform(**small)
     typed = ("--points", 64, "--shortest-wave", 8, "--waves", 2, "--squared-ratio", 1, "--seeds", 1)
     assert of_pairs.json() == printed("lab", "conform", published, *typed)

@@ -10,7 +10,7 @@ using namespace setae::imaging;
 
 namespace {
 
-constexpr std::size_t most_written = 4096;
+constexpr std::size_t max_written = 4096;
 
 /// An EMD told by bytes: layout, packing, type, number of sides, sides, step; then the units and what is left as
 /// metadata.
@@ -44,7 +44,7 @@ tests::EmdFile described(std::string_view bytes) {
         numbers *= side;
     }
     if (layout & 4) file.sides.front() *= 1'000'000;
-    file.pixels_written = !(layout & 4) && numbers <= most_written && H5Tget_class(file.type) <= H5T_FLOAT;
+    file.pixels_written = !(layout & 4) && numbers <= max_written && H5Tget_class(file.type) <= H5T_FLOAT;
     file.step_x = static_cast<double>(next()) - 128.0;
     file.unit_x = text();
     file.unit_y = text();

@@ -15,7 +15,7 @@ using namespace setae;
 
 namespace {
 
-constexpr std::size_t most_written = 4096, most_attributes = 24;
+constexpr std::size_t max_written = 4096, max_attributes = 24;
 
 /// Takes numbers and lines from the front of a description.
 class Description {
@@ -146,7 +146,7 @@ std::string hdf5_file(Description described) {
     layout.deflated = packing & 8;
     layout.summed = packing & 16;
     if (layout.chunk.empty()) layout.shuffled = layout.deflated = layout.summed = false;
-    const bool written = !(structures & 4) && numbers <= most_written && H5Tget_class(type) <= H5T_FLOAT;
+    const bool written = !(structures & 4) && numbers <= max_written && H5Tget_class(type) <= H5T_FLOAT;
     std::vector<double> values(written ? numbers : 0);
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<double>((7 * i + chunk) % 101);
     file.dataset(place.data, type, sides, values, layout);
@@ -163,7 +163,7 @@ std::string hdf5_file(Description described) {
                         1 + structures % 64);
         file.group("/Attributes/{2}");
     }
-    for (std::size_t k = 0; k < most_attributes && !described.empty(); ++k) add_attribute(file, place, described);
+    for (std::size_t k = 0; k < max_attributes && !described.empty(); ++k) add_attribute(file, place, described);
     auto bytes = file.bytes();
     if (matlab) bytes.replace(0, 19, "MATLAB 7.3 MAT-file");
     return bytes;

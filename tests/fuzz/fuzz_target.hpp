@@ -11,7 +11,7 @@
 namespace setae::fuzz {
 
 /// Pictures are small, so that a small file that announces a large one is told from one that takes memory.
-inline const imaging::MicrographOptions options{.most_pixels = 1'000'000};
+inline const imaging::MicrographOptions options{.max_pixels = 1'000'000};
 
 /// Reads: a picture of the size allowed with a sensible pixel size, or one of setae's errors; anything else ends the
 /// program.
@@ -20,7 +20,7 @@ void read_or_refuse(Read read) {
     try {
         const imaging::Micrograph micrograph = read();
         if (micrograph.pixels.rows() < 2 || micrograph.pixels.cols() < 2 ||
-            micrograph.pixels.size() > options.most_pixels)
+            micrograph.pixels.size() > options.max_pixels)
             std::abort();
         if (micrograph.pixel_size && !(micrograph.pixel_size->x > 0 && micrograph.pixel_size->y > 0)) std::abort();
     } catch (const Error&) {

@@ -77,7 +77,7 @@ study::ContourOptions with_anchors(const Arguments& a, study::ContourOptions opt
         return options;
     }
     const bool plain = a.pixel.empty() && a.scale_bar.empty() && a.calibration.empty() && a.hidden.empty() &&
-                       !a.smoothing && !a.least_length && a.denoise == 0 && a.vacuum == "automatic" &&
+                       !a.smoothing && !a.min_length && a.denoise == 0 && a.vacuum == "automatic" &&
                        a.shape == "envelope" && a.foil_thickness.empty() && !a.whole_picture && a.image.empty();
     if (!plain)
         throw InvalidArgument(

@@ -349,12 +349,12 @@ std::size_t width_of(TidyTable table) {
 
 /// The table with names of files cut so far that it fits into a width; nothing where they would no more be told.
 std::optional<TidyTable> with_shorter_names(TidyTable table, std::size_t width) {
-    constexpr std::size_t least_name = 18;
+    constexpr std::size_t min_name = 18;
     const auto needed = width_of(table);
     if (needed <= width) return table;
     std::size_t longest = 0;
     for (const auto& row : table.rows) longest = std::max(longest, display_width(std::get<std::string>(row.front())));
-    if (longest < needed - width + least_name) return std::nullopt;
+    if (longest < needed - width + min_name) return std::nullopt;
     for (auto& row : table.rows)
         row.front() = middle_cut(std::get<std::string>(row.front()), longest - (needed - width));
     return table;

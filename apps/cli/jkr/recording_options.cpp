@@ -8,17 +8,17 @@
 namespace setae::cli {
 
 void tell(const imaging::ContactRadii& radii) {
-    constexpr int most_lines = 20;
+    constexpr int max_lines = 20;
     int lines = 0;
     for (const auto& note : radii.notes) complain(note);
     for (const auto& f : radii.frames) {
         const auto state = f.contact.state;
         if (state != imaging::FrameState::bad_frame && state != imaging::FrameState::not_found) continue;
-        if (++lines <= most_lines)
+        if (++lines <= max_lines)
             complain(fmt::format("frame {}: {}: {}", f.number, to_string(state), f.contact.reason));
     }
-    if (lines > most_lines)
-        complain(fmt::format("{} more frames without a radius; the table says why", lines - most_lines));
+    if (lines > max_lines)
+        complain(fmt::format("{} more frames without a radius; the table says why", lines - max_lines));
     const auto& s = radii.summary;
     complain(fmt::format(
         "{} frames: {} measured ({} partial), {} without contact, {} not found, {} bad, {} excluded, {} missing",

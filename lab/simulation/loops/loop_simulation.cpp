@@ -38,13 +38,13 @@ struct Schedule {
         turn = (protocol.start_gap + largest) / protocol.approach_speed;
         retraction = turn + protocol.hold_time;
         end = retraction + (largest - parting_position + protocol.start_gap) / protocol.retraction_speed;
-        constexpr double most_samples = 1e8;
+        constexpr double max_samples = 1e8;
         const double count = std::floor(end * protocol.force_rate) + 1.0;
-        if (!(count <= most_samples))
+        if (!(count <= max_samples))
             throw InvalidArgument(
                 fmt::format("the record would have {:.3g} samples, {} at most; lower the force rate or move "
                             "faster",
-                            count, most_samples));
+                            count, max_samples));
         samples = static_cast<Index>(count);
     }
 

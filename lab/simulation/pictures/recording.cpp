@@ -16,8 +16,8 @@
 namespace setae::simulation {
 namespace {
 
-constexpr double least_radius = 1.0;  ///< that pixels show [px]
-constexpr double margin = 30.0;       ///< around the widest contact [px]
+constexpr double min_radius = 1.0;  ///< that pixels show [px]
+constexpr double margin = 30.0;     ///< around the widest contact [px]
 
 void require_camera(const RecordingOptions& options) {
     const auto require = [](bool holds, const char* what, double value) {
@@ -56,22 +56,22 @@ private:
 
 RecordingShape write_recording(const std::string& path, const contact_line::ContactLine& edge,
                                const RecordingOptions& options) {
-    constexpr double most_pixels = 1e7, most_frames = 1e5;
+    constexpr double max_pixels = 1e7, max_frames = 1e5;
     require_camera(options);
     contact_line::require_valid(edge);
     const double smallest = edge.radius.minCoeff() / options.pixel_size,
                  largest = edge.radius.maxCoeff() / options.pixel_size,
                  duration = edge.time[edge.frames() - 1] - edge.time[0];
-    if (smallest < least_radius)
+    if (smallest < min_radius)
         throw InvalidArgument(
             fmt::format("the edge comes to {:.1f} px from its centre; expected {} at least, as with "
                         "pixels of {}",
-                        smallest, least_radius, format_value(edge.radius.minCoeff() / least_radius, "m", 2)));
+                        smallest, min_radius, format_value(edge.radius.minCoeff() / min_radius, "m", 2)));
     const double side = 2.0 * std::ceil(largest + margin) + 1.0,
                  frames = std::floor(duration * options.frame_rate) + 1.0;
-    if (side * side > most_pixels || frames > most_frames)
+    if (side * side > max_pixels || frames > max_frames)
         throw InvalidArgument(fmt::format("{:.0f} frames of {:.0f} x {:.0f} px; expected at most {:.0g} of {:.0g} px",
-                                          frames, side, side, most_frames, most_pixels));
+                                          frames, side, side, max_frames, max_pixels));
     const RecordingShape shape{static_cast<int>(frames), static_cast<long>(side), static_cast<long>(side)};
     const Array1D times = edge.time[0] + Array1D::LinSpaced(shape.frames, 0.0, static_cast<double>(shape.frames - 1)) /
                                              options.frame_rate;
@@ -83,7 +83,7 @@ RecordingShape write_recording(const std::string& path, const contact_line::Cont
         .count = shape.frames,
         .description = fmt::format("ImageJ=1.53\nimages={}\nunit=um\nfinterval={}\nfps={}\nloop=false\n", shape.frames,
                                    1.0 / options.frame_rate, options.frame_rate),
-        .pixels_a_unit = 1e-6 / options.pixel_size};
+        .pixels_per_unit = 1e-6 / options.pixel_size};
     bytes::write_tiff(path, pages, [&](int frame, std::span<std::uint8_t> pixels) {
         const FrameEdge now(seen.radius.row(frame).transpose(), options.pixel_size);
         parallel::for_each_index(static_cast<std::size_t>(shape.height), options.threads, [&](std::size_t row) {

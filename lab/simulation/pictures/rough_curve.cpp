@@ -13,12 +13,12 @@
 namespace setae::simulation {
 namespace {
 
-constexpr double beyond = 60.0;                             // px of curve on either side of the picture
-constexpr double point_spacing = 0.25;                      // px
-constexpr double height_spacing = 0.0625;                   // px: straight between, 1e-4 px for a cutoff of 10 px
-constexpr double least_neck = 6.0, largest_neck = 9.0;      // px: half of it
-constexpr double least_fillet = 5.0, largest_fillet = 8.0;  // px
-constexpr double apart = 20.0;                              // px of level line between bulges
+constexpr double beyond = 60.0;                           // px of curve on either side of the picture
+constexpr double point_spacing = 0.25;                    // px
+constexpr double height_spacing = 0.0625;                 // px: straight between, 1e-4 px for a cutoff of 10 px
+constexpr double min_neck = 6.0, largest_neck = 9.0;      // px: half of it
+constexpr double min_fillet = 5.0, largest_fillet = 8.0;  // px
+constexpr double apart = 20.0;                            // px of level line between bulges
 
 enum CurveStream : std::uint64_t { height_stream, bulge_stream };
 
@@ -39,8 +39,8 @@ void check(const RoughCurveOptions& o) {
                     o.cutoff_wavelength));
     require_curve(std::abs(o.tilt) < 1.0, fmt::format("a tilt of {} rad; expected less than 1", o.tilt));
     require_curve(
-        o.bulges >= 0 && o.least_depth > 0.0 && o.least_depth <= o.largest_depth && std::isfinite(o.largest_depth),
-        fmt::format("{} bulges that overhang by {} to {} px; expected 0 < least <= largest", o.bulges, o.least_depth,
+        o.bulges >= 0 && o.min_depth > 0.0 && o.min_depth <= o.largest_depth && std::isfinite(o.largest_depth),
+        fmt::format("{} bulges that overhang by {} to {} px; expected 0 < least <= largest", o.bulges, o.min_depth,
                     o.largest_depth));
 }
 
@@ -126,8 +126,8 @@ std::vector<Bulge> bulges_of(const RoughCurveOptions& options) {
         const auto between = [&](std::uint64_t which, double least, double largest) {
             return least + (largest - least) * uniform_number(key, number + which);
         };
-        Bulge bulge{0.0, between(0, least_neck, largest_neck), between(1, options.least_depth, options.largest_depth),
-                    between(2, least_fillet, largest_fillet)};
+        Bulge bulge{0.0, between(0, min_neck, largest_neck), between(1, options.min_depth, options.largest_depth),
+                    between(2, min_fillet, largest_fillet)};
         const double room = part - 2.0 * bulge.half_width() - apart;
         bulge.centre = part * (i + 0.5 - 0.5 * options.bulges) + room * (uniform_number(key, number + 3) - 0.5);
         bulges.push_back(bulge);

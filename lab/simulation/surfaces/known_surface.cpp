@@ -121,14 +121,14 @@ double energy_of_transformed(const KnownSurface& surface, const synthesis::Heigh
 }
 
 spectra::Spectrum profile_curve(const KnownSurface& surface) {
-    constexpr double nodes_a_decade = 20.0, decades_below = 2.0;
+    constexpr double nodes_per_decade = 20.0, decades_below = 2.0;
     const LineSpectrum C1D(surface);
     const Band band = surface.band();
     const double lower = std::log10(band.lower) - decades_below;
-    const auto count = static_cast<Index>(std::ceil(nodes_a_decade * (std::log10(band.upper) - lower)));
+    const auto count = static_cast<Index>(std::ceil(nodes_per_decade * (std::log10(band.upper) - lower)));
     spectra::Spectrum curve;
     curve.wavevector = Array1D::NullaryExpr(
-        count, [&](Index i) -> double { return std::pow(10.0, lower + static_cast<double>(i) / nodes_a_decade); });
+        count, [&](Index i) -> double { return std::pow(10.0, lower + static_cast<double>(i) / nodes_per_decade); });
     curve.density = Array1D::NullaryExpr(count, [&](Index i) -> double { return C1D.averaged(curve.wavevector[i]); });
     curve.band = {curve.wavevector[0], band.upper};
     return curve;

@@ -10,7 +10,7 @@
 namespace setae::simulation {
 namespace {
 
-constexpr double nodes_a_unit = 100.0 / std::numbers::ln10;  // 100 a decade
+constexpr double nodes_per_unit = 100.0 / std::numbers::ln10;  // 100 a decade
 constexpr double below_rolloff = 1e-3;
 
 /// √(q_s² − q²), by which C1D goes to zero; kept off zero.
@@ -22,9 +22,9 @@ double end_factor(double wavevector, double upper) {
 
 double profile_value(const spectra::SpectralDensity& C_iso, double wavevector, double short_wavevector) {
     if (!(wavevector < short_wavevector)) return 0.0;
-    constexpr double points_a_unit = 30.0;
+    constexpr double points_per_unit = 30.0;
     const double extent = std::acosh(short_wavevector / wavevector);
-    const auto points = std::max<Index>(8, static_cast<Index>(std::ceil(points_a_unit * extent)));
+    const auto points = std::max<Index>(8, static_cast<Index>(std::ceil(points_per_unit * extent)));
     const double step = extent / static_cast<double>(points);
     double sum = 0.0;
     for (Index i = 0; i < points; ++i) {
@@ -39,7 +39,7 @@ LineSpectrum::LineSpectrum(const KnownSurface& surface)
       surface_angle_(surface.anisotropy.angle),
       first_(below_rolloff * surface.band().lower),
       upper_(surface.band().upper) {
-    const auto nodes = static_cast<Index>(std::ceil(nodes_a_unit * std::log(upper_ / first_)));
+    const auto nodes = static_cast<Index>(std::ceil(nodes_per_unit * std::log(upper_ / first_)));
     spacing_ = std::log(upper_ / first_) / static_cast<double>(nodes);
     log_values_.resize(nodes + 1);
     for (Index i = 0; i <= nodes; ++i) {

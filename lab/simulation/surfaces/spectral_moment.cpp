@@ -10,9 +10,9 @@ namespace {
 /// Over a piece without bends.
 double over_piece(const spectra::SpectralDensity& C_iso, double order, double lower, double upper) {
     if (!(upper > lower)) return 0.0;
-    constexpr double points_a_unit = 1000.0;
+    constexpr double points_per_unit = 1000.0;
     const double extent = std::log(upper / lower);
-    const auto points = static_cast<Index>(std::ceil(points_a_unit * extent));
+    const auto points = static_cast<Index>(std::ceil(points_per_unit * extent));
     const double step = extent / static_cast<double>(points);
     double sum = 0.0;
     for (Index i = 0; i < points; ++i) {

@@ -31,7 +31,7 @@ enum PatchStream : std::uint64_t { of_heights, of_level, of_tip, of_instrument, 
 constexpr parallel::Threads one_thread{1};
 
 /// How many of its length a line of the surface is long: longer waves leave 1e-3 of what a parabola leaves.
-constexpr double lengths_a_line = 8.0;
+constexpr double lengths_per_line = 8.0;
 
 /// The radius of the tip that a protocol uses, of all surfaces or drawn for the surface of the key.
 template <class Protocol>
@@ -64,15 +64,15 @@ StylusOptions stylus_options(const StylusProtocol& protocol, std::size_t scan, R
 /// C1D of points read a step apart: all waves shorter than two steps folded back.
 spectra::SpectralDensity folded(const LineSpectrum& C1D, double step, double lowest) {
     constexpr int single = 16;  // aliases added one by one; beyond them their sum is an integral
-    constexpr double nodes_an_e_fold = 40.0;
+    constexpr double nodes_per_e_fold = 40.0;
     const double sampling = 2.0 * pi / step, nyquist = 0.5 * sampling;
     double tail = 0.0;
     const double first = (single + 0.5) * sampling, extent = std::log(C1D.upper() / first);
-    for (double t = 0.5 / nodes_an_e_fold; t < extent; t += 1.0 / nodes_an_e_fold) {
+    for (double t = 0.5 / nodes_per_e_fold; t < extent; t += 1.0 / nodes_per_e_fold) {
         const double q = first * std::exp(t);
-        tail += 2.0 * C1D(q) * q / nodes_an_e_fold / sampling;
+        tail += 2.0 * C1D(q) * q / nodes_per_e_fold / sampling;
     }
-    const auto count = static_cast<Index>(std::ceil(nodes_an_e_fold * std::log(nyquist / lowest))) + 1;
+    const auto count = static_cast<Index>(std::ceil(nodes_per_e_fold * std::log(nyquist / lowest))) + 1;
     Array1D q(count), values(count);
     for (Index i = 0; i < count; ++i) {
         q[i] = lowest * std::pow(nyquist / lowest, static_cast<double>(i) / static_cast<double>(count - 1));
@@ -86,7 +86,7 @@ spectra::SpectralDensity folded(const LineSpectrum& C1D, double step, double low
 /// Pointwise readings without a tip.
 topography::LineScan bare_scan(const KnownSurface& surface, const LineSpectrum& C1D, const StylusOptions& options,
                                RandomKey key) {
-    const Index points = fast_length(lengths_a_line * options.length / options.step);
+    const Index points = fast_length(lengths_per_line * options.length / options.step);
     const double extent = options.step * static_cast<double>(points);
     auto line = synthesis::random_line(folded(C1D, options.step, pi / extent), {.points = points, .size = extent},
                                        {.key = substream(key, of_heights), .threads = one_thread});
@@ -98,8 +98,8 @@ topography::LineScan bare_scan(const KnownSurface& surface, const LineSpectrum& 
 /// Scans of one length side by side: the strip on which a stylus runs.
 PatchShape strip_for(const KnownSurface& surface, const StylusProtocol& protocol,
                      const std::vector<std::size_t>& scans) {
-    constexpr double points_a_rolloff = 40.0, points_a_radius = 50.0, rolloffs_apart = 4.0, rolloffs_wide = 10.0,
-                     highest_over_rms = 6.0, widest_lane = 30e-6, most_points = 1 << 24;
+    constexpr double points_per_rolloff = 40.0, points_per_radius = 50.0, rolloffs_apart = 4.0, rolloffs_wide = 10.0,
+                     highest_over_rms = 6.0, widest_lane = 30e-6, max_points = 1 << 24;
     const double longest = protocol.lengths[scans.front()], lanes = static_cast<double>(scans.size());
     const double long_rolloff = surface.anisotropy.stretch * surface.rolloff_wavelength;
     const double rms_height =
@@ -111,8 +111,8 @@ PatchShape strip_for(const KnownSurface& surface, const StylusProtocol& protocol
     const double width = lane * lanes;
     const double length = longest + std::max(0.02 * longest, std::min(rolloffs_apart * long_rolloff, lane));
     const double finest =
-        std::max(std::min(surface.rolloff_wavelength / points_a_rolloff, protocol.tip_radius / points_a_radius),
-                 std::sqrt(length * width / most_points));
+        std::max(std::min(surface.rolloff_wavelength / points_per_rolloff, protocol.tip_radius / points_per_radius),
+                 std::sqrt(length * width / max_points));
     double step = protocol.step(scans.front());
     for (const auto scan : scans) step = std::min(step, protocol.step(scan));
     const double pixel = step / std::max(1.0, std::floor(step / finest));
@@ -132,32 +132,32 @@ std::map<double, std::vector<std::size_t>, std::greater<>> by_length(const std::
 
 /// Points of the fine grid to a pixel of a map.
 Index fine_points(const KnownSurface& surface, double tip_radius, double step, Index pixels) {
-    constexpr double points_a_radius = 15.0;
-    constexpr Index most_a_side = 2048,
-                    most_without_tip = 8;  // where waves shorter than two fine pixels are white noise
-    const double finest = std::max(0.5 * surface.short_wavelength, tip_radius / points_a_radius);
-    const Index most = std::max<Index>(1, most_a_side / pixels);
+    constexpr double points_per_radius = 15.0;
+    constexpr Index max_patches_per_side = 2048,
+                    max_without_tip = 8;  // where waves shorter than two fine pixels are white noise
+    const double finest = std::max(0.5 * surface.short_wavelength, tip_radius / points_per_radius);
+    const Index most = std::max<Index>(1, max_patches_per_side / pixels);
     return std::clamp<Index>(static_cast<Index>(std::ceil(step / finest)), 1,
-                             tip_radius > 0.0 ? most : std::min(most, most_without_tip));
+                             tip_radius > 0.0 ? most : std::min(most, max_without_tip));
 }
 
 /// Heights along x and, of a foil with thickness, along the beam.
 topography::HeightMap foil(const KnownSurface& surface, const LineSpectrum& C1D, const TemProtocol& protocol,
                            double length, RandomKey key) {
     if (protocol.foil_thickness == 0.0) {
-        constexpr double points_a_wave =
+        constexpr double points_per_wave =
             64.0;  // straight lines between points take (q step)²/6 of the power: 1.6e-3 at the end
-        const double extent = lengths_a_line * length;
-        const Index n = fast_length(extent * C1D.upper() / (2.0 * pi) * points_a_wave);
+        const double extent = lengths_per_line * length;
+        const Index n = fast_length(extent * C1D.upper() / (2.0 * pi) * points_per_wave);
         auto line = synthesis::random_line([&C1D](double q) { return C1D(q); }, {.points = n, .size = extent},
                                            {.key = substream(key, of_heights), .threads = one_thread});
         PatchHeights(surface, extent, substream(key, of_level))(line.heights.data(), n);
         // a foil of no thickness: the same line twice, so that it is a map
         return {.heights = line.heights.replicate(1, 2), .size = {extent, 2.0 * line.pixel_size()}, .periodic = true};
     }
-    constexpr double points_a_wave = 16.0, most_points = 1 << 23;
+    constexpr double points_per_wave = 16.0, max_points = 1 << 23;
     const double width = std::max(1.25 * protocol.foil_thickness, 0.25 * length), extent = 1.25 * length;
-    const double pixel = std::max(surface.short_wavelength / points_a_wave, std::sqrt(extent * width / most_points));
+    const double pixel = std::max(surface.short_wavelength / points_per_wave, std::sqrt(extent * width / max_points));
     return window_patch(
         surface,
         {.nx = fast_length(extent / pixel), .ny = fast_length(width / pixel), .pixel = pixel, .window = length},

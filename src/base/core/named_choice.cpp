@@ -15,7 +15,7 @@
 namespace setae {
 namespace {
 
-constexpr std::size_t most_names_shown = 12;
+constexpr std::size_t max_names_shown = 12;
 
 /// ASCII letters in lower case; others as they are.
 std::string lower_case(std::string_view text) {
@@ -33,8 +33,8 @@ std::string shown_name(std::span<const std::string> names, std::size_t place) {
 
 std::string numbered_names(std::span<const std::string> names) {
     std::vector<std::string> shown;
-    for (std::size_t i = 0; i < std::min(names.size(), most_names_shown); ++i) shown.push_back(shown_name(names, i));
-    if (names.size() > most_names_shown) shown.push_back(fmt::format("… {}", names.size() - 1));
+    for (std::size_t i = 0; i < std::min(names.size(), max_names_shown); ++i) shown.push_back(shown_name(names, i));
+    if (names.size() > max_names_shown) shown.push_back(fmt::format("… {}", names.size() - 1));
     return fmt::format("{}", fmt::join(shown, ", "));
 }
 

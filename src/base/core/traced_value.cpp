@@ -68,7 +68,7 @@ Components combined(std::span<const Dependence> parts) {
 
 TracedValue propagated(const std::function<double(const std::vector<double>&)>& function,
                        const std::vector<TracedValue>& inputs) {
-    constexpr double least_left = 1e-3;  // of an input that an error would take below 0
+    constexpr double min_left = 1e-3;  // of an input that an error would take below 0
     std::vector<double> centre;
     for (const auto& input : inputs) centre.push_back(input.value);
     std::vector<Dependence> parts;
@@ -77,7 +77,7 @@ TracedValue propagated(const std::function<double(const std::vector<double>&)>& 
         if (!(error > 0.0)) continue;
         auto more = centre, less = centre;
         more[i] += error;
-        less[i] = centre[i] > 0.0 ? std::max(centre[i] - error, least_left * centre[i]) : centre[i] - error;
+        less[i] = centre[i] > 0.0 ? std::max(centre[i] - error, min_left * centre[i]) : centre[i] - error;
         parts.push_back({(function(more) - function(less)) / (more[i] - less[i]), inputs[i].components});
     }
     return {function(centre), combined(parts)};

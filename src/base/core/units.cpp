@@ -295,14 +295,14 @@ double unit_factor(std::string_view text, const Dimension& expected) {
 namespace {
 
 /// Powers of any quantity stay within what a double holds. The fourth power of the largest is 1e240.
-constexpr double least_magnitude = 1e-60, greatest_magnitude = 1e60;
+constexpr double min_magnitude = 1e-60, greatest_magnitude = 1e60;
 
 /// @throws InvalidArgument for a number that no measurement can give.
 void require_magnitude(double value, std::string_view given) {
     const double magnitude = std::abs(value);
-    if (value == 0.0 || (magnitude >= least_magnitude && magnitude <= greatest_magnitude)) return;
+    if (value == 0.0 || (magnitude >= min_magnitude && magnitude <= greatest_magnitude)) return;
     throw InvalidArgument(fmt::format("'{}', expected 0 or a magnitude from {:g} to {:g} in SI units", given,
-                                      least_magnitude, greatest_magnitude));
+                                      min_magnitude, greatest_magnitude));
 }
 
 }  // namespace

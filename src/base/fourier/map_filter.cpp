@@ -24,7 +24,7 @@ constexpr Index modes_for_threads = 128 * 64;
 
 /// On a cache line.
 template <class Real>
-constexpr Index numbers_a_line = 64 / static_cast<Index>(sizeof(ComplexOf<Real>));
+constexpr Index numbers_per_line = 64 / static_cast<Index>(sizeof(ComplexOf<Real>));
 
 Index blocks_of(Index n, Index block) { return (n + block - 1) / block; }
 
@@ -32,7 +32,7 @@ Index blocks_of(Index n, Index block) { return (n + block - 1) / block; }
 /// places of the cache. Blocks keep the same distance.
 template <class Real>
 Index stride_for(Index modes) {
-    return blocks_of(modes, numbers_a_line<Real>) * numbers_a_line<Real> + numbers_a_line<Real>;
+    return blocks_of(modes, numbers_per_line<Real>) * numbers_per_line<Real> + numbers_per_line<Real>;
 }
 
 Index checked_side(Index points, Index period, const char* side) {
@@ -117,7 +117,7 @@ MapFilterOf<Real>::MapFilterOf(const parallel::Slab& rows, Index ny, Index perio
       along_x_(period_x, TransformSign::minus),
       back_along_x_(period_x, TransformSign::plus),
       threads_{rows.rows() * (period_y / 2 + 1) < modes_for_threads ? 1 : threads.resolved()},
-      half_(extent(blocks_.all() * (rows.rows() * columns_per_block + numbers_a_line<Real>))),
+      half_(extent(blocks_.all() * (rows.rows() * columns_per_block + numbers_per_line<Real>))),
       rooms_(extent(threads_.count)) {
     for (Room& room : rooms_) {
         room.line.assign(extent(period_y), Real(0));
@@ -137,12 +137,12 @@ MapFilterOf<Real>::MapFilterOf(const parallel::Slab& rows, Index ny, Index perio
 
 template <class Real>
 Index MapFilterOf<Real>::block_stride(int rank) const {
-    return rows_.rows(rank) * columns_per_block + numbers_a_line<Real>;
+    return rows_.rows(rank) * columns_per_block + numbers_per_line<Real>;
 }
 
 template <class Real>
 Index MapFilterOf<Real>::own_stride() const {
-    return rows_.rows() * columns_per_block + numbers_a_line<Real>;
+    return rows_.rows() * columns_per_block + numbers_per_line<Real>;
 }
 
 template <class Real>

@@ -59,7 +59,7 @@ double clustered_error(const Pairs& pairs, const std::vector<double>& residual, 
 }
 
 /// Surfaces or elastomers, whichever are fewer.
-std::size_t fewest_groups(const Pairs& pairs) {
+std::size_t min_groups(const Pairs& pairs) {
     std::set<std::string> surfaces, elastomers;
     for (const auto& pair : pairs) {
         surfaces.insert(pair.surface);
@@ -220,7 +220,7 @@ WorkFit fit_work_of_adhesion(const Pairs& pairs) {
                             .method = "least squares",
                             .degrees_of_freedom = fit.degrees_of_freedom};
     fit.clustered = {minimum.x, clustered_error(pairs, residual, minimum.x, minimum.curvature), "two-way clustered"};
-    if (const auto groups = fewest_groups(pairs); groups > 1)
+    if (const auto groups = min_groups(pairs); groups > 1)
         fit.clustered.degrees_of_freedom = static_cast<double>(groups - 1);
     const bool known_errors =
         std::all_of(pairs.begin(), pairs.end(), [](const PairPoint& p) { return p.measured.uncertain(); });

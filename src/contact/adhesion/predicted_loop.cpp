@@ -47,9 +47,9 @@ double work_of_retraction(const contact::AdhesiveContact& approach, double conta
 
 /// W_app, with something left for derivatives of a pair that hardly comes into contact.
 double work_approach(const ConformalState& state, const Inputs& inputs) {
-    constexpr double least_share = 1e-6;
+    constexpr double min_share = 1e-6;
     const double gain = inputs.work * state.area_ratio - inputs.surface_energy * (state.area_ratio - 1.0);
-    return std::max(least_share * inputs.work, partial_balance(gain, state.stored_energy, inputs.patches));
+    return std::max(min_share * inputs.work, partial_balance(gain, state.stored_energy, inputs.patches));
 }
 
 Loop loop_of(const ConformalState& state, const Inputs& inputs, double preload) {

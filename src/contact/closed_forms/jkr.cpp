@@ -33,8 +33,8 @@ double critical_radius(const Contact& contact) {
 double distance_from_fold(double s, double sign) {
     double v = s / std::sqrt(6.0);
     if (sign > 0.0) v = std::min(v, std::sqrt(s));
-    constexpr int most_steps = 60;
-    for (int step = 0; step < most_steps; ++step) {
+    constexpr int max_steps = 60;
+    for (int step = 0; step < max_steps; ++step) {
         const double root = std::sqrt(v * v + sign * 4.0 * v + 6.0);
         const double change = (v * root - s) * root / (2.0 * (v * v + sign * 3.0 * v + 3.0));
         v -= change;

@@ -129,11 +129,11 @@ Layer::Table Layer::table_of(double poisson_ratio) {
 }
 
 std::shared_ptr<const Layer::Table> Layer::kept_table(double poisson_ratio) {
-    constexpr std::size_t most_kept = 64;
+    constexpr std::size_t max_kept = 64;
     static std::mutex mutex;
     static std::map<double, std::shared_ptr<const Table>> kept;
     const std::lock_guard lock(mutex);
-    if (kept.size() >= most_kept && !kept.contains(poisson_ratio)) kept.clear();
+    if (kept.size() >= max_kept && !kept.contains(poisson_ratio)) kept.clear();
     auto& table = kept[poisson_ratio];
     if (!table) table = std::make_shared<const Table>(table_of(poisson_ratio));
     return table;

@@ -104,7 +104,7 @@ double zone_at_radius(double radius, double lambda) {
 }
 
 /// s where the force is least; contacts have radii between λ (or 1/2) and 2 there.
-double zone_at_least_force(double lambda) {
+double zone_at_min_force(double lambda) {
     const auto slope = [&](double s) { return point_at(s, lambda).force_slope; };
     const double lower = zone_at_radius(2.0, lambda);
     const double upper = zone_at_radius(std::min(lambda, 0.5), lambda);
@@ -113,7 +113,7 @@ double zone_at_least_force(double lambda) {
 }
 
 /// s where the displacement is least, NaN where it falls all the way to A = 0.
-double zone_at_least_displacement(double lambda) {
+double zone_at_min_displacement(double lambda) {
     const auto slope = [&](double s) { return point_at(s, lambda).displacement_slope; };
     const double upper = zone_at_radius(1e-4, lambda);
     if (!(slope(upper) > 0.0)) return undefined;
@@ -128,12 +128,12 @@ struct Fold {
 };
 
 Fold fold_of_force(double lambda) {
-    const double zone = zone_at_least_force(lambda);
+    const double zone = zone_at_min_force(lambda);
     return {.zone = zone, .least = point_at(zone, lambda).force, .vanished = vanished_contact(lambda).force};
 }
 
 Fold fold_of_displacement(double lambda) {
-    const double zone = zone_at_least_displacement(lambda), vanished = vanished_contact(lambda).displacement;
+    const double zone = zone_at_min_displacement(lambda), vanished = vanished_contact(lambda).displacement;
     return {
         .zone = zone, .least = std::isnan(zone) ? vanished : point_at(zone, lambda).displacement, .vanished = vanished};
 }
@@ -249,12 +249,12 @@ ReducedSlopes reduced_slopes(double reduced_radius, double transition_parameter)
 
 ReducedState reduced_pull_off_at_fixed_load(double transition_parameter) {
     require_transition_parameter(transition_parameter);
-    return reduced(zone_at_least_force(transition_parameter), transition_parameter);
+    return reduced(zone_at_min_force(transition_parameter), transition_parameter);
 }
 
 ReducedState reduced_pull_off_at_fixed_grips(double transition_parameter) {
     require_transition_parameter(transition_parameter);
-    const double zone = zone_at_least_displacement(transition_parameter);
+    const double zone = zone_at_min_displacement(transition_parameter);
     return std::isnan(zone) ? vanished_contact(transition_parameter) : reduced(zone, transition_parameter);
 }
 

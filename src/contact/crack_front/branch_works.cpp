@@ -32,7 +32,7 @@ BranchWorks branch_works(const FrontLoop& loop, const contact::SphereOnFlat& sph
         (step.approaching ? approach : back).push_back(&step);
     }
     for (const auto* step : back)
-        if (step->least_retreat > 0.0) moving.push_back(step);
+        if (step->min_retreat > 0.0) moving.push_back(step);
     constexpr std::size_t fewest = 4;
     if (approach.size() < fewest || moving.size() < fewest)
         throw UndefinedDataError(

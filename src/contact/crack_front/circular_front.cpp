@@ -57,9 +57,9 @@ public:
             throw InvalidArgument("dead loads and stages need the model constant_toughness; expected a displacement");
         if (edge.size() == 0 && !meet(machine)) return parted(machine);
         equation_.drive(machine);
-        const double scale = mean_work_ * std::max(edge.mean(), least_radius());
+        const double scale = mean_work_ * std::max(edge.mean(), min_radius());
         const SearchLimits limits{.tolerance = options_.tolerance * scale,
-                                  .most_iterations = options_.most_iterations,
+                                  .max_iterations = options_.max_iterations,
                                   .largest_move = options_.largest_move * pinning_.points().spacing};
         const auto found = options_.method == EquilibriumMethod::rosso_krauth ? rosso_krauth(equation_, edge, limits)
                                                                               : trust_region(equation_, edge, limits);
@@ -84,7 +84,7 @@ public:
 
 private:
     /// Of a smooth contact before it parts: where bodies meet the edge begins far below, at one spacing.
-    [[nodiscard]] double least_radius() const {
+    [[nodiscard]] double min_radius() const {
         return contact::jkr::pull_off_at_fixed_grips({sphere_.radius, sphere_.contact_modulus, mean_work_})
             .contact_radius;
     }

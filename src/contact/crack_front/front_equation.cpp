@@ -84,7 +84,7 @@ Equilibrium trust_region(FrontEquation& equation, Array1D& front, const SearchLi
     }
     equation.evaluate(front, cells, here);
     double radius = limits.largest_move;
-    for (found.iterations = 1; found.iterations < limits.most_iterations;) {
+    for (found.iterations = 1; found.iterations < limits.max_iterations;) {
         found.residual = here.residual.abs().maxCoeff();
         if (found.residual <= limits.tolerance) {
             found.converged = true;

@@ -54,7 +54,7 @@ struct Equilibrium {
 
 struct SearchLimits {
     double tolerance = 0.0;  ///< of the largest |residual|
-    int most_iterations = 0;
+    int max_iterations = 0;
     double largest_move = 0.0;  ///< of a point in one step of the trust region
 };
 

@@ -12,7 +12,7 @@
 namespace setae::crack_front {
 namespace {
 
-constexpr double least_halved = 1e-7;  ///< a step is not halved below this share of its length
+constexpr double min_halved = 1e-7;  ///< a step is not halved below this share of its length
 
 FrontControl control_at(const LoopPath& path, double position) {
     switch (path.drive) {
@@ -29,9 +29,9 @@ public:
     LoopWalk(CircularFront& front, const LoopPath& path)
         : front_(front),
           path_(path),
-          least_jump_(path.jump_share * contact::jkr::ideal_loop_loss(
-                                            {front.sphere().radius, front.sphere().contact_modulus, front.mean_work()})
-                                            .total) {}
+          min_jump_(path.jump_share * contact::jkr::ideal_loop_loss(
+                                          {front.sphere().radius, front.sphere().contact_modulus, front.mean_work()})
+                                          .total) {}
 
     FrontLoop run() {
         front_.begin_at(0.0);
@@ -59,7 +59,7 @@ private:
             for (double share = 1.0;; share *= 0.5) {
                 const double position = share == 1.0 ? target : here + share * (target - here);
                 auto step = step_to(position);
-                if (position == here || share < least_halved || !hides_jump(step)) {
+                if (position == here || share < min_halved || !hides_jump(step)) {
                     loop_.steps.push_back(std::move(step));
                     break;
                 }
@@ -74,7 +74,7 @@ private:
     FrontStep step_to(double position) {
         FrontStep step{.state = front_.solve(control_at(path_, position)), .position = position};
         step.approaching = approaching_;
-        if (!approaching_ && step.state.in_contact) step.least_retreat = (turned_ - front_.edge()).minCoeff();
+        if (!approaching_ && step.state.in_contact) step.min_retreat = (turned_ - front_.edge()).minCoeff();
         const FrontState before = loop_.steps.empty() ? FrontState{} : loop_.steps.back().state;
         if (path_.drive == Drive::load && !step.state.in_contact) return step;  // it falls: no work is known
         const double change = step.state.displacement - before.displacement;
@@ -87,7 +87,7 @@ private:
         const auto& before = loop_.steps.back().state;
         const double missed =
             0.5 * std::abs((step.state.force - before.force) * (step.state.displacement - before.displacement));
-        return std::abs(step.dissipation) > least_jump_ && missed > least_jump_;
+        return std::abs(step.dissipation) > min_jump_ && missed > min_jump_;
     }
 
     void sum_up() {
@@ -95,7 +95,7 @@ private:
             (step.approaching ? loop_.approach_dissipation : loop_.retraction_dissipation) += step.dissipation;
             loop_.energy_loss += step.machine_work;
             loop_.smallest_dissipation = std::min(loop_.smallest_dissipation, step.dissipation);
-            if (step.dissipation > least_jump_) ++loop_.jumps;
+            if (step.dissipation > min_jump_) ++loop_.jumps;
         }
         loop_.complete = !in_contact() &&
                          std::ranges::all_of(loop_.steps, [](const FrontStep& step) { return step.state.converged; });
@@ -103,7 +103,7 @@ private:
 
     CircularFront& front_;
     const LoopPath& path_;
-    double least_jump_;
+    double min_jump_;
     bool approaching_ = true;
     Array1D turned_;
     FrontLoop loop_;

@@ -23,7 +23,7 @@ public:
         go(-balance_.residual.minCoeff() >= balance_.residual.maxCoeff() ? 1 : -1);
         if (found_.left) return found_;
         int sweeps_to_closing = first_closing;
-        while (found_.iterations < limits_.most_iterations) {
+        while (found_.iterations < limits_.max_iterations) {
             for (int k = 0; k < sweeps_to_closing; ++k) {
                 if (!sweep()) return found_;
                 if (found_.converged) return found_;

@@ -9,7 +9,7 @@ namespace setae::half_space {
 namespace {
 
 /// How many iterations a set gets at most before it is guessed anew.
-constexpr Index most_per_set = 16;
+constexpr Index max_per_set = 16;
 /// A new set whose gap is not smaller than this times the last one's was guessed too boldly.
 constexpr double progress_ratio = 0.7;
 /// Sets without a new best gap before the solution counts as stuck.
@@ -51,8 +51,8 @@ void ActiveSetSolver::cut_pressures() {
 /// Scales the pressures that do not flow until they carry the load.
 void ActiveSetSolver::carry_load() {
     const double load = *target_.mean_pressure * rows_.points(), hardness = target_.hardness;
-    constexpr int most_rounds = 100;  // one is enough where nothing flows
-    for (int round = 0; round < most_rounds; ++round) {
+    constexpr int max_rounds = 100;  // one is enough where nothing flows
+    for (int round = 0; round < max_rounds; ++round) {
         const auto sums = rows_.numbers<3>([&](Index i) {
             double elastic = 0.0, flowing = 0.0, places = 0.0;
             for (Index j = 0; j < p_.cols(); ++j) {
@@ -196,9 +196,9 @@ void ActiveSetSolver::activate(double step) {
     });
 }
 
-SolveStatus ActiveSetSolver::solve(double tolerance, Index most_iterations,
+SolveStatus ActiveSetSolver::solve(double tolerance, Index max_iterations,
                                    const std::function<void(const SolveProgress&)>& report) {
-    Index most = most_per_set, without_progress = 0;
+    Index most = max_per_set, without_progress = 0;
     double last = std::numeric_limits<double>::infinity(), best = last;
     while (true) {
         cut_pressures();
@@ -212,14 +212,14 @@ SolveStatus ActiveSetSolver::solve(double tolerance, Index most_iterations,
         if (error <= tolerance) return SolveStatus::converged;
         without_progress = error < best ? 0 : without_progress + 1;
         best = std::min(best, error);
-        if (iterations_ >= most_iterations || without_progress > patience) return SolveStatus::not_converged;
-        most = error > progress_ratio * last ? most / 2 : std::min(most_per_set, std::max<Index>(1, 2 * most));
+        if (iterations_ >= max_iterations || without_progress > patience) return SolveStatus::not_converged;
+        most = error > progress_ratio * last ? most / 2 : std::min(max_per_set, std::max<Index>(1, 2 * most));
         const bool remembers = error <= progress_ratio * last;
         last = error;
         const bool careful = most == 0;
         auto aim = choose_set(careful);
         const double activation = careful ? activation_step() : 0.0;
-        aim.most_iterations = careful ? 1 : most;
+        aim.max_iterations = careful ? 1 : most;
         aim.remembers = remembers && !careful;
         iterations_ += model_.reduce(aim);
         if (careful) {

@@ -29,7 +29,7 @@ public:
                     const Array2D& heights, const Target& target, parallel::Threads threads);
 
     /// From pressures that stand in pressures(). `report` is called for every new set.
-    SolveStatus solve(double tolerance, Index most_iterations, const std::function<void(const SolveProgress&)>& report);
+    SolveStatus solve(double tolerance, Index max_iterations, const std::function<void(const SolveProgress&)>& report);
 
     [[nodiscard]] Array2D& pressures() { return p_; }
     /// g, negative where the body overlaps or flows.

@@ -13,7 +13,7 @@ namespace {
 constexpr double stiffness_tolerance = 1e-6;
 /// By how much gradients in float reduce it before it is found anew in double.
 constexpr double reduction = 1e-3;
-constexpr Index most_iterations = 500;
+constexpr Index max_iterations = 500;
 
 }  // namespace
 
@@ -38,13 +38,13 @@ double contact_stiffness(const HardWall& problem, const HardWallContact& contact
     Array2D s = Array2D::Zero(set.rows(), set.cols()), left = set;
     double square = points;
     for (Index iterations = 0;
-         square > stiffness_tolerance * stiffness_tolerance * points && iterations < most_iterations;) {
+         square > stiffness_tolerance * stiffness_tolerance * points && iterations < max_iterations;) {
         rows.each([&](Index i) { model.residual(i) = row(left, i).cast<float>(); });
         const Index taken = model.reduce({.points = points,
                                           .square = square,
                                           .load_held = false,
                                           .reduction = reduction,
-                                          .most_iterations = most_iterations - iterations});
+                                          .max_iterations = max_iterations - iterations});
         if (taken == 0) break;
         iterations += taken;
         auto squares = rows.sums<1>();

@@ -62,7 +62,7 @@ ElasticOperator::ElasticOperator(const Grid& grid, const Body& body, Edges edges
     const double longest = x > 0.0 && y > 0.0 ? std::min(x, y) : std::max(x, y);
     const Index half_x = grid.nx / 2, half_y = grid.ny / 2;
     const double shortest = std::hypot(x * static_cast<double>(half_x), y * static_cast<double>(half_y));
-    least_stiffness_ = longest > 0.0 ? half_space::stiffness(longest, body_) : 0.0;
+    min_stiffness_ = longest > 0.0 ? half_space::stiffness(longest, body_) : 0.0;
     greatest_stiffness_ = shortest > 0.0 ? half_space::stiffness(shortest, body_) : 0.0;
 }
 

@@ -160,7 +160,7 @@ std::optional<Array2D> first_guess(const HardWall& problem, const Aim& aim, cons
         auto& pressures = stage.solver().pressures();
         if (guess) inject(*guess, pressures);
         else pressures.setConstant(aim.target.mean_pressure.value_or(0.0));
-        stage.solver().solve(std::max(coarse_tolerance, options.tolerance), options.most_iterations, options.progress);
+        stage.solver().solve(std::max(coarse_tolerance, options.tolerance), options.max_iterations, options.progress);
         guess = std::move(pressures);
     }
     return guess;
@@ -203,7 +203,7 @@ HardWallContact solve(const HardWall& problem, const SolveOptions& options) {
     if (started) solver.pressures() = options.start;
     else if (guess) inject(*guess, solver.pressures());
     else solver.pressures().setConstant(aim.target.mean_pressure.value_or(0.0));
-    contact.status = solver.solve(options.tolerance, options.most_iterations, [&](SolveProgress progress) {
+    contact.status = solver.solve(options.tolerance, options.max_iterations, [&](SolveProgress progress) {
         progress.last_grid = true;
         if (options.progress) options.progress(progress);
     });

@@ -8,7 +8,7 @@
 namespace setae::half_space {
 
 double softest_stiffness(const ElasticOperator& elastic) {
-    return std::max(elastic.least_stiffness(), std::numeric_limits<double>::min());
+    return std::max(elastic.min_stiffness(), std::numeric_limits<double>::min());
 }
 
 SetModel::SetModel(const ElasticOperator& response, const fourier::Multiplier& compliance,
@@ -101,7 +101,7 @@ Index SetModel::reduce(const Aim& aim) {
     }
     Index iterations = 0;
     double step = 0.0, mean_response = 0.0, square = aim.square;
-    while (iterations < aim.most_iterations) {
+    while (iterations < aim.max_iterations) {
         const auto z = precondition(static_cast<float>(step), static_cast<float>(mean_response));
         step = 0.0;
         const double mean_z = aim.load_held ? z.sum / aim.points : 0.0;

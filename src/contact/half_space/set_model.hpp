@@ -38,7 +38,7 @@ public:
         double points = 0.0, square = 0.0;  ///< of the set: how many, and Σ r²
         bool load_held = true;
         double reduction = 0.25;  ///< of √Σ r², that ends it
-        Index most_iterations = 16;
+        Index max_iterations = 16;
         bool remembers = false;  ///< the first direction is conjugate to the last one of the set before
     };
     /// @returns how many iterations it took.

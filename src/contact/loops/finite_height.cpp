@@ -71,7 +71,7 @@ BranchData as_half_space(const BranchData& data, const contact::layer::Layer& la
 BranchData as_half_space(const BranchData& data, const LensAndCounterBody& bodies, const AnalysisOptions& options) {
     const std::optional<double> height = bodies.soft_height();
     if (!height) return data;
-    constexpr int most_rounds = 100;
+    constexpr int max_rounds = 100;
     constexpr double settled = 1e-10;
     const contact::layer::Layer layer(*height, bodies.lens_poisson_ratio);
     const auto contact_of = [&](const JkrFit& fit) {
@@ -81,7 +81,7 @@ BranchData as_half_space(const BranchData& data, const LensAndCounterBody& bodie
     };
     contact::AdhesiveContact contact = contact_of(primary_fit(data, bodies, options));
     double share = 1.0, last_change = std::numeric_limits<double>::infinity();
-    for (int round = 0; round < most_rounds; ++round) {
+    for (int round = 0; round < max_rounds; ++round) {
         BranchData moved = as_half_space(data, layer, contact);
         const contact::AdhesiveContact next = contact_of(primary_fit(moved, bodies, options));
         const double change = std::abs(next.contact_modulus / contact.contact_modulus - 1.0);
@@ -93,7 +93,7 @@ BranchData as_half_space(const BranchData& data, const LensAndCounterBody& bodie
         contact.work_of_adhesion += share * (next.work_of_adhesion - contact.work_of_adhesion);
     }
     throw UndefinedDataError(
-        fmt::format("E* of a soft body {:.3g} m high did not converge in {} rounds", *height, most_rounds));
+        fmt::format("E* of a soft body {:.3g} m high did not converge in {} rounds", *height, max_rounds));
 }
 
 double modulus_excess(double contact_radius, double thickness, double poisson_ratio) {

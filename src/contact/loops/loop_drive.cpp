@@ -7,7 +7,7 @@
 namespace setae::loops {
 namespace {
 
-constexpr Index fewest_of_a_motion = 5;
+constexpr Index min_of_a_motion = 5;
 
 /// Straight line through samples of the motor's position.
 struct Motion {
@@ -17,7 +17,7 @@ struct Motion {
 
 std::optional<Motion> motion(const Array1D& time, const Array1D& position, Index first, Index last) {
     const Index n = last - first + 1;
-    if (n < fewest_of_a_motion) return std::nullopt;
+    if (n < min_of_a_motion) return std::nullopt;
     const Array1D t = time.segment(first, n), x = position.segment(first, n);
     const double mean_time = t.mean(), mean_place = x.mean();
     const double spread = (t - mean_time).square().sum();

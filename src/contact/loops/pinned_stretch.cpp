@@ -111,9 +111,9 @@ std::optional<IndexRange> pinned_stretch(const Loop& loop, const Segments& segme
     const Departure departure = measured ? by_measured_radius(loop, unloading, largest, radius_error, options)
                                          : by_force(loop, segments.before, unloading, largest,
                                                     *analysis.loading.force_displacement, bodies.radius);
-    constexpr Index fewest_left = 10, fewest_pinned = 2;
+    constexpr Index min_left = 10, min_pinned = 2;
     const Index pinned = departure.last_pinned() + 1;
-    if (pinned < fewest_pinned || departure.values.size() - pinned < fewest_left) return std::nullopt;
+    if (pinned < min_pinned || departure.values.size() - pinned < min_left) return std::nullopt;
     return IndexRange{.first = unloading.first, .last = departure.samples[static_cast<std::size_t>(pinned) - 1]};
 }
 

@@ -85,7 +85,7 @@ private:
     int dimensions_ = 0;
 };
 
-std::string one_a_surface(const std::string& level) {
+std::string one_per_surface(const std::string& level) {
     return fmt::format("one {} per surface: the variation between several is not in the standard error", level);
 }
 
@@ -96,7 +96,7 @@ void add_crossed(NestedDesign& design, const ReplicateData& data, Span& span) {
         auto group = groups_by_label(data, design.rows, level);
         const int added = span.dimensions_added_by(group), groups = count_of(group);
         if (added > 0) design.levels.push_back({{data.levels[level]}, std::move(group), groups, added, true});
-        else design.not_estimable.push_back(one_a_surface(data.levels[level]));
+        else design.not_estimable.push_back(one_per_surface(data.levels[level]));
     }
 }
 
@@ -154,7 +154,7 @@ NestedDesign nested_design(const ReplicateData& data, const std::vector<std::siz
         const auto name = is_crossed(data, names[k]) ? fmt::format("{} on a surface", names[k]) : names[k];
         if (added > 0) design.levels.push_back({{name}, std::move(group), groups, added});
         else if (!design.levels.empty() && !design.levels.back().crossed) design.levels.back().includes.push_back(name);
-        else if (!is_crossed(data, names[k])) design.not_estimable.push_back(one_a_surface(names[k]));
+        else if (!is_crossed(data, names[k])) design.not_estimable.push_back(one_per_surface(names[k]));
     }
     if (!design.crossed() || design.levels.back().groups == design.size()) return design;
     // rows and crossed groups are one for one: nothing is left to tell repeats by

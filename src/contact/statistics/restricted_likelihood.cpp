@@ -221,8 +221,8 @@ Climb climb(const Scaled& scaled, const std::vector<std::size_t>& free, Array1D 
     };
     Jet here = value_at(x);
     if (m == 0) return {x, here.value, true};
-    constexpr int most_steps = 200;
-    for (int step = 0; step < most_steps; ++step) {
+    constexpr int max_steps = 200;
+    for (int step = 0; step < max_steps; ++step) {
         Eigen::MatrixXd hessian(m, m);
         Eigen::VectorXd gradient(m);
         for (Index i = 0; i < m; ++i) {

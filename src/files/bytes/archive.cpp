@@ -237,7 +237,7 @@ std::string Archive::Opened::head(const std::string& name, std::uint64_t count) 
     const std::unique_ptr<zip_file_t, CloseMember> file(zip_fopen_index(zip_.get(), index, 0));
     if (!file) broken(source_, fmt::format("member '{}': {}", name, zip_strerror(zip_.get())));
     std::string content;
-    const auto expected = std::min({announced(zip_.get(), index, source_).size, most_expanded(compressed), count});
+    const auto expected = std::min({announced(zip_.get(), index, source_).size, max_expanded(compressed), count});
     content.reserve(expected);
     // a map has ten thousands of small members: none pays for a large one's chunk
     std::vector<char> chunk(std::clamp<std::uint64_t>(expected, 1 << 12, 1 << 18));
@@ -247,12 +247,12 @@ std::string Archive::Opened::head(const std::string& name, std::uint64_t count) 
         if (got < 0) broken(source_, fmt::format("member '{}' is damaged: {}", name, zip_file_strerror(file.get())));
         if (got == 0) break;
         content.append(chunk.data(), static_cast<std::size_t>(got));
-        if (content.size() > most_expanded(compressed))
+        if (content.size() > max_expanded(compressed))
             broken(source_,
                    fmt::format(
                        "member '{}' expands from {} bytes to more than {}; if you trust the archive, unpack it with "
                        "another program first",
-                       name, compressed, most_expanded(compressed)));
+                       name, compressed, max_expanded(compressed)));
     }
     return content;
 }
@@ -261,11 +261,11 @@ Source Archive::member(const std::string& name) const {
     const auto& archive = opened_->source();
     const auto stat = opened_->stat(name);
     if (const auto compressed = std::min<std::uint64_t>(stat.comp_size, archive.size);
-        stat.size > most_expanded(compressed))
+        stat.size > max_expanded(compressed))
         broken(archive,
                fmt::format("member '{}' announces {} bytes, but {} compressed bytes cannot expand to more than {}; the "
                            "archive is damaged",
-                           name, stat.size, compressed, most_expanded(compressed)));
+                           name, stat.size, compressed, max_expanded(compressed)));
     auto lazy = std::make_shared<LazyMember>(*this, archive, name);
     lazy->head = std::make_shared<const std::string>(head(name, head_bytes));
     Source source{fmt::format("{}: {}", archive.name, name), stat.size, {}, {}};

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_members = 10'000;
+constexpr std::size_t max_members = 10'000;
 
 bool is_hidden(const fs::path& member) {
     return std::any_of(member.begin(), member.end(), [](const fs::path& part) {
@@ -44,11 +44,11 @@ bool is_archive(const std::string& path) {
 
 std::vector<std::string> files_of_archive(const std::string& path) {
     const auto names = Archive(file_source(path)).names();
-    if (names.size() > most_members)
+    if (names.size() > max_members)
         throw FormatError(
             path, {},
             fmt::format("an archive of {} members; a folder may have at most {}; unpack the archive first",
-                        names.size(), most_members));
+                        names.size(), max_members));
     std::vector<fs::path> members;
     for (const auto& name : names)
         if (!name.empty() && !name.ends_with('/') && !is_hidden(name)) members.emplace_back(name);

@@ -17,10 +17,10 @@ std::string iso_text(const CalendarTime& time) {
                                            std::chrono::month(static_cast<unsigned>(time.month)),
                                            std::chrono::day(static_cast<unsigned>(time.day))};
     if (!date.ok()) return {};
-    constexpr int most_minutes = 18 * 60;
+    constexpr int max_minutes = 18 * 60;
     auto text = fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}:{:02}", time.year, time.month, time.day, time.hour,
                             time.minute, time.second);
-    if (const auto ahead = time.minutes_ahead_of_utc; ahead && within(*ahead, -most_minutes, most_minutes))
+    if (const auto ahead = time.minutes_ahead_of_utc; ahead && within(*ahead, -max_minutes, max_minutes))
         text += fmt::format("{}{:02}:{:02}", *ahead < 0 ? '-' : '+', std::abs(*ahead) / 60, std::abs(*ahead) % 60);
     return text;
 }

@@ -78,7 +78,7 @@ std::string inflated_within(std::uint64_t most, std::string_view stream, const S
 
 std::string inflated(std::string_view stream, const Source& source, std::uint64_t offset, const std::string& format,
                      std::uint64_t enough) {
-    return inflated_within(most_expanded(stream.size()), stream, source, offset, format, enough);
+    return inflated_within(max_expanded(stream.size()), stream, source, offset, format, enough);
 }
 
 namespace {
@@ -106,7 +106,7 @@ std::string expanded_zstd(std::string_view stream, const Source& source, std::ui
         if (ZSTD_isError(state))
             broken(source, offset + input.pos, format,
                    fmt::format("compressed data are damaged: {}", ZSTD_getErrorName(state)));
-        require_bounded(content.size(), stream.size(), most_expanded(stream.size()), source, offset, format);
+        require_bounded(content.size(), stream.size(), max_expanded(stream.size()), source, offset, format);
         if (state == 0) return content;
         if (input.pos == input.size && output.pos == 0)
             broken(source, offset + input.pos, format, "compressed data end early; the file is truncated");
@@ -116,14 +116,14 @@ std::string expanded_zstd(std::string_view stream, const Source& source, std::ui
 Source unpacked(const Source& source) {
     if (!is_gzip(source.head(3))) return source;
     const auto packed = source.all();
-    return memory_source(source.name, inflated_within(most_expanded_text(packed.size()), packed, source, 0, "gzip",
+    return memory_source(source.name, inflated_within(max_expanded_text(packed.size()), packed, source, 0, "gzip",
                                                       std::numeric_limits<std::uint64_t>::max()));
 }
 
 std::string expanded_zstd_head(std::string_view stream, std::uint64_t count, const Source& source, std::uint64_t offset,
                                const std::string& format) {
     const auto context = zstd_context();
-    std::string content(std::min<std::uint64_t>(count, most_expanded(stream.size())), '\0');
+    std::string content(std::min<std::uint64_t>(count, max_expanded(stream.size())), '\0');
     ZSTD_inBuffer input{stream.data(), stream.size(), 0};
     ZSTD_outBuffer output{content.data(), content.size(), 0};
     for (auto state = std::size_t{1}; state != 0 && output.pos < output.size;) {

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::string_view signature = "\x89HDF\r\n\x1A\n";
 constexpr std::size_t image_increment = 1 << 16;
-constexpr int most_dimensions = H5S_MAX_RANK;
+constexpr int max_dimensions = H5S_MAX_RANK;
 
 /// Sessions of this thread inside each other. A recursive mutex would not do: in a child process its owner is another.
 thread_local int sessions = 0;
@@ -117,7 +117,7 @@ std::uint64_t hdf5_product(const std::vector<hsize_t>& extents, std::uint64_t st
 
 std::vector<hsize_t> hdf5_extents(hid_t space) {
     const int rank = H5Sget_simple_extent_ndims(space);
-    std::vector<hsize_t> extents(static_cast<std::size_t>(std::clamp(rank, 0, most_dimensions)));
+    std::vector<hsize_t> extents(static_cast<std::size_t>(std::clamp(rank, 0, max_dimensions)));
     if (!extents.empty()) H5Sget_simple_extent_dims(space, extents.data(), nullptr);
     return extents;
 }

@@ -34,7 +34,7 @@ std::string fault(std::string_view bytes) {
 }  // namespace
 
 void require_sound_heaps(const Source& source) {
-    if (source.size > most_searched_for_heaps) return;
+    if (source.size > max_searched_for_heaps) return;
     const auto content = source.all();
     const std::string_view bytes(content);
     for (auto at = bytes.find(heap_signature); at != std::string_view::npos;

@@ -6,7 +6,7 @@
 namespace setae::bytes {
 
 /// The largest file whose heaps are looked at before the library sees it: all of it is read for that.
-inline constexpr std::uint64_t most_searched_for_heaps = std::uint64_t{16} << 20;
+inline constexpr std::uint64_t max_searched_for_heaps = std::uint64_t{16} << 20;
 
 /// Refuses an HDF5 file one of whose global heaps, where texts and lists of variable length lie, does not add up.
 /// HDF5 1.10 trusts them: of the bytes changed at random that ended the program or kept it busy for ever, four of five

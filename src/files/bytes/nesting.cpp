@@ -38,7 +38,7 @@ std::optional<std::uint64_t> json_too_deep(std::string_view text) {
             at = behind_quotes(text, at, true);
             continue;
         }
-        if (opens(c) && ++depth > most_levels) return at;
+        if (opens(c) && ++depth > max_levels) return at;
         if (closes(c) && depth > 0) --depth;
         ++at;
     }
@@ -56,7 +56,7 @@ std::optional<std::uint64_t> xml_too_deep(std::string_view text) {
             const auto end = behind(text, at, ">");
             const bool empty = end >= 2 && text[end - 1] == '>' && text[end - 2] == '/';
             if (rest[1] == '/') depth -= depth > 0 ? 1 : 0;
-            else if (!empty && ++depth > most_levels) return at;
+            else if (!empty && ++depth > max_levels) return at;
             at = end;
         }
     }
@@ -77,9 +77,9 @@ std::optional<std::uint64_t> toml_too_deep(std::string_view text) {
             last = c;
         } else {
             const bool parts_name = c == '.' && in_name(last);
-            if (parts_name && ++dots > most_levels) return at;
+            if (parts_name && ++dots > max_levels) return at;
             if (!parts_name && !in_name(c) && c != ' ' && c != '\t') dots = 0;
-            if (opens(c) && ++depth > most_levels) return at;
+            if (opens(c) && ++depth > max_levels) return at;
             if (closes(c) && depth > 0) --depth;
             if (c != ' ' && c != '\t') last = c;
             ++at;

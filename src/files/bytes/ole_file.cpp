@@ -40,7 +40,7 @@ OleFile::OleFile(const Source& source, std::string format) : source_(source), fo
     if ((shift != 9 && shift != 12) || small_shift != 6)
         fail(30, fmt::format("sectors of 2^{} and 2^{} bytes, expected 2^9 or 2^12, and 2^6", shift, small_shift));
     sector_bytes_ = std::uint64_t{1} << shift;
-    least_large_ = header.number_at<std::uint32_t>(56);
+    min_large_ = header.number_at<std::uint32_t>(56);
     sectors_ = parts(source.size - std::min(source.size, sector_bytes_), sector_bytes_);
     read_table();
     read_directory(header.number_at<std::uint32_t>(48), header.number_at<std::uint32_t>(60));
@@ -142,7 +142,7 @@ Source OleFile::stream(const std::string& name) const {
         std::find_if(streams_.begin(), streams_.end(), [&](const Stream& stream) { return stream.name == name; });
     if (found == streams_.end())
         fail(0, fmt::format("no stream '{}'; the file contains: {}", name, fmt::join(names(), ", ")));
-    const bool small = found->size < least_large_;
+    const bool small = found->size < min_large_;
     const auto part = small ? small_sector_bytes_ : sector_bytes_;
     std::vector<Piece> pieces;
     if (found->size > 0) {

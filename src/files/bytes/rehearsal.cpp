@@ -13,11 +13,11 @@ namespace {
 
 std::atomic<bool> left_out = false;
 
-constexpr unsigned most_seconds = 60;
+constexpr unsigned max_seconds = 60;
 
 /// Why a child that did not end well ended, in words.
 std::string end_of_child(const platform::ProcessEnd& end) {
-    if (end.out_of_time) return fmt::format("the library did not finish within {} s", most_seconds);
+    if (end.out_of_time) return fmt::format("the library did not finish within {} s", max_seconds);
     if (!end.signal.empty()) return fmt::format("the library failed while reading it ({})", end.signal);
     return fmt::format("the library ended the process that reads it (exit code {})", end.exit_code);
 }
@@ -26,7 +26,7 @@ std::string end_of_child(const platform::ProcessEnd& end) {
 
 void rehearse(const std::string& name, const std::string& library, const std::function<void()>& use) {
     if (left_out) return;
-    const auto end = platform::run_in_child(use, most_seconds);
+    const auto end = platform::run_in_child(use, max_seconds);
     if (!end) throw FileError(fmt::format("{}: the process that reads the file was lost", name));
     if (end->start)
         throw FileError(

@@ -66,11 +66,11 @@ struct CloseTiff {
 /// A page that libtiff has open.
 class Page {
 public:
-    Page(const Source& source, const std::string& format, const TiffPieces& pieces, std::uint64_t most_memory)
+    Page(const Source& source, const std::string& format, const TiffPieces& pieces, std::uint64_t max_memory)
         : stream_{source}, format_(format), pieces_(pieces) {
         const std::unique_ptr<TIFFOpenOptions, decltype(&TIFFOpenOptionsFree)> options(TIFFOpenOptionsAlloc(),
                                                                                        &TIFFOpenOptionsFree);
-        TIFFOpenOptionsSetMaxSingleMemAlloc(options.get(), static_cast<tmsize_t>(most_memory));
+        TIFFOpenOptionsSetMaxSingleMemAlloc(options.get(), static_cast<tmsize_t>(max_memory));
         TIFFOpenOptionsSetErrorHandlerExtR(options.get(), keep_complaint, &stream_);
         TIFFOpenOptionsSetWarningHandlerExtR(options.get(), ignore_warning, &stream_);
         // r: read, m: not mapped, h: no directory before one is asked for
@@ -135,13 +135,13 @@ private:
 }  // namespace
 
 std::string expanded_tiff(const Source& source, const std::string& format, const TiffPieces& pieces,
-                          std::uint64_t most_memory) {
-    return Page(source, format, pieces, most_memory).rows();
+                          std::uint64_t max_memory) {
+    return Page(source, format, pieces, max_memory).rows();
 }
 
 std::vector<std::uint32_t> tiff_colours(const Source& source, const std::string& format, const TiffPieces& pieces,
-                                        std::uint64_t most_memory) {
-    return Page(source, format, pieces, most_memory).colours();
+                                        std::uint64_t max_memory) {
+    return Page(source, format, pieces, max_memory).colours();
 }
 
 }  // namespace setae::bytes

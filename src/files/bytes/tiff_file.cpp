@@ -17,7 +17,7 @@
 namespace setae::bytes {
 namespace {
 
-constexpr std::uint64_t longest_text = 1 << 20, most_directories = 1'000'000, most_entries = 1 << 16;
+constexpr std::uint64_t longest_text = 1 << 20, max_directories = 1'000'000, max_entries = 1 << 16;
 
 /// Bytes of one value of types 1 to 18; 0 for unknown ones.
 std::uint64_t type_bytes(std::uint16_t type) {
@@ -106,7 +106,7 @@ Directory directory_at(const Source& source, const std::string& format, const He
                         next_bytes = header.big ? 8 : 4;
     auto head = numbers_at(source, format, header.order, offset, head_bytes);
     const auto entries = header.big ? head.next<std::uint64_t>() : head.next<std::uint16_t>();
-    if (entries > most_entries)
+    if (entries > max_entries)
         throw FormatError(source.name, {.offset = offset},
                           fmt::format("{}: a directory of {} entries; it is damaged", format, entries));
     auto body = numbers_at(source, format, header.order, offset + head_bytes, entries * entry_bytes + next_bytes);
@@ -213,13 +213,13 @@ bool is_tiff(std::string_view head) {
            head.starts_with("MM\0+"sv);
 }
 
-TiffFile open_tiff(const Source& source, const std::string& format, std::size_t most_pages, Damage damage) {
+TiffFile open_tiff(const Source& source, const std::string& format, std::size_t max_pages, Damage damage) {
     const auto header = header_of(source, format);
     TiffFile file{.source = source, .format = format, .order = header.order, .pages = {}};
     std::set<std::uint64_t> seen;
     std::uint64_t bytes = 0;  // each part of a sound file serves once: what overlaps could grow without end
     const auto next_page = [&](std::uint64_t offset) {
-        if (!seen.insert(offset).second || seen.size() > most_directories)
+        if (!seen.insert(offset).second || seen.size() > max_directories)
             throw FormatError(source.name, {.offset = offset},
                               format + ": its directories form a loop or are too many; it is damaged");
         auto directory = directory_at(source, format, header, offset, damage);
@@ -229,7 +229,7 @@ TiffFile open_tiff(const Source& source, const std::string& format, std::size_t 
         file.pages.push_back(std::move(directory.page));
         return directory.next;
     };
-    for (auto next = header.first; next != 0 && file.pages.size() < most_pages;) try {
+    for (auto next = header.first; next != 0 && file.pages.size() < max_pages;) try {
             next = next_page(next);
         } catch (const FormatError& error) {
             if (damage == Damage::refused) throw;

@@ -26,8 +26,8 @@ void set_tags(TIFF* tiff, const GreyPages& pages, bool first) {
     TIFFSetField(tiff, TIFFTAG_PREDICTOR, PREDICTOR_HORIZONTAL);
     TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, pages.height);
     TIFFSetField(tiff, TIFFTAG_RESOLUTIONUNIT, RESUNIT_NONE);
-    TIFFSetField(tiff, TIFFTAG_XRESOLUTION, pages.pixels_a_unit);
-    TIFFSetField(tiff, TIFFTAG_YRESOLUTION, pages.pixels_a_unit);
+    TIFFSetField(tiff, TIFFTAG_XRESOLUTION, pages.pixels_per_unit);
+    TIFFSetField(tiff, TIFFTAG_YRESOLUTION, pages.pixels_per_unit);
     if (first && !pages.description.empty()) TIFFSetField(tiff, TIFFTAG_IMAGEDESCRIPTION, pages.description.c_str());
 }
 

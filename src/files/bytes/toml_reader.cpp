@@ -26,7 +26,7 @@ toml::table parse_toml_file(const std::string& path) {
     if (const auto at = toml_too_deep(text))
         throw FormatError(path,
                           {.line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(*at), '\n')},
-                          fmt::format("TOML: more than {} levels of nesting", most_levels));
+                          fmt::format("TOML: more than {} levels of nesting", max_levels));
     try {
         return toml::parse(text, path);
     } catch (const toml::parse_error& error) {

@@ -120,8 +120,8 @@ private:
         return file;
     }
     void keep(File file) {
-        constexpr int most_kept_open = 128;  // of the 1024 files that a process may usually have open
-        if (++kept_open() <= most_kept_open) kept_ = std::move(file);
+        constexpr int max_kept_open = 128;  // of the 1024 files that a process may usually have open
+        if (++kept_open() <= max_kept_open) kept_ = std::move(file);
         else --kept_open();
     }
 
@@ -168,13 +168,13 @@ std::string unforeseen_digits() {
 /// Makes an empty file beside `path` under a name that nothing had and nobody foresees, readable by those who may read
 /// `path`.
 std::string new_temporary_file(const std::string& path) {
-    constexpr int most_tries = 100;
-    constexpr std::size_t most_bytes_of_name = 200;  // of the 255 that a name may have
+    constexpr int max_tries = 100;
+    constexpr std::size_t max_bytes_of_name = 200;  // of the 255 that a name may have
     const auto slash = path.rfind('/');
     const auto name_at = slash == std::string::npos ? 0 : slash + 1;
-    const auto beginning = path.substr(0, name_at + most_bytes_of_name);
+    const auto beginning = path.substr(0, name_at + max_bytes_of_name);
     std::error_code failure;
-    for (int i = 0; i < most_tries; ++i) {
+    for (int i = 0; i < max_tries; ++i) {
         auto name = fmt::format("{}.{}-{}.part", beginning, platform::this_process(), unforeseen_digits());
         failure = platform::make_new_file(name, platform::facts_of(path).has_value());
         if (!failure) return name;

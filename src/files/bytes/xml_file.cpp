@@ -20,7 +20,7 @@ pugi::xml_document parsed_xml(std::string_view text, const Source& source, const
                                           format, declaration));
     if (const auto at = xml_too_deep(text))
         throw FormatError(source.name, {.offset = *at},
-                          fmt::format("{}: XML with more than {} levels is not read", format, most_levels));
+                          fmt::format("{}: XML with more than {} levels is not read", format, max_levels));
     pugi::xml_document document;
     const auto result = document.load_buffer(text.data(), text.size());
     if (!result)

@@ -58,8 +58,8 @@ private:
         throw FormatError(name_, {.line = static_cast<std::uint64_t>(std::max(mark.line, 0)) + 1}, "YAML: " + what);
     }
     void add(const YAML::Mark& mark, const Extent& extent) {
-        if (open_.size() + extent.levels > most_levels)
-            fail(mark, fmt::format("more than {} levels of nesting", most_levels));
+        if (open_.size() + extent.levels > max_levels)
+            fail(mark, fmt::format("more than {} levels of nesting", max_levels));
         if (open_.empty()) return;
         auto& around = open_.back().extent;
         around.nodes += extent.nodes;
@@ -72,7 +72,7 @@ private:
         if (anchor != YAML::NullAnchor) extents_[anchor] = {.bytes = bytes};
     }
     void begin(const YAML::Mark& mark, YAML::anchor_t anchor) {
-        if (open_.size() >= most_levels) fail(mark, fmt::format("more than {} levels of nesting", most_levels));
+        if (open_.size() >= max_levels) fail(mark, fmt::format("more than {} levels of nesting", max_levels));
         open_.push_back({anchor, {}});
         mark_ = mark;
     }

@@ -32,10 +32,10 @@ std::tuple<bool, bool, bool, bool> drawbacks(const Channel& channel) {
 
 /// "none of its 3 channels holds heights: 0 'x' is no heights: values count up by one, …".
 std::string without_heights(const std::vector<Channel>& channels) {
-    constexpr std::size_t most_reasons = 6;
+    constexpr std::size_t max_reasons = 6;
     auto text = fmt::format("none of its {} channels contains heights", channels.size());
     std::size_t told = 0;
-    for (std::size_t i = 0; i < channels.size() && told < most_reasons; ++i) {
+    for (std::size_t i = 0; i < channels.size() && told < max_reasons; ++i) {
         if (channels[i].info.not_heights.empty()) continue;
         text += fmt::format("{} {} '{}' is not heights: {}", told++ == 0 ? ";" : ",", i, channels[i].info.name,
                             channels[i].info.not_heights);

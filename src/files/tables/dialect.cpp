@@ -350,9 +350,9 @@ std::optional<BrokenCell> broken_row_above(const std::vector<std::string_view>& 
 }
 
 std::optional<BrokenCell> broken_row_of(const std::vector<std::string_view>& lines) {
-    constexpr std::size_t fewest_lines = 3;
+    constexpr std::size_t min_lines = 3;
     std::optional<BrokenCell> found;
-    std::size_t most = fewest_lines - 1;
+    std::size_t most = min_lines - 1;
     std::vector<std::string_view> cells;
     for (const auto& dialect : dialects) {
         std::map<std::size_t, std::pair<std::size_t, BrokenCell>>

@@ -19,9 +19,9 @@ namespace {
 constexpr std::uint64_t chunk_bytes = 1 << 20;
 /// Lines are gathered before they are turned into their places, so that what is written beside each other is written
 /// together.
-constexpr Index most_gathered = 16;
+constexpr Index max_gathered = 16;
 constexpr std::size_t gathered_numbers = 1 << 17;
-constexpr std::size_t most_breaks = 1 << 12;
+constexpr std::size_t max_breaks = 1 << 12;
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
@@ -88,7 +88,7 @@ Chunk look_at(const bytes::Source& source, std::uint64_t begin, std::uint64_t ch
         if (!line.empty()) {
             const bool word = is_letter(line.front()) && !begins_with_number_word(line);
             const bool remark = is_remark(line);
-            if ((word || (remark && line.front() == '#')) && chunk.breaks.size() < most_breaks)
+            if ((word || (remark && line.front() == '#')) && chunk.breaks.size() < max_breaks)
                 chunk.breaks.push_back({offset, chunk.lines, chunk.rows});
             if (!remark) {
                 ++chunk.rows;
@@ -175,7 +175,7 @@ public:
     Gathering(const NumberPlaces& places, Index columns, Array2D& target)
         : places_(places), columns_(columns), target_(target) {
         const auto room = static_cast<Index>(gathered_numbers) / std::max<Index>(columns, 1);
-        capacity_ = std::clamp<Index>(room, 1, most_gathered);
+        capacity_ = std::clamp<Index>(room, 1, max_gathered);
         values_ = std::make_unique_for_overwrite<double[]>(static_cast<std::size_t>(capacity_ * columns));
     }
 
@@ -246,7 +246,7 @@ NumberLines find_number_lines(const TextStart& start, std::uint64_t begin, std::
         if (!lines.blocks.empty()) lines.blocks.back().size = *chunk.first - lines.blocks.back().offset;
         lines.blocks.push_back({*chunk.first, 0, lines.lines, lines.rows});
         for (const auto& found : chunk.breaks)
-            if (lines.breaks.size() < most_breaks)
+            if (lines.breaks.size() < max_breaks)
                 lines.breaks.push_back({found.offset, found.line + lines.lines, found.row + lines.rows});
         if (chunk.rows > 0)
             lines.last = {chunk.last_row, lines.lines + chunk.last_row_line, lines.rows + chunk.rows - 1};

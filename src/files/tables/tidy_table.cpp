@@ -137,11 +137,11 @@ std::string as_text_within(const TidyTable& table, std::size_t width, int signif
     const auto shown = without_silent_columns(table);
     const auto cells = text_cells(shown, significant_digits);
     if (shown.columns.empty()) return stacked(shown, cells);
-    constexpr std::size_t least_for_text = 30;
+    constexpr std::size_t min_for_text = 30;
     const auto last = before_last(cells);
     const bool fits = last + cells.widths.back() <= width;
     const bool wraps =
-        last + least_for_text <= width && shown.columns.size() > 1 && is_text(shown, shown.columns.size() - 1);
+        last + min_for_text <= width && shown.columns.size() > 1 && is_text(shown, shown.columns.size() - 1);
     return fits || wraps ? aligned(shown, cells, width) : stacked(shown, cells);
 }
 

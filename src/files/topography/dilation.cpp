@@ -117,12 +117,12 @@ Array1D Dilator::readings(const ArrayView1D& x, const ArrayView1D& y) const {
 Array2D Dilator::readings() const {
     const auto [nx, ny] = state_->surface->shape();
     Array2D result(nx, ny);
-    const std::size_t runs_a_row = runs(ny);
-    parallel::for_each_index(static_cast<std::size_t>(nx) * runs_a_row, state_->options.threads,
+    const std::size_t runs_per_row = runs(ny);
+    parallel::for_each_index(static_cast<std::size_t>(nx) * runs_per_row, state_->options.threads,
                              [&, ny = ny](std::size_t run) {
                                  Contact contact;
-                                 const auto row = static_cast<Index>(run / runs_a_row),
-                                            first = static_cast<Index>(run % runs_a_row) * run_length;
+                                 const auto row = static_cast<Index>(run / runs_per_row),
+                                            first = static_cast<Index>(run % runs_per_row) * run_length;
                                  for (Index j = first; j < std::min(first + run_length, ny); ++j)
                                      result(row, j) = state_->read(row, j, contact);
                              });

@@ -68,13 +68,13 @@ double OrientedCurve::x_at(double length) const {
 
 Array1D OrientedCurve::height_error() const {
     constexpr Index neighbours = 2;
-    constexpr double least_cosine = 0.1;
+    constexpr double min_cosine = 0.1;
     if (standard_error.size() == 0) return {};
     const Index last = x.size() - 1;
     return Array1D::NullaryExpr(x.size(), [&](Index i) {
         const Index from = std::max<Index>(0, i - neighbours), to = std::min(last, i + neighbours);
         const double cosine = (x[to] - x[from]) / std::hypot(x[to] - x[from], y[to] - y[from]);
-        return standard_error[i] / std::max(least_cosine, cosine);
+        return standard_error[i] / std::max(min_cosine, cosine);
     });
 }
 

@@ -27,7 +27,7 @@ Array1D trace_transfer(const TraceResponse& response, const ArrayView1D& wavevec
 
 double trace_band_end(const TraceResponse& response) {
     const double nyquist = pi / response.step;
-    const double least = response.jumps ? least_trace_power_with_jumps : least_trace_power;
+    const double least = response.jumps ? min_trace_power_with_jumps : min_trace_power;
     const auto inside = [&](double q) { return std::pow(kept(response, Array1D::Constant(1, q))[0], 2) >= least; };
     if (inside(nyquist)) return nyquist;
     return numerics::bisected(inside, 0.0, nyquist, 60).first;  // T falls all the way to π/step

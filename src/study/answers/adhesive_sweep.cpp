@@ -50,12 +50,12 @@ void sweep(SweepAnswer& answer, const TouchingSurface& surface, const SweepReque
 }  // namespace
 
 void SweepRequest::require_complete() const {
-    constexpr double most_ranges = 4.0;
+    constexpr double max_ranges = 4.0;
     (void)body();
     (void)interaction();
-    if (!(largest_move > 0.0 && largest_move <= most_ranges))
+    if (!(largest_move > 0.0 && largest_move <= max_ranges))
         throw InvalidArgument(
-            fmt::format("a largest move of {} ranges; expected above 0, up to {}", largest_move, most_ranges));
+            fmt::format("a largest move of {} ranges; expected above 0, up to {}", largest_move, max_ranges));
     if (maps && !restart.empty())
         throw InvalidArgument("`maps` with `restart`: states before a stop are not kept; expected one of the two");
 }
@@ -66,7 +66,7 @@ half_space::LoopOptions SweepRequest::options(const half_space::Grid& grid) cons
         options.stage_stiffness = parse_quantity(stage_stiffness, positive(dimension::stiffness)) / grid.area();
     options.largest_move = largest_move;
     if (!to_gap.empty()) options.turn = parse_quantity(to_gap, non_negative(dimension::length));
-    if (!to_pressure.empty()) options.most_pressure = parse_quantity(to_pressure, positive(dimension::pressure));
+    if (!to_pressure.empty()) options.max_pressure = parse_quantity(to_pressure, positive(dimension::pressure));
     return options;
 }
 

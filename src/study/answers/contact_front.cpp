@@ -100,7 +100,7 @@ struct Plan {
 };
 
 Plan plan_of(const std::string& file, const HeightMap& map, const FrontRequest& request) {
-    constexpr double most_values = 3e8;  // of K_R and w each
+    constexpr double max_values = 3e8;  // of K_R and w each
     Plan plan{.request = request, .contact = request.contact(), .path = {}, .shortest = 0.0, .rays = {}};
     const auto turn = turning_point(request, plan.contact);
     const auto pixel = map.pixel_size();
@@ -118,12 +118,12 @@ Plan plan_of(const std::string& file, const HeightMap& map, const FrontRequest& 
             file, format_value(reach, "m", 3), format_value(limit, "m", 3)));
     plan.rays = crack_front::ray_grid(reach, plan.shortest);
     const double values = static_cast<double>(plan.rays.angles) * static_cast<double>(plan.rays.radii.count);
-    if (values > most_values)
+    if (values > max_values)
         throw InvalidArgument(
             fmt::format("waves of {} under a contact that reaches {} take {:.1e} places of the edge; expected at most "
                         "{:.0e}, as with `shortest_wavelength = {}`, or a smaller contact",
-                        format_value(plan.shortest, "m", 3), format_value(reach, "m", 3), values, most_values,
-                        format_value(plan.shortest * std::sqrt(values / most_values), "m", 2)));
+                        format_value(plan.shortest, "m", 3), format_value(reach, "m", 3), values, max_values,
+                        format_value(plan.shortest * std::sqrt(values / max_values), "m", 2)));
     return plan;
 }
 
@@ -142,7 +142,7 @@ public:
         edges_.push_back(front.edge());
     }
     void give(FrontRun& run) const {
-        constexpr Index most_angles = 512;
+        constexpr Index max_angles = 512;
         if (edges_.empty()) return;
         const auto array = [](const std::vector<double>& values) -> Array1D {
             return Eigen::Map<const Array1D>(values.data(), std::ssize(values));
@@ -150,7 +150,7 @@ public:
         contact_line::ContactLine line{.time = array(times_),
                                        .radius = Array2D(std::ssize(edges_), edges_.front().size())};
         for (Index i = 0; i < line.frames(); ++i) line.radius.row(i) = edges_[static_cast<std::size_t>(i)].transpose();
-        run.edge = contact_line::at_fewer_angles(line, std::min(most_angles, line.angles()));
+        run.edge = contact_line::at_fewer_angles(line, std::min(max_angles, line.angles()));
         run.displacement = array(displacements_);
         run.force = array(forces_);
     }

@@ -34,7 +34,7 @@ imaging::RadiusOptions RadiusRequest::radius_options(parallel::Threads threads) 
                                                     : imaging::Polarity::automatic;
     options.frame.fringes = fringes;
     options.frame.smallest_radius = smallest_radius;
-    options.frame.least_confidence = least_confidence;
+    options.frame.min_confidence = min_confidence;
     options.threads = threads;
     if (!exclude.empty() && reason.empty())
         throw InvalidArgument(

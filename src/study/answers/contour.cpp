@@ -22,7 +22,7 @@ study::ContourOptions ContourRequest::options() const {
     options.trace.vacuum = output::vacuum_from_name(vacuum);
     options.trace.smoothing_length = smoothing;
     options.trace.denoise = denoise;
-    options.trace.least_length = least_length;
+    options.trace.min_length = min_length;
     for (const auto& text : hidden) options.trace.hidden.push_back(parse_region("`hide`", text));
     options.hide_annotations = !whole_picture;
     options.shape = output::shape_from_name(shape);

@@ -137,12 +137,12 @@ spectra::SpectralDensity density_of(const spectra::Spectrum& curve) {
 }
 
 synthesis::SurfaceGrid surface_grid(const std::string& pixels, const std::string& cell, const Band& band) {
-    constexpr Index most_points = Index{1} << 28;  // a contact of them takes some 40 GB
+    constexpr Index max_points = Index{1} << 28;  // a contact of them takes some 40 GB
     const auto points = point_counts(pixels);
-    if (points[0] < 2 || points[1] < 2 || points[0] > most_points / points[1])
+    if (points[0] < 2 || points[1] < 2 || points[0] > max_points / points[1])
         throw InvalidArgument(
             fmt::format("surfaces of {} x {} points; expected at least 2 x 2 and no more than {} in all", points[0],
-                        points[1], most_points));
+                        points[1], max_points));
     const double longest = 2.0 * pi / band.lower;
     const auto size = cell.empty() ? std::array{2.0 * longest, 2.0 * longest} : extents(cell);
     return {points[0], points[1], size[0], size[1]};

@@ -80,7 +80,7 @@ PairDesign design_of(const study::StudyResult& study, const study::PairResult& p
         return result;
     }
     const double lowest = richest_band(stored, kind.band());
-    const double lowest_of_patch = 2.0 * pi * kind.waves_a_side / static_cast<double>(kind.points);
+    const double lowest_of_patch = 2.0 * pi * kind.waves_per_side / static_cast<double>(kind.points);
     kind.spectrum = [C_iso = density_of(curve), scale = lowest / lowest_of_patch](double q) {
         return C_iso(q * scale);
     };
@@ -198,11 +198,11 @@ output::Json json_of(const PatchMean& mean) { return {{"value", mean.value}, {"s
 std::vector<PatchDesign> PatchSurveyRequest::kinds() const {
     std::vector<PatchDesign> kinds;
     for (const Index n : points)
-        for (const double wave : points_a_wave)
+        for (const double wave : points_per_wave)
             for (const double ratio : squared_ratios)
                 kinds.push_back({.points = n,
-                                 .points_a_wave = wave,
-                                 .waves_a_side = waves_a_side,
+                                 .points_per_wave = wave,
+                                 .waves_per_side = waves_per_side,
                                  .hurst_exponent = hurst_exponent,
                                  .squared_ratio = ratio,
                                  .law = half_space::attraction_law_named(law)});

@@ -688,8 +688,8 @@ std::vector<AlertKind> of_loops() {
          fmt::format("A value is far outside its usual range: a contact radius above that of the sphere, E* "
                      "outside {:g} … {:g} Pa, or W above {:g} J/m². In a study, W of an adhesive contact must "
                      "also be above {:g} J/m².",
-                     limits.contact_modulus_least, limits.contact_modulus_most, limits.work_of_adhesion_most,
-                     study::least_work_of_adhesion),
+                     limits.contact_modulus_min, limits.contact_modulus_max, limits.work_of_adhesion_max,
+                     study::min_work_of_adhesion),
          "The message gives the likely factor, a power of 1000.",
          "Check the units of the columns and of the sphere radius.",
          "The limits include gels and diamond, adhesives that flow, and contacts in "

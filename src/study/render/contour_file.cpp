@@ -101,7 +101,7 @@ Json options_json(const study::ContourOptions& options) {
               {"shape", to_string(options.shape)},
               {"foil_thickness", nullptr}};
     if (t.smoothing_length) json["smoothing_length"] = *t.smoothing_length;
-    if (t.least_length) json["least_length"] = *t.least_length;
+    if (t.min_length) json["least_length"] = *t.min_length;
     if (options.foil_thickness) json["foil_thickness"] = *options.foil_thickness;
     for (const auto& region : t.hidden) json["hidden"].push_back(as_json(region));
     return json;
@@ -172,7 +172,7 @@ study::ContourOptions stored_options(const Json& json, const std::string& path) 
     options.trace.vacuum = vacuum_from_name(object.value<std::string>("vacuum"));
     options.trace.smoothing_length = object.maybe<double>("smoothing_length");
     options.trace.denoise = object.value<double>("denoise");
-    options.trace.least_length = object.maybe<double>("least_length");
+    options.trace.min_length = object.maybe<double>("least_length");
     for (const auto& region : object.at("hidden")) {
         if (!region.is_array() || region.size() != 4)
             object.fail("hidden", "holds something else than [x, y, width, height]");

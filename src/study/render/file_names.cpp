@@ -14,7 +14,7 @@ namespace setae::output {
 namespace {
 
 // with what goes before and behind them, names stay below the 255 bytes of common file systems
-constexpr std::size_t most_bytes = 120;
+constexpr std::size_t max_bytes = 120;
 
 /// Letters beyond ASCII, as far as their place in Unicode tells: none of signs, blanks, punctuation and private marks.
 bool is_letter_beyond_ascii(std::string_view character) {
@@ -38,7 +38,7 @@ std::string readable(std::string_view name) {
         const bool kept = first < 0x80
                               ? std::isalnum(first) || std::string_view("-_.").find(character) != std::string_view::npos
                               : is_letter_beyond_ascii(character);
-        if (result.size() + length > most_bytes) break;
+        if (result.size() + length > max_bytes) break;
         result += kept ? character : std::string_view("_");
         name.remove_prefix(length);
     }

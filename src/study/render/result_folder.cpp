@@ -61,9 +61,9 @@ void require_same_study(const std::string& listed, const std::string& study, con
 /// Keeps other processes waiting, in the folder that the path leads to: another one may remove it before it is locked.
 /// @throws FileError where it cannot be made.
 std::unique_ptr<bytes::FolderLock> locked_folder(const std::string& folder, bool& made) {
-    constexpr int most_tries = 100;
+    constexpr int max_tries = 100;
     std::unique_ptr<bytes::FolderLock> lock;
-    for (int i = 0; i < most_tries && !(lock && lock->holds(folder)); ++i) {
+    for (int i = 0; i < max_tries && !(lock && lock->holds(folder)); ++i) {
         std::error_code failure;
         made = fs::create_directories(folder, failure) || made;
         if (failure)

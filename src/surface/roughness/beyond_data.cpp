@@ -123,12 +123,12 @@ BeyondData beyond_data(const Spectrum& curve, double up_to) {
             fmt::format("a spectrum from {:.4g} to {:.4g} 1/m continued to {:.4g}; expected a wavevector outside this "
                         "range",
                         curve.band.lower, curve.band.upper, up_to));
-    constexpr double least_error = 0.2, normal_quantile = 1.96;
+    constexpr double min_error = 0.2, normal_quantile = 1.96;
     constexpr double steepest = -4.0, flattest = 0.0;  // of long waves: H = 1 and the plateau
     const double end = towards_short ? curve.band.upper : curve.band.lower;
     auto law = power_law_at(curve, end);
     if (!towards_short) law.exponent = std::clamp(law.exponent, steepest, flattest);
-    const double error = std::max(least_error, law.standard_error);
+    const double error = std::max(min_error, law.standard_error);
     const auto within = spectral_parameters(curve);
     const double outwards = towards_short ? 1.0 : -1.0;
     const auto at = [&](double quantile) {

@@ -186,7 +186,7 @@ Decades whole_decades(const CombinedSpectrum& spectrum) {
 }
 
 /// The most of what was counted in any bin of a decade.
-double most_in(Index decade, const CombinedSpectrum& spectrum, const Array1D& counts) {
+double max_in_decade(Index decade, const CombinedSpectrum& spectrum, const Array1D& counts) {
     const auto& grid = spectrum.grid;
     const Index n = grid.bins_per_decade;
     double most = 0.0;
@@ -202,7 +202,7 @@ void add_single_instrument_alerts(const BinnedSpectra& binned, CombinedSpectrum&
     if (std::adjacent_find(instruments.begin(), instruments.end(), std::not_equal_to<>()) == instruments.end()) return;
     const auto decades = whole_decades(spectrum);
     for (Index decade = decades.lowest; decade < decades.end; ++decade)
-        if (most_in(decade, spectrum, spectrum.instrument_count) == 1.0)
+        if (max_in_decade(decade, spectrum, spectrum.instrument_count) == 1.0)
             spectrum.alerts.push_back(
                 {"SINGLE_INSTRUMENT_DECADE", "combined spectrum",
                  fmt::format(
@@ -217,7 +217,7 @@ void add_single_measurement_alerts(const BinnedSpectra& binned, CombinedSpectrum
     if (binned.C1D.rows() < 2) return;
     const auto decades = whole_decades(spectrum);
     for (Index decade = decades.lowest; decade < decades.end; ++decade)
-        if (most_in(decade, spectrum, spectrum.count) == 1.0)
+        if (max_in_decade(decade, spectrum, spectrum.count) == 1.0)
             spectrum.alerts.push_back(
                 {"SINGLE_MEASUREMENT_DECADE", "combined spectrum",
                  fmt::format(

@@ -160,8 +160,8 @@ Optimum minimised(const Problem& problem, Parameters start, const std::vector<In
     Array1D expected = problem.expected(best.at);
     best.loss = problem.loss(expected);
     double damping = 1e-3;
-    constexpr int most_iterations = 60;
-    for (; best.iterations < most_iterations; ++best.iterations) {
+    constexpr int max_iterations = 60;
+    for (; best.iterations < max_iterations; ++best.iterations) {
         const MatrixXd J = jacobian(problem, best.at, free);
         const MatrixXd weighted = problem.freedom().matrix().asDiagonal() * J;
         const MatrixXd information = J.transpose() * weighted;

@@ -13,7 +13,7 @@ namespace setae::spectra {
 namespace {
 
 /// C1D must exceed what is taken off as noise so many times: N is known to about 20 %, which then moves C1D by 10 %.
-constexpr double least_signal = 2.0;
+constexpr double min_signal = 2.0;
 
 /// Mean over neighbouring modes, within a fifth of the wavevector and at least eight on either side.
 Array1D smoothed(const Array1D& wavevector, const Array1D& values) {
@@ -41,13 +41,13 @@ void correct_for_trace(MeasuredSpectrum& spectrum, const topography::TraceRespon
     const auto& q = spectrum.wavevector;
     const Array1D noise =
         kept_by_segments * topography::smoothing_transfer(response, q).square() * response.noise_density;
-    const Array1D kept = topography::trace_transfer(response, q).square().max(topography::least_trace_power);
+    const Array1D kept = topography::trace_transfer(response, q).square().max(topography::min_trace_power);
     spectrum.density = (spectrum.density - noise) / kept;
 
     const Array1D signal = smoothed(q, spectrum.density), floor = noise / kept;
     const double widest = topography::trace_band_end(response);
     Index end = 0;
-    while (end < q.size() && q[end] <= widest && signal[end] > least_signal * floor[end]) ++end;
+    while (end < q.size() && q[end] <= widest && signal[end] > min_signal * floor[end]) ++end;
     const double nyquist = spectrum.band.upper;
     spectrum.band.upper = end == 0 ? 0.0 : end == q.size() ? nyquist : std::min(nyquist, q[end - 1]);
     const std::string action = "to use shorter waves, take pictures with a higher magnification or less noise";
@@ -68,7 +68,7 @@ void correct_for_trace(MeasuredSpectrum& spectrum, const topography::TraceRespon
                          "where blur and smoothing remove up to {:.0f} % of C1D",
                          format_value(response.noise_density, "m³", 3),
                          format_value(2.0 * pi / std::min(q[last], nyquist), "m"),
-                         100.0 * (1.0 - topography::least_trace_power_with_jumps)),
+                         100.0 * (1.0 - topography::min_trace_power_with_jumps)),
              action});
         return;
     }

@@ -10,7 +10,7 @@ namespace setae::spectra {
 /// trace's noise or its blur takes over, and says so by the alert TRACE_NOISE.
 ///
 /// R: what C_traced itself keeps of the samples' noise, 1 where the spectrum has been divided by segment_response.
-/// Beyond the band T² counts as least_trace_power, so that no number runs away. Negative values stay: clipped ones
+/// Beyond the band T² counts as min_trace_power, so that no number runs away. Negative values stay: clipped ones
 /// would lift the mean. spectrum: increasing wavevectors.
 void correct_for_trace(MeasuredSpectrum& spectrum, const topography::TraceResponse& response,
                        const ArrayView1D& kept_by_segments);

@@ -48,7 +48,7 @@ TEST(RoughCurve, TurnsBackAtEveryBulgeByItsDepth) {
                                     .height = 400,
                                     .rms_height = 4.0,
                                     .bulges = 4,
-                                    .least_depth = 5.0,
+                                    .min_depth = 5.0,
                                     .largest_depth = 10.0,
                                     .key = {9, 0}});
     ASSERT_EQ(rough.overhangs.size(), 8u);
@@ -106,7 +106,7 @@ TEST(RoughCurve, DependsOnTheKeyAloneAndRefusesWhatIsNoCurve) {
     refused([](auto& o) { o.cutoff_wavelength = 2000.0; });
     refused([](auto& o) { o.tilt = 1.2; });
     refused([](auto& o) { o.bulges = 3; });
-    refused([](auto& o) { o.least_depth = 11.0; });
+    refused([](auto& o) { o.min_depth = 11.0; });
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace setae::parallel {
 
 namespace {
 
-std::atomic<int> most_threads{0};
+std::atomic<int> max_threads{0};
 thread_local const std::atomic<bool>* cancellation = nullptr;
 
 }  // namespace
@@ -31,11 +31,11 @@ void stop_if_cancelled() {
     if (cancellation && *cancellation) throw Cancelled("the caller asked to stop");
 }
 
-void limit_threads(Threads threads) { most_threads = std::max(0, threads.count); }
+void limit_threads(Threads threads) { max_threads = std::max(0, threads.count); }
 
 int Threads::resolved() const {
     if (count > 0) return count;
-    if (const int most = most_threads; most > 0) return most;
+    if (const int most = max_threads; most > 0) return most;
     static const int processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));  // reads files
     return processors;
 }

@@ -42,15 +42,15 @@ std::vector<char*> pointers_to(std::vector<std::string>& texts) {
 }
 
 /// Ends the child: signals kill it without a word, whatever the program does with them.
-[[noreturn]] void perform(const std::function<void()>& use, unsigned most_seconds) {
+[[noreturn]] void perform(const std::function<void()>& use, unsigned max_seconds) {
     for (const int number : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGALRM, SIGXCPU}) ::signal(number, SIG_DFL);
     const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
     ::dup2(nowhere, STDOUT_FILENO);
     ::dup2(nowhere, STDERR_FILENO);
-    const rlimit none{0, 0}, seconds{most_seconds, most_seconds};
+    const rlimit none{0, 0}, seconds{max_seconds, max_seconds};
     ::setrlimit(RLIMIT_CORE, &none);
     ::setrlimit(RLIMIT_CPU, &seconds);
-    ::alarm(most_seconds);
+    ::alarm(max_seconds);
     try {
         use();
     } catch (...) {  // the caller meets it, too, and knows what to say
@@ -97,10 +97,10 @@ std::optional<std::string> output_of(const std::string& line) {
     return ::pclose(answer) == 0 ? std::optional(text) : std::nullopt;
 }
 
-std::optional<ProcessEnd> run_in_child(const std::function<void()>& use, unsigned most_seconds) {
+std::optional<ProcessEnd> run_in_child(const std::function<void()>& use, unsigned max_seconds) {
     const pid_t child = ::fork();
     if (child < 0) return ProcessEnd{.start = error_of(errno)};
-    if (child == 0) perform(use, most_seconds);
+    if (child == 0) perform(use, max_seconds);
     int status = 0;
     if (!wait_for(child, status)) return std::nullopt;
     return end_of(status);

@@ -15,7 +15,7 @@
 namespace setae::fourier {
 namespace {
 
-constexpr std::ptrdiff_t doubles_a_value = 2;
+constexpr std::ptrdiff_t doubles_per_value = 2;
 
 /// Which lines of the half spectrum and which rows of the map this rank holds.
 struct Shares {
@@ -32,7 +32,7 @@ Shares shares(MPI_Comm communicator, Index modes, Index nx) {
     start_fftw();
     const std::array<std::ptrdiff_t, 2> shape{modes, nx};
     Shares own;
-    own.doubles = fftw_mpi_local_size_many_transposed(2, shape.data(), doubles_a_value, FFTW_MPI_DEFAULT_BLOCK,
+    own.doubles = fftw_mpi_local_size_many_transposed(2, shape.data(), doubles_per_value, FFTW_MPI_DEFAULT_BLOCK,
                                                       FFTW_MPI_DEFAULT_BLOCK, communicator, &own.lines, &own.first_line,
                                                       &own.rows, &own.first_row);
     return own;
@@ -40,7 +40,7 @@ Shares shares(MPI_Comm communicator, Index modes, Index nx) {
 
 /// From lines of nx modes each to rows of `modes` values each, in place.
 void transpose(MPI_Comm communicator, Index modes, Index nx, double* values) {
-    const auto plan = fftw_mpi_plan_many_transpose(modes, nx, doubles_a_value, FFTW_MPI_DEFAULT_BLOCK,
+    const auto plan = fftw_mpi_plan_many_transpose(modes, nx, doubles_per_value, FFTW_MPI_DEFAULT_BLOCK,
                                                    FFTW_MPI_DEFAULT_BLOCK, values, values, communicator, FFTW_ESTIMATE);
     if (plan == nullptr)
         throw InternalError(fmt::format("the parallel transpose of {} x {} values is not possible", modes, nx));
@@ -79,7 +79,7 @@ MapSlab distributed_inverse_transform_map(MPI_Comm communicator, const SpectrumL
 
     // complex values seen as pairs, as the standard allows; lines in a buffer of their own, since a transform wants
     // alignment
-    Buffer<Complex> values(static_cast<std::size_t>(own.doubles / doubles_a_value + 1));
+    Buffer<Complex> values(static_cast<std::size_t>(own.doubles / doubles_per_value + 1));
     rethrow_together(communicator, failure_of([&] {
                          parallel::for_each_index(static_cast<std::size_t>(own.lines), threads, [&](std::size_t line) {
                              thread_local Buffer<Complex> buffer;

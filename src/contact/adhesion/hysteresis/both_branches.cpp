@@ -185,10 +185,10 @@ BranchLines BothBranches::lines_at(Branch branch, const VectorXd& x, const Knowl
     const Index n = size(), inputs = x.size();
     BranchLines lines{VectorXd(n), MatrixXd::Zero(n, inputs), VectorXd(n), VectorXd::Zero(n), {}, {}};
     // secants over one standard error to either side; W_int, known to nothing at first, over a tenth of that
-    constexpr double most_of_work = 0.1;
+    constexpr double max_of_work = 0.1;
     const auto step_of = [&](Index k) {
         const double deviation = std::sqrt(std::max(0.0, known.covariance(k, k)));
-        return k == work ? std::min(most_of_work, deviation) : deviation;
+        return k == work ? std::min(max_of_work, deviation) : deviation;
     };
     const double largest = std::max(approach_.cwiseAbs().maxCoeff(), retraction_.cwiseAbs().maxCoeff());
     const double least = 1e-9 * largest;

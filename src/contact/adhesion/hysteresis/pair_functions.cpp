@@ -11,7 +11,7 @@ namespace setae::hysteresis {
 namespace {
 
 /// Of the area, so that laws have a contact to speak of where simulated patches have next to none.
-constexpr double least_contact = 1e-6;
+constexpr double min_contact = 1e-6;
 
 /// 0 of an edge so short that nothing pins it: the error of k over such a k is no number.
 double relative_error(const PinningCoefficient& k) {
@@ -87,7 +87,7 @@ PairState PairFunctions::contact_state(const Roughness& rough, const Inputs& in)
     const double gain = state.conforming_gain();
     const auto contact = adhesion::unloaded_contact(state.stored_energy / gain);
     const double gained = contact.gain + in[patches] * contact.gain_error;
-    state.contact_fraction = std::clamp(contact.area_fraction + in[patches] * contact.area_error, least_contact, 1.0);
+    state.contact_fraction = std::clamp(contact.area_fraction + in[patches] * contact.area_error, min_contact, 1.0);
     // a contact gains its share of W less what it stores
     state.stored_energy = std::max(0.0, state.contact_fraction - gained) * gain;
     state.work_approach = gained * gain;

@@ -33,12 +33,12 @@ double longest_front(double energy_share) {
     return below->larkin_lengths * std::pow(above->larkin_lengths / below->larkin_lengths, way);
 }
 
-double least_length(double energy_share) { return 0.965 * (1.0 + 5.3 * std::pow(energy_share, 0.655)); }
+double min_length(double energy_share) { return 0.965 * (1.0 + 5.3 * std::pow(energy_share, 0.655)); }
 
 constexpr double of_length = 0.68;
 
 double shortness(double energy_share, double larkin_lengths) {
-    return std::pow(least_length(energy_share) / larkin_lengths, of_length);
+    return std::pow(min_length(energy_share) / larkin_lengths, of_length);
 }
 
 /// k∞ exp(−shortness)
@@ -71,7 +71,7 @@ PinningConstants pinning_constants(double energy_share, double larkin_lengths) {
     require_front(energy_share, larkin_lengths);
     constexpr double beyond_share = 0.3;  // of k
     const double share = simulated_share(energy_share), longest = longest_front(share),
-                 shortest = shortest_front * least_length(share);
+                 shortest = shortest_front * min_length(share);
     auto k = fitted(share, larkin_lengths);
     const auto widen = [&](double error) { k.standard_error = std::hypot(k.standard_error, error); };
     if (energy_share > share) widen(beyond_share * k.value);

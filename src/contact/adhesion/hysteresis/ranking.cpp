@@ -35,11 +35,11 @@ GeneralisedFit fit_of(const RetractionModel& model, const std::vector<PairPoint>
 std::string too_few(const std::vector<RankedPair>& pairs) {
     std::set<std::string> surfaces;
     for (const auto& pair : pairs) surfaces.insert(pair.pair.rough.name);
-    if (pairs.size() >= fewest_ranked_pairs && surfaces.size() >= fewest_ranked_surfaces) return "";
+    if (pairs.size() >= min_ranked_pairs && surfaces.size() >= min_ranked_surfaces) return "";
     return fmt::format(
         "{} on {} with measured W_app and W_ret; a ranking of models needs at least {} pairs on {} surfaces",
-        counted(pairs.size(), "pair", "pairs"), counted(surfaces.size(), "surface", "surfaces"), fewest_ranked_pairs,
-        fewest_ranked_surfaces);
+        counted(pairs.size(), "pair", "pairs"), counted(surfaces.size(), "surface", "surfaces"), min_ranked_pairs,
+        min_ranked_surfaces);
 }
 
 double rms_left_out(const std::vector<adhesion::LeftOutPrediction>& predictions, bool surfaces) {

@@ -11,7 +11,7 @@
 namespace setae::contact_line {
 namespace {
 
-constexpr Index fewest_angles = 16;
+constexpr Index min_angles = 16;
 
 /// Root mean square of a closed line without the harmonics 0, 1 and 2.
 double deviation_of(const ArrayView1D& radius) {
@@ -46,9 +46,9 @@ void require_valid(const ContactLine& line) {
     if (line.frames() < 1 || line.time.size() != line.frames())
         throw InvalidArgument(fmt::format("a contact line of {} times and {} frames; expected one time for each frame",
                                           line.time.size(), line.frames()));
-    if (line.angles() < fewest_angles)
+    if (line.angles() < min_angles)
         throw InvalidArgument(
-            fmt::format("a contact line at {} angles; expected at least {}", line.angles(), fewest_angles));
+            fmt::format("a contact line at {} angles; expected at least {}", line.angles(), min_angles));
     if (!(line.place_error >= 0.0) || std::isinf(line.place_error))
         throw InvalidArgument(
             fmt::format("a standard error of {} m for a place of the line; expected 0 or more", line.place_error));

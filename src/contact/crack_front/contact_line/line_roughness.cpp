@@ -17,7 +17,7 @@
 namespace setae::contact_line {
 namespace {
 
-constexpr Index most_blocks = 16, fewest_modes = 4;
+constexpr Index max_blocks = 16, min_modes = 4;
 constexpr double lowest_exponent = -0.5, highest_exponent = 2.5;
 
 /// |r_n|² of every frame, n = 0 … N/2: shape (M, N/2 + 1).
@@ -96,7 +96,7 @@ Array1D structure_function(const ArrayView1D& power, Index angles) {
 
 /// Means without each of at most 16 blocks of consecutive frames.
 std::vector<Array1D> means_without_blocks(const Array2D& power) {
-    const Index frames = power.rows(), blocks = std::min(frames, most_blocks);
+    const Index frames = power.rows(), blocks = std::min(frames, max_blocks);
     const Array1D whole = power.colwise().sum().transpose();
     std::vector<Array1D> means;
     for (Index b = 0; b < blocks && blocks > 1; ++b) {
@@ -113,9 +113,9 @@ LineRoughness line_roughness(const ContactLine& line, const RoughnessBand& band)
     require_valid(line);
     const Index half = line.angles() / 2, first = band.smallest_mode,
                 last = band.largest_mode == 0 ? line.angles() / 4 : band.largest_mode;
-    if (first < 1 || last > half || last - first + 1 < fewest_modes)
+    if (first < 1 || last > half || last - first + 1 < min_modes)
         throw InvalidArgument(fmt::format("modes {} to {} of a line of {} angles; expected at least {} of 1 to {}",
-                                          first, last, line.angles(), fewest_modes, half));
+                                          first, last, line.angles(), min_modes, half));
     const auto power = periodograms(line);
     const Array1D mean = power.colwise().mean().transpose();
     const double noise = line.place_error * line.place_error / static_cast<double>(line.angles());

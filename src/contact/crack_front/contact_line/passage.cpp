@@ -12,7 +12,7 @@
 namespace setae::contact_line {
 namespace {
 
-constexpr double most_rings = 1e5;
+constexpr double max_rings = 1e5;
 
 /// A ring of fewer noises would take its speed from them.
 double suggested_width(const ContactLine& line) {
@@ -56,9 +56,9 @@ Passage passage(const ContactLine& line, Direction direction, double ring_width)
     result.width = ring_width > 0.0 ? ring_width : suggested_width(line);
     const double smallest = line.radius.minCoeff(), largest = line.radius.maxCoeff(),
                  count = std::ceil((largest - smallest) / result.width);
-    if (count > most_rings)
+    if (count > max_rings)
         throw InvalidArgument(fmt::format("{:.0f} rings of {:.3g} m; expected at most {:.0f}: choose wider rings",
-                                          count, result.width, most_rings));
+                                          count, result.width, max_rings));
     const auto rings = std::max<Index>(1, static_cast<Index>(count));
     const double sign = direction == Direction::receding ? -1.0 : 1.0,
                  start = direction == Direction::receding ? largest : smallest;

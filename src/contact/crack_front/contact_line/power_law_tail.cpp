@@ -32,7 +32,7 @@ double distance_from_law(const std::vector<double>& logarithms, std::size_t firs
     return largest;
 }
 
-constexpr std::size_t most_starts = 400;
+constexpr std::size_t max_starts = 400;
 
 }  // namespace
 
@@ -46,7 +46,7 @@ PowerLawTail power_law_tail(const ArrayView1D& values, Index fewest) {
     for (std::size_t i = logarithms.size(); i-- > 0;) sum_above[i] = sum_above[i + 1] + logarithms[i];
     PowerLawTail best;
     best.distance = 2.0;
-    const std::size_t starts = logarithms.size() - least + 1, stride = std::max<std::size_t>(1, starts / most_starts);
+    const std::size_t starts = logarithms.size() - least + 1, stride = std::max<std::size_t>(1, starts / max_starts);
     for (std::size_t first = 0; first < starts; first += stride) {
         const auto count = static_cast<double>(logarithms.size() - first);
         const double excess = sum_above[first] - count * logarithms[first];

@@ -98,7 +98,7 @@ TEST(FrontLoop, EndsWhereItIsTold) {
 TEST(FrontLoop, MeetsWithoutLookingForRoundings) {
     const auto fine = work_of([](double, double angle) { return W * (1.0 + 0.2 * std::cos(900.0 * angle)); }, 4096,
                               {9001, 0.0, 2e-4}, W);
-    CircularFront front(sphere, fine, {.most_iterations = 20000});
+    CircularFront front(sphere, fine, {.max_iterations = 20000});
     const auto state = front.solve(HeldDisplacement{0.0});
     EXPECT_TRUE(state.converged) << state.residual;
     EXPECT_NEAR(state.mean_radius, contact::jkr::jump_in_at_fixed_grips(jkr_contact).contact_radius, 1e-2);

@@ -20,9 +20,9 @@ struct StraightFrontOptions {
     double width = 0.0;      ///< L_z [m], > 0: lines are width/lines apart
     double restoring = 0.0;  ///< q_κ [1/m] of the spring that drives it; 0: π/L_z, G_J'/G_J of a circle of 2πa = L_z
     EquilibriumMethod method = EquilibriumMethod::trust_region;
-    double tolerance = 1e-9;       ///< of the largest |residual| over W
-    int most_iterations = 100000;  ///< of one equilibrium
-    double largest_move = 0.5;     ///< of a point in one step of the trust region, in spacings of the field
+    double tolerance = 1e-9;      ///< of the largest |residual| over W
+    int max_iterations = 100000;  ///< of one equilibrium
+    double largest_move = 0.5;    ///< of a point in one step of the trust region, in spacings of the field
 };
 
 /// A front x(z) on parallels, which its spring pulls to x_d.
@@ -136,7 +136,7 @@ public:
     State drive_to(double position) {
         equation_.drive_to(position);
         const SearchLimits limits{.tolerance = options_.tolerance * mean_work_,
-                                  .most_iterations = options_.most_iterations,
+                                  .max_iterations = options_.max_iterations,
                                   .largest_move = options_.largest_move * pinning_.points().spacing};
         const auto found = options_.method == EquilibriumMethod::rosso_krauth ? rosso_krauth(equation_, front, limits)
                                                                               : trust_region(equation_, front, limits);

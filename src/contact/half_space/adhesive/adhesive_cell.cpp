@@ -372,7 +372,7 @@ double AdhesiveCell::Work::approach_equilibrium(double left, double wanted, int&
         ++iterations;
         left = residual();
     }
-    while (left > wanted && iterations < options_.most_iterations) {
+    while (left > wanted && iterations < options_.max_iterations) {
         ++iterations;
         if (!newton_step(left) && !gradient_step()) break;
         left = residual();
@@ -397,7 +397,7 @@ AdhesiveState AdhesiveCell::Work::solve(const AdhesiveControl& control) {
     double left = residual();
     int iterations = 0, before = -1;
     // Newton steps leave stresses the rounding of float: equilibrium is what it is with stresses found anew
-    while (left > wanted && iterations < options_.most_iterations && iterations > before) {
+    while (left > wanted && iterations < options_.max_iterations && iterations > before) {
         before = iterations;
         left = approach_equilibrium(left, wanted, iterations);
         refresh();
@@ -425,7 +425,7 @@ AdhesiveCell::Tangent AdhesiveCell::Work::find_tangent() {
     apply_stiffness(tangent_, stiff_tangent_);
     // of a mean gap that changes by ρ. V'' is 0 of constant tension: what the longest wave answers is the least that
     // counts
-    const double least = elastic_.least_stiffness();
+    const double least = elastic_.min_stiffness();
     const auto sums = rows_.numbers<2>([&](Index i) {
         auto G = row(trial_.gradient, i);
         const auto t = row(tangent_, i);

@@ -11,11 +11,11 @@
 namespace setae::half_space {
 namespace {
 
-constexpr double ladder = 0.5;         ///< ratio of mean gaps close to full contact
-constexpr double last_rung = 1e-3;     ///< over ρ
-constexpr double least_halved = 1e-4;  ///< a step is not halved below this, over ρ
-constexpr double closed_step = 0.25;   ///< of a stage over full contact, over ρ
-constexpr double most_beyond = 10.0;   ///< of where it began, over the way from there to the turn
+constexpr double ladder = 0.5;        ///< ratio of mean gaps close to full contact
+constexpr double last_rung = 1e-3;    ///< over ρ
+constexpr double min_halved = 1e-4;   ///< a step is not halved below this, over ρ
+constexpr double closed_step = 0.25;  ///< of a stage over full contact, over ρ
+constexpr double max_beyond = 10.0;   ///< of where it began, over the way from there to the turn
 constexpr std::size_t steps_between_checkpoints = 20;
 
 /// Steps of one loop.
@@ -39,7 +39,7 @@ public:
         const auto never = [] { return false; };
         if (here().approaching && !to(turn, true, [&] { return pressed(); })) return false;
         if (here().position < first && !to(first, false, never)) return false;
-        if (!parted() && !to(first + most_beyond * (first - turn), false, [&] { return parted(); })) return false;
+        if (!parted() && !to(first + max_beyond * (first - turn), false, [&] { return parted(); })) return false;
         return to(first, false, never);
     }
 
@@ -57,7 +57,7 @@ private:
         return HeldGap{position};
     }
 
-    [[nodiscard]] bool pressed() const { return here().state.tension <= -options_.most_pressure; }
+    [[nodiscard]] bool pressed() const { return here().state.tension <= -options_.max_pressure; }
     /// In the state it began with, as far as the ledger sees: a neck that is drawn out passes its energy, too.
     [[nodiscard]] bool parted() const {
         const double touched = steps_.front().state.area_fraction;
@@ -92,14 +92,13 @@ private:
 
     Advance advance() {
         const auto tangent = cell_.find_tangent();
-        double step =
-            std::clamp(options_.largest_move * range_ / tangent.largest, options_.least_step * range_, range_);
+        double step = std::clamp(options_.largest_move * range_ / tangent.largest, options_.min_step * range_, range_);
         if (!tangent.stable) step = std::min(step, 0.5 * range_);
         if (!options_.stage_stiffness) return {.position = step, .mean_gap = step};
         if (here().state.mean_gap == 0.0) return {.position = closed_step * range_, .mean_gap = 0.0};
         // dz = d⟨g⟩ (1 + T'/k_m); where that is not positive the stage leads over a fold
         const double stretch = tangent.stable ? 1.0 + tangent.tension_slope / *options_.stage_stiffness : 1.0;
-        const double position = std::max(step * stretch, options_.least_step * range_);
+        const double position = std::max(step * stretch, options_.min_step * range_);
         return {.position = position, .mean_gap = stretch > 0.0 ? std::min(step, position / stretch) : step};
     }
 
@@ -129,7 +128,7 @@ private:
         // work that came from nowhere: the tangent led over a barrier
         const bool gained = step.dissipation < -tolerance;
         const bool jumped = step.dissipation > tolerance && missed > tolerance;
-        return (gained || jumped) && length > least_halved * range_;
+        return (gained || jumped) && length > min_halved * range_;
     }
 
     bool add(const LoopStep& step) {
@@ -164,8 +163,8 @@ void require(const LoopOptions& options, double first) {
     const bool stage = options.stage_stiffness.has_value();
     if (stage && !(*options.stage_stiffness > 0.0 && std::isfinite(*options.stage_stiffness)))
         throw InvalidArgument(fmt::format("stiffness of the stage is {} Pa/m; expected > 0", *options.stage_stiffness));
-    if (!(options.most_pressure > 0.0))
-        throw InvalidArgument(fmt::format("a loop up to a pressure of {} Pa; expected > 0", options.most_pressure));
+    if (!(options.max_pressure > 0.0))
+        throw InvalidArgument(fmt::format("a loop up to a pressure of {} Pa; expected > 0", options.max_pressure));
     if (!(options.turn < first && std::isfinite(options.turn) && (stage || options.turn >= 0.0)))
         throw InvalidArgument(
             fmt::format("a loop from {} m to {} m and back; expected a turning point {}below the start", first,

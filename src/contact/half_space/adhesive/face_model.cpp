@@ -26,10 +26,10 @@ FaceModel::FaceModel(const Array2D& shape, const ElasticOperator& elastic, const
                      parallel::Threads threads)
     : filter_(elastic.float_filter(threads)),
       stiffness_(float_multiplier(stiffness_of_waves(elastic), units.length / units.pressure)),
-      preconditioner_(float_multiplier(
-          with_mean(elastic.multiplier([&](double k) { return 1.0 / (k + elastic.least_stiffness()); }),
-                    1.0 / elastic.least_stiffness(), static_cast<double>(elastic.grid().points())),
-          units.pressure / units.length)),
+      preconditioner_(
+          float_multiplier(with_mean(elastic.multiplier([&](double k) { return 1.0 / (k + elastic.min_stiffness()); }),
+                                     1.0 / elastic.min_stiffness(), static_cast<double>(elastic.grid().points())),
+                           units.pressure / units.length)),
       units_(units),
       rows_(elastic.slab(), shape.cols(), threads) {
     for (auto* map : {&step_, &stiff_step_, &residual_, &preconditioned_, &direction_, &stiff_direction_})
@@ -124,11 +124,11 @@ void FaceModel::load(const FaceProblem& problem) {
     });
 }
 
-FaceOutcome FaceModel::descend(const Scaled& problem, int most_iterations) {
+FaceOutcome FaceModel::descend(const Scaled& problem, int max_iterations) {
     FaceOutcome outcome;
     precondition(problem, 0, 0);
     double along_last = 0.0;
-    for (int k = 0; k < most_iterations && std::sqrt(residual_power_ / count_) > problem.tolerance; ++k) {
+    for (int k = 0; k < max_iterations && std::sqrt(residual_power_ / count_) > problem.tolerance; ++k) {
         apply_hessian(problem, static_cast<Real>(along_last));
         const double before = product_;
         if (!(curvature_ > 0.0)) {
@@ -158,7 +158,7 @@ FaceOutcome FaceModel::minimise(const FaceProblem& problem) {
                     .control_stiffness = problem.control_stiffness * units_.length / units_.pressure,
                     .radius = static_cast<Real>(problem.radius / units_.length),
                     .tolerance = problem.tolerance / units_.pressure},
-                   problem.most_iterations);
+                   problem.max_iterations);
 }
 
 }  // namespace setae::half_space

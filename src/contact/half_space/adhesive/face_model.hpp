@@ -23,7 +23,7 @@ struct FaceProblem {
     double control_stiffness = 0.0;  ///< c [Pa/m] of what holds the mean
     double radius = 0.0;             ///< |d| <= radius [m]
     double tolerance = 0.0;          ///< rms of what is left of G + H d in the face [Pa]
-    int most_iterations = 200;
+    int max_iterations = 200;
 };
 
 /// How minimise() ended.
@@ -59,7 +59,7 @@ private:
         double tolerance;
     };
     void load(const FaceProblem& problem);
-    FaceOutcome descend(const Scaled& problem, int most_iterations);
+    FaceOutcome descend(const Scaled& problem, int max_iterations);
     void precondition(const Scaled& problem, Real length, Real hold);
     void apply_hessian(const Scaled& problem, Real along_last);
     /// How far along the direction |d| reaches the radius.

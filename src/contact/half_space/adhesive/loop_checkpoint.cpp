@@ -61,8 +61,8 @@ std::string loop_key(const ArrayView2D& heights, const Grid& grid, const Body& b
         bytes += fmt::format(" layer {} {} {}", body.layer->thickness, body.layer->poisson_ratio,
                              static_cast<int>(body.layer->base));
     bytes += fmt::format(" loop {} {} {} {} {} {} {}", options.first.value_or(-1.0), options.turn,
-                         options.stage_stiffness.value_or(0.0), options.most_pressure, options.jump_share,
-                         options.largest_move, options.least_step);
+                         options.stage_stiffness.value_or(0.0), options.max_pressure, options.jump_share,
+                         options.largest_move, options.min_step);
     return bytes::sha256(bytes);
 }
 

@@ -17,11 +17,12 @@ void require(const PatchDesign& design) {
     const auto refuse = [](const char* what, double value, const char* expected) {
         throw InvalidArgument(fmt::format("{} of a patch is {}; expected {}", what, value, expected));
     };
-    constexpr Index most_points = 16384;  // a contact of so many squared takes some 40 GB
-    if (design.points < 1 || design.points > most_points)
+    constexpr Index max_points = 16384;  // a contact of so many squared takes some 40 GB
+    if (design.points < 1 || design.points > max_points)
         refuse("side in points", static_cast<double>(design.points), "1 to 16384");
-    if (!(design.points_a_wave >= 4.0)) refuse("shortest wave in points", design.points_a_wave, "at least 4");
-    if (!(design.waves_a_side >= 1.0)) refuse("number of longest waves per side", design.waves_a_side, "at least 1");
+    if (!(design.points_per_wave >= 4.0)) refuse("shortest wave in points", design.points_per_wave, "at least 4");
+    if (!(design.waves_per_side >= 1.0))
+        refuse("number of longest waves per side", design.waves_per_side, "at least 1");
     if (!(design.energy_share > 0.0 && std::isfinite(design.energy_share)))
         refuse("share of energy", design.energy_share, "> 0");
     if (!(design.squared_ratio > 0.0 && design.squared_ratio <= 1.0))
@@ -30,12 +31,12 @@ void require(const PatchDesign& design) {
         throw InvalidArgument(
             fmt::format("a patch of {} points has no band between {} waves per side and {} points per wave; expected "
                         "more points",
-                        design.points, design.waves_a_side, design.points_a_wave));
+                        design.points, design.waves_per_side, design.points_per_wave));
 }
 
 spectra::SpectralDensity spectrum_of(const PatchDesign& design) {
-    const double longest = 2.0 * pi * design.waves_a_side / static_cast<double>(design.points),
-                 shortest = 2.0 * pi / design.points_a_wave;
+    const double longest = 2.0 * pi * design.waves_per_side / static_cast<double>(design.points),
+                 shortest = 2.0 * pi / design.points_per_wave;
     if (!design.spectrum) return spectra::density(spectra::SelfAffine{1.0, longest, design.hurst_exponent, shortest});
     return [longest, shortest, C = *design.spectrum](double q) {
         return q < longest * (1.0 - 1e-9) || q > shortest * (1.0 + 1e-9) ? 0.0 : C(q);
@@ -44,7 +45,7 @@ spectra::SpectralDensity spectrum_of(const PatchDesign& design) {
 
 }  // namespace
 
-double PatchDesign::band() const { return static_cast<double>(points) / (waves_a_side * points_a_wave); }
+double PatchDesign::band() const { return static_cast<double>(points) / (waves_per_side * points_per_wave); }
 
 Patch make_patch(const PatchDesign& design, parallel::Threads threads) {
     require(design);

@@ -84,9 +84,9 @@ std::vector<JumpClass> jumps_of(const half_space::AdhesiveLoop& loop, bool appro
 void require(const ContactProtocol& protocol) {
     if (!(protocol.preload > 0.0 && std::isfinite(protocol.preload)))
         throw InvalidArgument(fmt::format("preload of a patch is {} h' E*; expected > 0", protocol.preload));
-    if (!(protocol.most_pressure > first_pressure && std::isfinite(protocol.most_pressure)))
+    if (!(protocol.max_pressure > first_pressure && std::isfinite(protocol.max_pressure)))
         throw InvalidArgument(fmt::format("largest pressure on a patch is {} h' E*; expected above {}",
-                                          protocol.most_pressure, first_pressure));
+                                          protocol.max_pressure, first_pressure));
 }
 
 }  // namespace
@@ -118,7 +118,7 @@ PatchContact bring_into_contact(const Patch& patch, const ContactProtocol& proto
     PatchContact contact{.preload = protocol.preload, .opening_tension = tension_to_open(patch, threads)};
     contact.from_far = unloaded(half_space::from_far(cell, DeadLoad{}));
     contact.closing_pressure =
-        contact.from_far.area_fraction >= closed_area ? 0.0 : pressure_to_close(cell, unit, protocol.most_pressure);
+        contact.from_far.area_fraction >= closed_area ? 0.0 : pressure_to_close(cell, unit, protocol.max_pressure);
     half_space::from_far(cell, DeadLoad{-protocol.preload * unit});
     contact.after_preload = unloaded(cell.solve(DeadLoad{}));
     if (protocol.loop) contact.loop = loop_of(patch, threads);

@@ -44,7 +44,7 @@ AdhesiveContactAtScales adhesive_contact_at_scales(double pressure, double work_
     const Index n = scales.wavevector.size();
     AdhesiveContactAtScales contact{.area_fraction = Array1D::Ones(n)};
     contact.effective_work = balanced_work(contact.area_fraction, work_of_adhesion, scales);
-    while (!contact.converged && contact.rounds < options.most_rounds) {
+    while (!contact.converged && contact.rounds < options.max_rounds) {
         ++contact.rounds;
         contact.detachment_stress = (2.0 * options.crack_factor * scales.stiffness * contact.effective_work).sqrt();
         contact.area_fraction =

@@ -138,10 +138,10 @@ TEST(ElasticOperator, SaysWhatBecomesOfTheMean) {
 
 TEST(ElasticOperator, KnowsItsSoftestAndItsStiffestWave) {
     ElasticOperator response({64, 32, 1e-6, 2e-6}, rubber);
-    EXPECT_NEAR(response.least_stiffness() / (1e6 * pi / 1e-6), 1.0, 1e-15);
+    EXPECT_NEAR(response.min_stiffness() / (1e6 * pi / 1e-6), 1.0, 1e-15);
     EXPECT_NEAR(response.greatest_stiffness() / (1e6 * pi * std::hypot(64e6, 16e6)), 1.0, 1e-15);
     ElasticOperator line({1, 32, 1.0, 1e-6}, rubber);
-    EXPECT_NEAR(line.least_stiffness() / (1e6 * 2e6 * pi), 1.0, 1e-15);
+    EXPECT_NEAR(line.min_stiffness() / (1e6 * 2e6 * pi), 1.0, 1e-15);
     EXPECT_NEAR(line.greatest_stiffness() / (1e6 * 32e6 * pi), 1.0, 1e-15);
 }
 

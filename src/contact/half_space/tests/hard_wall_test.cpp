@@ -443,7 +443,7 @@ TEST(HardWall, ApartCarriesNothing) {
 }
 
 TEST(HardWall, ThatDoesNotConvergeSaysSo) {
-    const auto contact = solve(rough(128, 0.1), {.most_iterations = 2, .nested_grids = false});
+    const auto contact = solve(rough(128, 0.1), {.max_iterations = 2, .nested_grids = false});
     EXPECT_EQ(contact.status, SolveStatus::not_converged);
     EXPECT_GT(contact.certificate.duality_gap, 1e-8);
 }

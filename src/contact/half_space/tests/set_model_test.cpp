@@ -55,7 +55,7 @@ TEST_P(Sets, LoseThePressureThatClosesTheirGaps) {
                                            .square = residual.square().sum() / (units.length * units.length),
                                            .load_held = load_held,
                                            .reduction = reduction,
-                                           .most_iterations = 200});
+                                           .max_iterations = 200});
     EXPECT_LT(iterations, 60);
     EXPECT_EQ(model.transform_pairs(), 2 * iterations);
     Array2D change(given.face.rows(), given.face.cols()), response_of(given.face.rows(), given.face.cols());

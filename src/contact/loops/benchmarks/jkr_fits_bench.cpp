@@ -61,9 +61,9 @@ void over_all(benchmark::State& state, const std::function<double(const BranchDa
         benchmark::DoNotOptimize(results.data());
     }
     // seconds of two cores over points, read as ns where the counter says n
-    constexpr double points_a_core = static_cast<double>(loops) * static_cast<double>(samples) / 2.0;
-    state.counters["time_per_point_and_core"] =
-        benchmark::Counter(points_a_core, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+    constexpr double points_per_core = static_cast<double>(loops) * static_cast<double>(samples) / 2.0;
+    state.counters["time_per_point_and_core"] = benchmark::Counter(
+        points_per_core, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
 double least_squares(const BranchData& data) { return fit_radius_force(data, bodies).work_of_adhesion.value; }

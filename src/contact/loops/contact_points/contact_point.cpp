@@ -73,9 +73,9 @@ JkrFit held_fit(const ContactPointInputs& inputs, const LensAndCounterBody& bodi
 
 void add_sensitivity(ContactPoints& points, const ContactPointInputs& inputs, const LensAndCounterBody& bodies,
                      double penetration) {
-    constexpr double least_share = 1e-3;
+    constexpr double min_share = 1e-3;
     const double error = points.contact_point.uncertain() ? points.contact_point.standard_error : 0.0;
-    const double step = std::clamp(error, least_share * penetration, 10.0 * least_share * penetration);
+    const double step = std::clamp(error, min_share * penetration, 10.0 * min_share * penetration);
     const auto held = [&](double sign) {
         return attempt([&] { return held_fit(inputs, bodies, points.contact_point.value + sign * step); });
     };

@@ -143,9 +143,9 @@ void require_repulsion(const Touch& touch, double radius) {
 Estimate first_touch(const Touch& touch, double radius) {
     require_repulsion(touch, radius);
     const double largest = touch.force(touch.contact.loading.last);
-    constexpr double clear = 5.0, share_least = 1e-3, share_most = 0.25;
-    const double least = std::max(clear * touch.noise.force_noise, share_least * largest),
-                 most = std::max(share_most * largest, 4.0 * least);
+    constexpr double clear = 5.0, share_min = 1e-3, share_max = 0.25;
+    const double least = std::max(clear * touch.noise.force_noise, share_min * largest),
+                 most = std::max(share_max * largest, 4.0 * least);
     std::vector<Index> samples;
     Index first = touch.contact.loading.last;
     while (first > touch.contact.extent.first && touch.force(first - 1) > least) --first;

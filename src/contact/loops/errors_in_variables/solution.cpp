@@ -192,7 +192,7 @@ Solution solve(const Points& points, const Parameters& start, Array1D radii, con
     for (;; ++solution.rounds) {
         evaluate(points, solution.parameters, solution.x, options.curvature, round);
         solution.squares = round.squares;
-        if (settled || solution.rounds >= options.most_rounds) break;
+        if (settled || solution.rounds >= options.max_rounds) break;
         const Vector3d step = within_reach(solution.parameters,
                                            step_of(round, free_directions(points, solution.parameters, options.held)));
         if (!step.allFinite()) return solution;
@@ -212,8 +212,8 @@ Solution solve_carefully(const Points& points, const Parameters& start, Array1D 
     Round round(points.force.size());
     settle_radii(points, solution, round);
     double damping = 1e-3;
-    constexpr double most_damping = 1e9;
-    for (; solution.rounds < options.most_rounds && damping < most_damping; ++solution.rounds) {
+    constexpr double max_damping = 1e9;
+    for (; solution.rounds < options.max_rounds && damping < max_damping; ++solution.rounds) {
         const auto free = free_directions(points, solution.parameters, options.held);
         const Vector3d step = within_reach(solution.parameters, step_of(round, free, damping));
         if (!step.allFinite()) return solution;

@@ -48,7 +48,7 @@ enum class Held { none, modulus, work };
 struct Options {
     Held held = Held::none;
     bool curvature = true;  ///< its offset is taken off
-    int most_rounds = 100;
+    int max_rounds = 100;
 };
 
 struct Solution {

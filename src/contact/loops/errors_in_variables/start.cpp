@@ -16,10 +16,10 @@ namespace {
 /// Round by round, the offset of the curvature held while a sum of squares is made least: where plain rounds do not
 /// settle.
 Solution solve_with_offsets_held(const Points& points, const Solution& near) {
-    constexpr int most_rounds = 30;
+    constexpr int max_rounds = 30;
     constexpr double settled = 1e-7;
     Solution solution = near;
-    for (int round = 0; round < most_rounds; ++round) {
+    for (int round = 0; round < max_rounds; ++round) {
         const Parameters before = solution.parameters;
         solution = solve_carefully(round == 0 ? points : straightened(points, solution), before, solution.x);
         if (!solution.converged) return solution;
@@ -40,8 +40,8 @@ Solution solve_from(const Points& points, const Parameters& start) {
 /// Force against displacement has a minimum on each side of W = 0 where W is hardly known: that of W > 0 is looked for,
 /// and W = 0 taken where there is none. JKR's curve goes on to W < 0, where it is no contact.
 Parameters on_the_adhesive_side(const Points& points, const Parameters& start) {
-    constexpr double least_share = 0.05;
-    const Parameters at(start[0], std::max(std::abs(start[1]), least_share * start[0]), start[2]);
+    constexpr double min_share = 0.05;
+    const Parameters at(start[0], std::max(std::abs(start[1]), min_share * start[0]), start[2]);
     const Solution found = solve_carefully(points, at, first_radii(points, at));
     Parameters near = found.converged ? found.parameters : start;
     near[1] = std::max(near[1], 0.0);
@@ -85,9 +85,9 @@ Parameters linear_start(const Points& all) {
 }
 
 Fitted fit(const Points& points, const Parameters& start) {
-    constexpr Index fewest_means = 24;
+    constexpr Index min_means = 24;
     const Index samples = points.force.size(), first_neighbours = neighbours_of_a_first_solution(samples);
-    const Index most = std::max<Index>(1, samples / fewest_means);
+    const Index most = std::max<Index>(1, samples / min_means);
     Fitted first{.points = first_neighbours > 1 ? averaged(points, first_neighbours) : points};
     Parameters near = points.channels.contact_radius ? start : on_the_adhesive_side(first.points, start);
     Index neighbours = 1;

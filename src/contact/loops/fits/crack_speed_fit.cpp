@@ -19,7 +19,7 @@
 namespace setae::loops {
 namespace {
 
-constexpr Index fewest_frames = 8;
+constexpr Index min_frames = 8;
 
 /// Relative error of v0 that the method itself leaves, frames and forces between them taken for straight: 1.3 % of
 /// records without noise.
@@ -49,10 +49,10 @@ void require_edge(const RecedingEdge& edge, double radius, const Estimate& conta
 RecedingEdge between_frames(const RecedingEdge& edge, std::vector<Index>& frames) {
     for (Index i = 0; i < edge.time.size(); ++i)
         if (edge.contact_radius[i] > 0.0) frames.push_back(i);
-    if (static_cast<Index>(frames.size()) < fewest_frames)
+    if (static_cast<Index>(frames.size()) < min_frames)
         throw UndefinedDataError(
             fmt::format("{} frames show the moving contact edge; a fit of the crack speed needs at least {}",
-                        frames.size(), fewest_frames));
+                        frames.size(), min_frames));
     const Index first = frames.front(), count = frames.back() - first + 1;
     for (Index& frame : frames) frame -= first;
     return {.time = edge.time.segment(first, count),

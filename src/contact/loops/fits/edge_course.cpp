@@ -38,11 +38,11 @@ Receding receding(double a, double force, double radius, const EdgeParameters& a
 
 /// The radius a step later by the trapezoidal rule; NaN where there is none: the edge ran away.
 double next_radius(double a, double step, const Receding& now, double force, double radius, const EdgeParameters& at) {
-    constexpr int most_rounds = 30;
+    constexpr int max_rounds = 30;
     constexpr double settled = 1e-13;
     double next = a - step * now.speed;
     if (!(next > 0.0)) next = 0.5 * a;
-    for (int round = 0; round < most_rounds; ++round) {
+    for (int round = 0; round < max_rounds; ++round) {
         const Receding then = receding(next, force, radius, at);
         const double defect = next - a + 0.5 * step * (now.speed + then.speed);
         const double slope = 1.0 + 0.5 * step * then.by_radius;
@@ -57,9 +57,9 @@ double next_radius(double a, double step, const Receding& now, double force, dou
 }  // namespace
 
 EdgeCourse edge_course(const RecedingEdge& edge, double radius, const EdgeParameters& parameters) {
-    constexpr Index fewest_steps = 2000;
+    constexpr Index min_steps = 2000;
     const Index n = edge.time.size();
-    const Index divisions = std::max<Index>(1, (fewest_steps + n - 1) / std::max<Index>(1, n - 1));
+    const Index divisions = std::max<Index>(1, (min_steps + n - 1) / std::max<Index>(1, n - 1));
     EdgeCourse course{.contact_radius = Array1D::Constant(n, undefined), .speed = Array1D::Constant(n, undefined)};
     course.by_logarithm.setConstant(n, EdgeCourse::parameters, undefined);
     double a = parameters.first_radius;

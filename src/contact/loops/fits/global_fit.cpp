@@ -191,8 +191,8 @@ GlobalFit fit_globally(const std::vector<GlobalBranch>& branches, const GlobalOp
     const Layout unknowns = layout(branches, separate, options);
     LeastSquaresSolution solution{.parameters = start_of(unknowns, separate)};
     GlobalFit fit{.options = options, .parameters = unknowns.names};
-    constexpr int most_rounds = 30;
-    for (int round = 0; round < most_rounds; ++round) {
+    constexpr int max_rounds = 30;
+    for (int round = 0; round < max_rounds; ++round) {
         double change = 0.0;
         for (std::size_t b = 0; b < separate.size(); ++b)
             change = std::max(change, separate[b].prepared.problem.renew_weights(

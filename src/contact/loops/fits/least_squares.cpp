@@ -45,14 +45,14 @@ Estimate LeastSquaresSolution::estimate(double value, double standard_error) con
 }
 
 LeastSquaresSolution solve_nonlinear(const ResidualFunction& function, const Eigen::VectorXd& start,
-                                     int most_iterations) {
+                                     int max_iterations) {
     LeastSquaresSolution solution{.parameters = start};
     ceres::Problem problem;
     problem.AddResidualBlock(new Residuals(function), nullptr, solution.parameters.data());  // the problem owns it
     ceres::Solver::Options options;
     options.linear_solver_type = ceres::DENSE_QR;
     options.logging_type = ceres::SILENT;
-    options.max_num_iterations = most_iterations;
+    options.max_num_iterations = max_iterations;
     // noise-free data are to be recovered to 1e-8 and better
     options.function_tolerance = 1e-15;
     options.parameter_tolerance = 1e-14;

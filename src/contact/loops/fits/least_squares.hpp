@@ -32,7 +32,7 @@ struct LeastSquaresSolution {
 
 /// Least squares by Levenberg and Marquardt's method from a start that lies near the solution.
 [[nodiscard]] LeastSquaresSolution solve_nonlinear(const ResidualFunction& function, const Eigen::VectorXd& start,
-                                                   int most_iterations = 200);
+                                                   int max_iterations = 200);
 
 /// The same for a problem linear in its parameters, `design` · parameters ≈ values.
 [[nodiscard]] LeastSquaresSolution solve_linear(const Eigen::MatrixXd& design, const Eigen::VectorXd& values);

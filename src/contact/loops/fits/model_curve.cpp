@@ -17,7 +17,7 @@
 namespace setae::loops {
 namespace {
 
-constexpr double least_curve_lambda = 1e-3, most_curve_lambda = 1e3;
+constexpr double min_curve_lambda = 1e-3, max_curve_lambda = 1e3;
 
 /// F = E* H − √E* w A and δ = D − w B/√E*, w the signed root of W: JKR for whatever shape and body, with slopes by a.
 struct EdgeTerms {
@@ -121,7 +121,7 @@ double ModelCurve::transition_parameter(const CurveParameters& parameters) const
     if (stress_given_)
         log_lambda += std::log(2.0) +
                       (std::log(radius_ / pi) - parameters[1] - 2.0 * (parameters[0] + std::log(4.0 / 3.0))) / 3.0;
-    return std::clamp(std::exp(log_lambda), least_curve_lambda, most_curve_lambda);
+    return std::clamp(std::exp(log_lambda), min_curve_lambda, max_curve_lambda);
 }
 
 double ModelCurve::radius_bound(double force, const CurveParameters& parameters) const {
@@ -178,7 +178,7 @@ CurvePoint ModelCurve::zone_point(double t, const CurveParameters& parameters) c
         {.radius = radius_, .contact_modulus = std::exp(parameters[0]), .work_of_adhesion = work});
     const double a = std::max(t / units.length, 1e-9);
     const auto slopes = contact::maugis_dugdale::reduced_slopes(a, lambda);
-    const bool bound = lambda <= least_curve_lambda || lambda >= most_curve_lambda;
+    const bool bound = lambda <= min_curve_lambda || lambda >= max_curve_lambda;
     const double by_log_lambda = bound ? 0.0 : lambda;
     const double force_lambda = units.force * slopes.force_by_transition * by_log_lambda;
     const double displacement_lambda = units.height * slopes.displacement_by_transition * by_log_lambda;

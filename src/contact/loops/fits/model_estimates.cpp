@@ -17,9 +17,9 @@ namespace setae::loops {
 namespace {
 
 // a parameter known to no better than this factor e^(1/2) is none
-constexpr double most_log_error = 0.5;
+constexpr double max_log_error = 0.5;
 // beyond, Maugis–Dugdale's curve is that of DMT or JKR to a percent and less
-constexpr double least_lambda = 0.02, most_lambda = 50.0;
+constexpr double min_lambda = 0.02, max_lambda = 50.0;
 
 /// Covariance of all four slots, 0 where held.
 Eigen::Matrix4d slot_covariance(const PreparedFit& prepared, const LeastSquaresSolution& solution) {
@@ -45,16 +45,16 @@ contact::transition::RadiusCurve curve_of_slots(const FitParameters& at) {
 }
 
 // where α gives no λ to speak of
-constexpr double least_share = 0.01, most_share = 0.98;
+constexpr double min_share = 0.01, max_share = 0.98;
 
 /// The contact of a transition curve; its limits are JKR's and DMT's.
 TransitionContact transition_contact(const FitParameters& at, double radius) {
     const contact::transition::RadiusCurve curve = curve_of_slots(at);
-    if (curve.transition_share > least_share && curve.transition_share < most_share) {
+    if (curve.transition_share > min_share && curve.transition_share < max_share) {
         const auto contact = contact::transition::contact_of(curve, radius);
         return {contact.contact_modulus, contact.work_of_adhesion, contact.cohesive_stress};
     }
-    const bool sticky = curve.transition_share >= most_share;
+    const bool sticky = curve.transition_share >= max_share;
     const double pull = -curve.pull_off_force, cube = std::pow(curve.zero_load_radius, 3);
     // a0³ = 3R/(4E*) · 4P of JKR, P = −Fc; 3R/(4E*) (−Fc) of DMT
     return {0.75 * radius * pull * (sticky ? 4.0 : 1.0) / cube, pull / ((sticky ? 1.5 : 2.0) * pi * radius)};
@@ -99,7 +99,7 @@ void fill_transition(ModelFit& fit, const PreparedFit& prepared, const FitSoluti
     const std::string why =
         share_error > 0.25 ? fmt::format("α = {:.2f} ± {:.2f}: the branch does not determine the range of attraction",
                                          share, share_error)
-        : share >= most_share
+        : share >= max_share
             ? fmt::format(
                   "α = {:.3f}: the branch is in the limit of JKR, which has no range of attraction; E* and W are "
                   "those of JKR",
@@ -134,8 +134,8 @@ void fill_zone(ModelFit& fit, const PreparedFit& prepared, const FitSolution& so
     fit.transition_parameter = estimate(lambda, lambda_error);
     fit.cohesive_stress = estimate(stress, stress_error);
     if (!prepared.is_free(2)) return;
-    const bool ran_off = lambda < least_lambda || lambda > most_lambda;
-    if (!ran_off && lambda_error <= most_log_error) return;
+    const bool ran_off = lambda < min_lambda || lambda > max_lambda;
+    if (!ran_off && lambda_error <= max_log_error) return;
     if (ran_off) return leave_zone_open(fit, lambda);
     const std::string why = fmt::format(
         "λ = {:.2g} is uncertain by a factor of {:.2g}: the branch does not determine the range of "
@@ -175,7 +175,7 @@ Outcome<Estimate> work_estimate(const ModelCurve& curve, const LeastSquaresSolut
     if (curve.model() == ContactModel::dmt) return solution.estimate(work, slot_standard_error);
     if (curve.model() != ContactModel::maugis_dugdale)
         return solution.estimate(work, square_standard_error(at[1], slot_standard_error, 1.0));
-    if (slot_standard_error <= most_log_error) return solution.estimate(work, work * slot_standard_error);
+    if (slot_standard_error <= max_log_error) return solution.estimate(work, work * slot_standard_error);
     return Outcome<Estimate>::missing(
         fmt::format("W = {} is uncertain by a factor of {:.2g}, since W depends on λ; include forces down to "
                     "pull-off in the fit, or give the cohesive stress",

@@ -46,7 +46,7 @@ double CurveTable::guess(double value, double CurvePoint::*member, std::size_t f
 
 double CurveTable::at_force(double force, double CurvePoint::*member) const {
     if (t.size() < 2) return points.front().*member;  // a trial curve that folds beyond every force
-    const double where = guess(force, &CurvePoint::force, least_force);
+    const double where = guess(force, &CurvePoint::force, min_force);
     const auto above = std::lower_bound(t.begin(), t.end(), where);
     const auto i = std::clamp<std::size_t>(static_cast<std::size_t>(above - t.begin()), 1, t.size() - 1);
     const double share = std::clamp((where - t[i - 1]) / (t[i] - t[i - 1]), 0.0, 1.0);
@@ -121,24 +121,24 @@ CurveTable BranchProblem::table(const FitParameters& at, Index entries) const {
         std::size_t fold = table.t.size() - 1;
         while (fold > 0 && table.points[fold].displacement_slope > 0.0) --fold;
         const bool folds = table.points[fold].displacement_slope < 0.0 && fold + 1 < table.t.size();
-        table.least_t = folds ? fold_between(curve_, at, table.t[fold], table.t[fold + 1]) : table.t.front();
+        table.min_t = folds ? fold_between(curve_, at, table.t[fold], table.t[fold + 1]) : table.t.front();
         table.t.erase(table.t.begin(), table.t.begin() + static_cast<std::ptrdiff_t>(fold));
         table.points.erase(table.points.begin(), table.points.begin() + static_cast<std::ptrdiff_t>(fold));
-        table.t.front() = table.least_t;
-        table.points.front() = curve_.at(table.least_t, at.head<3>());
+        table.t.front() = table.min_t;
+        table.points.front() = curve_.at(table.min_t, at.head<3>());
     } else {
-        table.least_t = table.t.front();
+        table.min_t = table.t.front();
     }
     const auto by_force = [](const CurvePoint& one, const CurvePoint& other) { return one.force < other.force; };
     // of equal forces (bodies apart) the last
     const auto least = std::min_element(table.points.rbegin(), table.points.rend(), by_force);
-    table.least_force = static_cast<std::size_t>(table.points.rend() - least - 1);
+    table.min_force = static_cast<std::size_t>(table.points.rend() - least - 1);
     return table;
 }
 
 BranchProblem::Foot BranchProblem::foot(Index sample, const FitParameters& at, const CurveTable& table) const {
     const double point0 = contact_point(at);
-    double lowest = curve_.goes_on_apart() ? -std::numeric_limits<double>::infinity() : 0.25 * table.least_t;
+    double lowest = curve_.goes_on_apart() ? -std::numeric_limits<double>::infinity() : 0.25 * table.min_t;
     if (has_radius()) lowest = 1e-6 * radius_[sample];
     const double highest = curve_.largest_radius();
     Foot foot;
@@ -288,7 +288,7 @@ CurvePoint BranchProblem::point_at(double depth, const FitParameters& at, const 
     if (ends_above(depth, table)) return table.points.front();
     const auto curve_at = [&](double t) { return curve_.at(t, at.head<3>()); };
     if (curve_.goes_on_apart()) return curve_at(std::copysign(std::sqrt(curve_.radius() * std::abs(depth)), depth));
-    double lower = table.least_t, upper = std::max(table.t.back(), lower);
+    double lower = table.min_t, upper = std::max(table.t.back(), lower);
     while (upper < curve_.largest_radius() && curve_at(upper).displacement < depth) {
         lower = upper;
         upper = std::min(2.0 * upper, curve_.largest_radius());

@@ -18,8 +18,8 @@ constexpr Index contact_point_slot = 3;
 struct CurveTable {
     std::vector<double> t;
     std::vector<CurvePoint> points;
-    double least_t = 0.0;         ///< at the start of the outer branch
-    std::size_t least_force = 0;  ///< entry of the least force: from there on forces rise
+    double min_t = 0.0;         ///< at the start of the outer branch
+    std::size_t min_force = 0;  ///< entry of the least force: from there on forces rise
 
     /// t where a member has a value, linear between entries from `first` on, along which it rises.
     [[nodiscard]] double guess(double value, double CurvePoint::*member, std::size_t first) const;

@@ -137,7 +137,7 @@ public:
         : model_(fit.problem.curve().model()),
           start_(start),
           linear_(fit.problem.curve().parameters() == 2 && fit.is_free(0) && fit.is_free(1)),
-          edge_unit_(std::max(std::abs(start[1]), least_unit)) {}
+          edge_unit_(std::max(std::abs(start[1]), min_unit)) {}
 
     [[nodiscard]] FitParameters from_slots(const FitParameters& slots) const {
         FitParameters at = slots;
@@ -164,7 +164,7 @@ public:
 private:
     [[nodiscard]] bool has_edge() const { return model_ != ContactModel::dmt; }
 
-    static constexpr double least_unit = 1e-3;  // starts without adhesion have no unit of their own
+    static constexpr double min_unit = 1e-3;  // starts without adhesion have no unit of their own
 
     ContactModel model_;
     FitParameters start_;
@@ -196,7 +196,7 @@ struct Refined {
 };
 
 Refined least_squares(const PreparedFit& fit, const BranchProblem& problem, const FitParameters& start,
-                      int most_iterations) {
+                      int max_iterations) {
     const Coordinates coordinates(fit, start);
     const FitParameters begin = coordinates.from_slots(start);
     const ResidualFunction function{
@@ -214,7 +214,7 @@ Refined least_squares(const PreparedFit& fit, const BranchProblem& problem, cons
             coordinates.turn(at, all);
             *jacobian = picked_columns(fit, all);
         }};
-    Refined refined{.at = start, .least_squares = solve_nonlinear(function, picked(fit, begin), most_iterations)};
+    Refined refined{.at = start, .least_squares = solve_nonlinear(function, picked(fit, begin), max_iterations)};
     refined.at = coordinates.to_slots(merged(fit, begin, refined.least_squares.parameters));
     if (!drawable(refined.at)) return refined;
     Eigen::MatrixXd all;
@@ -316,10 +316,10 @@ FitParameters find_start(const PreparedFit& fit, const BranchData& data) {
 
 FitSolution solve(PreparedFit& fit, const FitParameters& start) {
     FitSolution solution{.at = start};
-    constexpr int most_rounds = 30;
+    constexpr int max_rounds = 30;
     int iterations = 0;
     bool settled = false;
-    for (int round = 0; round < most_rounds && !settled; ++round) {
+    for (int round = 0; round < max_rounds && !settled; ++round) {
         const double change = fit.problem.renew_weights(solution.at);
         if (round > 0 && change < 1e-9) break;
         Refined refined = least_squares(fit, fit.problem, solution.at, 200);

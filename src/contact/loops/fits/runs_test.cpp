@@ -27,8 +27,8 @@ double probability(Index runs, Index above, Index below) {
 }
 
 double as_few_or_fewer(const RunsTest& test) {
-    constexpr Index most_exact = 50;
-    if (test.above + test.below <= most_exact) {
+    constexpr Index max_exact = 50;
+    if (test.above + test.below <= max_exact) {
         double sum = 0.0;
         for (Index runs = 2; runs <= test.runs; ++runs) sum += probability(runs, test.above, test.below);
         return std::min(sum, 1.0);

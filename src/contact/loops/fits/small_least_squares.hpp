@@ -50,12 +50,12 @@ template <int parameters, class Evaluate>
                                                       const Eigen::Matrix<double, parameters, 1>& start,
                                                       double freedom) {
     using Vector = Eigen::Matrix<double, parameters, 1>;
-    constexpr int most_rounds = 200;
-    constexpr double rounding = 1e-15, small = 1e-12, most_damping = 1e12, least_share = 0.1;
+    constexpr int max_rounds = 200;
+    constexpr double rounding = 1e-15, small = 1e-12, max_damping = 1e12, min_share = 0.1;
     SmallMinimum<parameters> found{.parameters_found = start};
     NormalEquations<parameters> here = evaluate(start);
     double damping = 0.0;
-    while (found.iterations < most_rounds && damping < most_damping) {
+    while (found.iterations < max_rounds && damping < max_damping) {
         ++found.iterations;
         const Vector step = damped_step(here.normal, here.gradient, damping);
         if (!step.allFinite()) return found;
@@ -75,7 +75,7 @@ template <int parameters, class Evaluate>
         const bool done =
             change <= rounding || (damping == 0.0 && far_below_errors(step, here.normal, there.squares, freedom));
         const double foreseen = 2.0 * step.dot(here.gradient) - step.dot(here.normal * step);
-        const bool as_foreseen = here.squares - there.squares >= least_share * foreseen;
+        const bool as_foreseen = here.squares - there.squares >= min_share * foreseen;
         found.parameters_found = next;
         here = there;
         if (!as_foreseen) damping = std::max(10.0 * damping, 1e-4);

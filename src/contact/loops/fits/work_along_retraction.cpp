@@ -137,9 +137,9 @@ void require_course(const BranchData& data, const RetractionCourse& course) {
         throw InvalidArgument(
             fmt::format("E* = {} Pa, largest contact radius {} m, machine stiffness {} N/m; expected all three above 0",
                         course.contact_modulus.value, course.largest_contact_radius, course.machine_stiffness));
-    constexpr double least_share = 0.05;
+    constexpr double min_share = 0.05;
     const double covered = data.contact_radius.maxCoeff() - data.contact_radius.minCoeff();
-    if (!(covered > least_share * course.largest_contact_radius))
+    if (!(covered > min_share * course.largest_contact_radius))
         throw UndefinedDataError(
             fmt::format("undetermined: the contact radius changes by {:.1f} % before pull-off; 5 % are needed",
                         100.0 * covered / course.largest_contact_radius));

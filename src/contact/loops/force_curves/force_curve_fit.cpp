@@ -22,7 +22,7 @@
 namespace setae::loops {
 namespace {
 
-constexpr Index fewest_in_range = 5;
+constexpr Index min_in_range = 5;
 constexpr std::array<std::pair<TipShape, const char*>, 3> shapes{
     {{TipShape::paraboloid, "paraboloid"},
      {TipShape::cone, "cone"},
@@ -78,10 +78,10 @@ std::vector<Index> chosen(const CurveSegment& segment, const ForceCurveFitOption
     std::vector<Index> samples;
     for (Index i = first; i <= last; ++i)
         if (measure[i] >= options.range.from && measure[i] <= options.range.to) samples.push_back(i);
-    if (static_cast<Index>(samples.size()) < fewest_in_range)
+    if (static_cast<Index>(samples.size()) < min_in_range)
         throw UndefinedDataError(
             fmt::format("{} samples of the {} segment lie in the range from {} to {}; a fit needs at least {}",
-                        samples.size(), segment.name, options.range.from, options.range.to, fewest_in_range));
+                        samples.size(), segment.name, options.range.from, options.range.to, min_in_range));
     return samples;
 }
 

@@ -14,7 +14,7 @@
 namespace setae::loops {
 namespace {
 
-constexpr Index fewest_samples = 20;
+constexpr Index min_samples = 20;
 
 /// The words of "extend, pause, retract".
 std::vector<std::string> words(const std::string& list) {
@@ -70,9 +70,9 @@ std::vector<CurveSegment> segments_of_curve(const Table& curve, const ForceCurve
     if (!(options.baseline_share > 0.0 && options.baseline_share < 1.0))
         throw InvalidArgument(fmt::format("baseline share must lie in (0, 1), got {}", options.baseline_share));
     const Array1D &force = curve.at("force"), &displacement = curve.at("displacement");
-    if (force.size() < fewest_samples)
+    if (force.size() < min_samples)
         throw UndefinedDataError(
-            fmt::format("a force curve of {} samples; at least {} are needed", force.size(), fewest_samples));
+            fmt::format("a force curve of {} samples; at least {} are needed", force.size(), min_samples));
     if (!force.allFinite() || !displacement.allFinite())
         throw InvalidArgument(
             "force and displacement of a force curve must be defined throughout; leave out samples without "
@@ -88,7 +88,7 @@ std::vector<CurveSegment> segments_of_curve(const Table& curve, const ForceCurve
                              .force = force.segment(range.first, range.count())};
         const Index n = range.count();
         const double way = segment.displacement[n - 1] - segment.displacement[0];
-        const bool pause = n < fewest_samples || std::abs(way)<0.05 * travel, approach = way> 0.0;
+        const bool pause = n < min_samples || std::abs(way)<0.05 * travel, approach = way> 0.0;
         const std::size_t number = segments.size();
         segment.name = pause                                             ? "pause"
                        : number < names.size() && !names[number].empty() ? names[number]

@@ -83,11 +83,11 @@ Work work_of(const CurveSegment& segment, double from, bool sloped) {
 }
 
 /// A retraction whose free end scatters so much more than the approach's is still in contact there.
-constexpr double most_noise_ratio = 5.0;
+constexpr double max_noise_ratio = 5.0;
 
 Estimate loss_of(const CurveSegment& approach, const CurveSegment& retraction, bool sloped) {
     const double ratio = noise_of_flight(retraction) / noise_of_flight(approach);
-    if (ratio > most_noise_ratio)
+    if (ratio > max_noise_ratio)
         throw UndefinedDataError(
             fmt::format("the {} segment does not return to free flight: the scatter at its end is {:.3g} times that at "
                         "the beginning of the approach",

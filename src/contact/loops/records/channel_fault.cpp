@@ -32,11 +32,11 @@ std::string message_of(ChannelFault fault) {
 
 /// A contact with a jump of the right sign: slopes also come from drift, and small jumps from a change of speed.
 bool makes_sense(const Loop& loop) {
-    constexpr double least_share = 0.01;  // of the range of the force
+    constexpr double min_share = 0.01;  // of the range of the force
     const double range = loop.force.maxCoeff() - loop.force.minCoeff();
     const ContactEdges edges = find_contact_edges(loop);
     const auto jumps = [&](const std::optional<ForceJump>& jump) {
-        return jump && std::abs(jump->size) > least_share * range;
+        return jump && std::abs(jump->size) > min_share * range;
     };
     return edges.found && (jumps(edges.entry) || jumps(edges.exit));
 }

@@ -17,10 +17,10 @@
 namespace setae::loops {
 namespace {
 
-constexpr Index fewest_frames = 20;
-constexpr Index most_frames_at_first = 2000;  ///< of the search over all offsets
-constexpr double onset_reach = 3.0;           ///< frames to both sides of the offset by the onset alone
-constexpr int fine_steps = 40;                ///< of the refined search, each frame
+constexpr Index min_frames = 20;
+constexpr Index max_frames_at_first = 2000;  ///< of the search over all offsets
+constexpr double onset_reach = 3.0;          ///< frames to both sides of the offset by the onset alone
+constexpr int fine_steps = 40;               ///< of the refined search, each frame
 
 void require_clock(const Array1D& time, Index size, const char* subject) {
     if (time.size() != size || size < 2)
@@ -50,7 +50,7 @@ struct Frames {
 };
 
 /// Three standard deviations of the noise of radii, from their second differences: what is below counts as no contact.
-double least_radius(const std::vector<double>& radii) {
+double min_radius(const std::vector<double>& radii) {
     std::vector<double> differences;
     for (std::size_t i = 2; i < radii.size(); ++i)
         differences.push_back(std::abs(radii[i] - 2.0 * radii[i - 1] + radii[i - 2]));
@@ -67,15 +67,15 @@ Frames usable_frames(const CameraRecord& camera) {
         radius.push_back(camera.contact_radius[i]);
     }
     const auto n = static_cast<Index>(time.size());
-    if (n < fewest_frames)
+    if (n < min_frames)
         throw UndefinedDataError(
-            fmt::format("{} frames have a contact radius; expected at least {} to align the clocks", n, fewest_frames));
+            fmt::format("{} frames have a contact radius; expected at least {} to align the clocks", n, min_frames));
     Frames frames{Eigen::Map<const Array1D>(time.data(), n), Eigen::Map<const Array1D>(radius.data(), n), 0.0};
     frames.interval = upper_median(std::move(steps));
     const double largest = frames.radius.abs().maxCoeff();
     if (!(largest > 0.0) || frames.radius.maxCoeff() == frames.radius.minCoeff())
         throw UndefinedDataError("the contact radius never changes, so that the clocks cannot be aligned");
-    const double least = least_radius(radius);
+    const double least = min_radius(radius);
     frames.radius = (frames.radius < least).select(0.0, frames.radius / largest);
     return frames;
 }
@@ -212,14 +212,14 @@ struct Range {
 
 /// Offsets at which enough of the frames lie within the force record.
 Range searched(const Loop& force, const Array1D& frames, const ClockOptions& options) {
-    if (!(options.least_overlap > 0.0 && options.least_overlap <= 1.0))
+    if (!(options.min_overlap > 0.0 && options.min_overlap <= 1.0))
         throw InvalidArgument(
             fmt::format("the overlap of both records must be at least {}; expected a share above 0 and up to 1",
-                        options.least_overlap));
+                        options.min_overlap));
     const double end = force.time[force.time.size() - 1];
     const auto n = frames.size();
     const auto needed =
-        std::clamp<Index>(static_cast<Index>(std::ceil(options.least_overlap * static_cast<double>(n))), 1, n);
+        std::clamp<Index>(static_cast<Index>(std::ceil(options.min_overlap * static_cast<double>(n))), 1, n);
     const Range possible{force.time[0] - frames[n - needed], end - frames[needed - 1]};
     const Range range{options.smallest_offset.value_or(possible.lower),
                       options.largest_offset.value_or(possible.upper)};
@@ -237,13 +237,13 @@ struct Candidate {
 };
 
 /// Trials at even steps; those that see too little of the contact are left out.
-std::vector<Candidate> scan(const Search& search, const Range& range, double step, Index fewest, double least_total) {
+std::vector<Candidate> scan(const Search& search, const Range& range, double step, Index fewest, double min_total) {
     std::vector<Candidate> candidates;
     const auto steps = static_cast<Index>(std::ceil((range.upper - range.lower) / step));
     for (Index i = 0; i <= steps; ++i) {
         const double offset = std::min(range.lower + static_cast<double>(i) * step, range.upper);
         const auto trial = search(offset);
-        if (trial.frames >= fewest && trial.total > least_total * static_cast<double>(trial.frames))
+        if (trial.frames >= fewest && trial.total > min_total * static_cast<double>(trial.frames))
             candidates.push_back({offset, trial});
     }
     return candidates;
@@ -326,10 +326,10 @@ ClockAlignment align_clocks(const Loop& force, const CameraRecord& camera, const
     const auto all = usable_frames(camera);
     const bool displaced = force.displacement.size() > 0;
     const auto frames = displaced ? all : before_unloading(all);
-    if (frames.time.size() < fewest_frames)
+    if (frames.time.size() < min_frames)
         throw UndefinedDataError(
             fmt::format("{} frames lie before unloading or out of contact; expected at least {} to align the clocks",
-                        frames.time.size(), fewest_frames));
+                        frames.time.size(), min_frames));
     const auto onset = by_onset(force, all);
     auto range = searched(force, frames.time, options);
     // without displacement loading alone may fit elsewhere as well: the first contact says where to look
@@ -338,17 +338,17 @@ ClockAlignment align_clocks(const Loop& force, const CameraRecord& camera, const
                  std::min(range.upper, onset->value + onset_reach * all.interval)};
     // the frames must see a tenth of the record's changes of force
     const Array1D forces = standardised(force.force);
-    const double least_total = 0.01 * (forces - forces.mean()).square().mean();
+    const double min_total = 0.01 * (forces - forces.mean()).square().mean();
     const auto scanned = [&](const Search& search, const Range& within, double step) {
         const auto fewest =
-            static_cast<Index>(options.least_overlap * static_cast<double>(search.frame_times().size())) - 1;
-        return scan(search, within, step, std::max<Index>(8, fewest), least_total);
+            static_cast<Index>(options.min_overlap * static_cast<double>(search.frame_times().size())) - 1;
+        return scan(search, within, step, std::max<Index>(8, fewest), min_total);
     };
     const auto around = [&](double offset, double reach) {
         return Range{std::max(range.lower, offset - reach), std::min(range.upper, offset + reach)};
     };
 
-    const Search rough(force, thinned(frames, most_frames_at_first)), search(force, frames);
+    const Search rough(force, thinned(frames, max_frames_at_first)), search(force, frames);
     const auto coarse = scanned(rough, range, 0.5 * rough.interval());
     if (coarse.empty())
         throw UndefinedDataError(

@@ -13,7 +13,7 @@
 namespace setae::loops {
 namespace {
 
-constexpr Index fewest_free = 5;        ///< samples of free flight
+constexpr Index min_free = 5;           ///< samples of free flight
 constexpr double contact_share = 0.15;  ///< of the slope near the turn, above which samples are in contact
 
 double quantile_of(Array1D values, double share) {
@@ -113,7 +113,7 @@ struct EndSlopes {
     double motion_first = 0.0, motion_last = 0.0;  ///< of the displacement
 
     explicit EndSlopes(const Slopes& slopes) {
-        const Index n = slopes.force.size(), taken = std::max<Index>(fewest_free, n / 25);
+        const Index n = slopes.force.size(), taken = std::max<Index>(min_free, n / 25);
         first = median_of(slopes.force.head(taken));
         last = median_of(slopes.force.tail(taken));
         motion_first = median_of(slopes.displacement.head(taken));
@@ -152,12 +152,12 @@ ContactEdges find_contact_edges(const Loop& loop) {
     edges.turn = *turn;
     edges.contact_slope = slope_at_turn(slopes, ends, position, edges.turn);
     const double usual_speed = median_of(slopes.displacement.abs());
-    constexpr double least_speed = 0.05;  // of the usual one: a resting stage divides by nothing
+    constexpr double min_speed = 0.05;  // of the usual one: a resting stage divides by nothing
     Array1D excess(n);
     std::vector<bool> touching(static_cast<std::size_t>(n));
     for (Index i = 0; i < n; ++i) {
         excess[i] = std::abs(slopes.force[i] - (i <= edges.turn ? ends.first : ends.last));
-        const double speed = std::max(std::abs(slopes.displacement[i]), least_speed * usual_speed);
+        const double speed = std::max(std::abs(slopes.displacement[i]), min_speed * usual_speed);
         touching[static_cast<std::size_t>(i)] = excess[i] > contact_share * edges.contact_slope * speed;
     }
     constexpr double steep_quantile = 0.9, steep_share = 0.2;
@@ -179,8 +179,8 @@ ContactEdges find_contact_edges(const Loop& loop) {
     const Index last_free = edges.entry ? edges.entry->last - 1 : contacts.front().first - window;
     // a record that begins in contact has the slope of contact there
     const bool begins_free = edges.entry || ends.first <= contact_share * edges.contact_slope * ends.motion_first;
-    if (begins_free && last_free + 1 >= fewest_free) edges.before = IndexRange{0, last_free};
-    if (edges.exit && n - (edges.exit->next + 1) >= fewest_free) edges.after = IndexRange{edges.exit->next + 1, n - 1};
+    if (begins_free && last_free + 1 >= min_free) edges.before = IndexRange{0, last_free};
+    if (edges.exit && n - (edges.exit->next + 1) >= min_free) edges.after = IndexRange{edges.exit->next + 1, n - 1};
     return edges;
 }
 
@@ -197,10 +197,10 @@ ContactEdges contact_edges_of_frames(const Loop& loop) {
     // contact begins and ends between two frames
     Index free = first - 1;
     while (free >= 0 && !(radius[free] == 0.0)) --free;
-    if (free + 1 >= fewest_free) edges.before = IndexRange{0, free};
+    if (free + 1 >= min_free) edges.before = IndexRange{0, free};
     free = last + 1;
     while (free < n && !(radius[free] == 0.0)) ++free;
-    if (n - free >= fewest_free) edges.after = IndexRange{free, n - 1};
+    if (n - free >= min_free) edges.after = IndexRange{free, n - 1};
     return edges;
 }
 

@@ -20,7 +20,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr Index most_degree = 3;
+constexpr Index max_degree = 3;
 
 /// One stretch of free flight.
 struct Stretch {
@@ -161,7 +161,7 @@ struct Chosen {
 };
 
 Chosen automatic_degree(const Loop& loop, const FreeFlight& flight) {
-    constexpr double unlikely = 0.02, share_of_tension = 0.003, most_bend = 3.0;
+    constexpr double unlikely = 0.02, share_of_tension = 0.003, max_bend = 3.0;
     Chosen chosen;
     if (flight.stretches().size() < 2) return chosen;
     Array1D before = flight.along(flight.fitted(1));
@@ -171,7 +171,7 @@ Chosen automatic_degree(const Loop& loop, const FreeFlight& flight) {
     const auto bend = [&](const Array1D& zero) {
         return contact.count() > 0 ? (zero - line).segment(contact.first, contact.count()).abs().maxCoeff() : 0.0;
     };
-    while (chosen.degree < most_degree && flight.chance(flight.fitted(chosen.degree)) < unlikely) {
+    while (chosen.degree < max_degree && flight.chance(flight.fitted(chosen.degree)) < unlikely) {
         const Array1D next = flight.along(flight.fitted(chosen.degree + 1));
         if (!(bend(next) > share_of_tension * tension)) break;
         ++chosen.degree;
@@ -179,12 +179,12 @@ Chosen automatic_degree(const Loop& loop, const FreeFlight& flight) {
     }
     if (chosen.degree == 1) return chosen;
     const double change = std::abs(line[line.size() - 1] - line[0]);
-    if (chosen.degree == most_degree && bend(before) > most_bend * std::max(change, share_of_tension * tension)) {
+    if (chosen.degree == max_degree && bend(before) > max_bend * std::max(change, share_of_tension * tension)) {
         return {.degree = 1, .doubt = 0.5 * bend(before), .irregular = true};
     }
     // of a cubic nothing is left to test: what it bends away from the line is in doubt
-    const Array1D next = chosen.degree < most_degree ? flight.along(flight.fitted(chosen.degree + 1)) : line;
-    const double share = chosen.degree < most_degree ? 0.5 : 0.25;
+    const Array1D next = chosen.degree < max_degree ? flight.along(flight.fitted(chosen.degree + 1)) : line;
+    const double share = chosen.degree < max_degree ? 0.5 : 0.25;
     chosen.doubt = share * (next - before).segment(contact.first, contact.count()).abs().maxCoeff();
     return chosen;
 }

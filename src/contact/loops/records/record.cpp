@@ -14,7 +14,7 @@
 namespace setae::loops {
 namespace {
 
-constexpr Index fewest_samples = 20;
+constexpr Index min_samples = 20;
 void require_series(const Array1D& series, const char* name, Index expected, bool may_be_undefined) {
     if (series.size() == 0) return;
     if (series.size() != expected)
@@ -55,8 +55,8 @@ double Record::position(Index sample) const {
 
 void require_valid(const Loop& loop) {
     const Index n = loop.force.size();
-    if (n < fewest_samples)
-        throw InvalidArgument(fmt::format("force has {} samples, a loop needs at least {}", n, fewest_samples));
+    if (n < min_samples)
+        throw InvalidArgument(fmt::format("force has {} samples, a loop needs at least {}", n, min_samples));
     if (loop.displacement.size() == 0 && loop.contact_radius.size() == 0)
         throw InvalidArgument(
             "a loop needs displacement or contact radius in addition to the force; map a column to one of "

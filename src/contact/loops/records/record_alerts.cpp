@@ -73,24 +73,24 @@ void check_units(AlertList& list, const LoopAnalysis& analysis, const Loop& loop
             "check the units of contact radius and sphere radius");
     const JkrFit& fit = analysis.loading.primary();
     const double modulus = fit.contact_modulus.value, work = fit.work_of_adhesion.value;
-    if (!(modulus >= limits.contact_modulus_least && modulus <= limits.contact_modulus_most)) {
+    if (!(modulus >= limits.contact_modulus_min && modulus <= limits.contact_modulus_max)) {
         // E* ∝ F R^(−1/2) δ^(−3/2) or F R a^(−3)
         const bool by_radius = fit.method != "force_displacement" && loop.contact_radius.size() > 0;
         implausible(
             fmt::format("E* = {} lies outside {} to {}: the likely factor of the force is {}, or that of the {} {}",
-                        format_value(modulus, "Pa", 3), format_value(limits.contact_modulus_least, "Pa", 1),
-                        format_value(limits.contact_modulus_most, "Pa", 1),
+                        format_value(modulus, "Pa", 3), format_value(limits.contact_modulus_min, "Pa", 1),
+                        format_value(limits.contact_modulus_max, "Pa", 1),
                         times(likely_factor(modulus, usual_modulus, 1.0)),
                         by_radius ? "contact radius" : "displacement",
                         times(likely_factor(modulus, usual_modulus, by_radius ? -3.0 : -1.5))),
             "check the units of the columns and of the sphere radius");
     }
-    if (std::abs(work) > limits.work_of_adhesion_most)
+    if (std::abs(work) > limits.work_of_adhesion_max)
         implausible(
             fmt::format(
                 "W = {} exceeds {}: forces of {} are too large for this sphere radius, and the likely factor is "
                 "{}",
-                format_value(work, "J/m2", 3), format_value(limits.work_of_adhesion_most, "J/m2", 3),
+                format_value(work, "J/m2", 3), format_value(limits.work_of_adhesion_max, "J/m2", 3),
                 format_value(1.5 * pi * bodies.radius * std::abs(work), "N"),
                 times(likely_factor(std::abs(work), usual_work, 1.0))),
             "check the units of force and sphere radius");

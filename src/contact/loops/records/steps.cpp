@@ -12,7 +12,7 @@
 namespace setae::loops {
 namespace {
 
-constexpr Index fewest_beside = 8;
+constexpr Index min_beside = 8;
 
 /// Orthonormal polynomials over so many samples, one a column.
 Eigen::MatrixXd polynomials(Index samples, Index degree) {
@@ -36,11 +36,11 @@ Candidate best_step(const Array1D& rest, const Eigen::MatrixXd& basis) {
     Candidate best;
     double sum = 0.0;
     Eigen::RowVectorXd moments = Eigen::RowVectorXd::Zero(basis.cols());
-    for (Index i = rest.size() - 1; i >= fewest_beside; --i) {
+    for (Index i = rest.size() - 1; i >= min_beside; --i) {
         sum += rest[i];
         moments += basis.row(i);
         const Index behind = rest.size() - i;
-        if (behind < fewest_beside) continue;
+        if (behind < min_beside) continue;
         const double squares = static_cast<double>(behind) - moments.squaredNorm(), gain = sum * sum / squares;
         if (gain > best.gain)
             best = {.step = {.last = i - 1, .size = sum / squares}, .variance = 1.0 / squares, .gain = gain};
@@ -53,7 +53,7 @@ Candidate best_step(const Array1D& rest, const Eigen::MatrixXd& basis) {
 std::optional<Step> step_in(const Array1D& series, const Smoothness& smoothness, const SampleNoise& known) {
     constexpr double deviations = 6.0;
     const Index n = series.size();
-    if (n < 2 * fewest_beside + smoothness.rivalling + 1) return std::nullopt;
+    if (n < 2 * min_beside + smoothness.rivalling + 1) return std::nullopt;
     const Eigen::MatrixXd basis = polynomials(n, smoothness.degree);
     const Array1D rest = residuals(series, basis);
     const Candidate best = best_step(rest, basis);

@@ -19,24 +19,24 @@ std::string repeated(const std::string& text, std::size_t count) {
 }
 
 TEST(Nesting, OfJsonCountsWhatIsOpen) {
-    EXPECT_FALSE(json_too_deep(repeated("[", most_levels) + repeated("]", most_levels)));
-    EXPECT_EQ(json_too_deep(repeated("[", most_levels + 1)), most_levels);
+    EXPECT_FALSE(json_too_deep(repeated("[", max_levels) + repeated("]", max_levels)));
+    EXPECT_EQ(json_too_deep(repeated("[", max_levels + 1)), max_levels);
     EXPECT_FALSE(json_too_deep(repeated("[]", 1000)));
     EXPECT_FALSE(json_too_deep("\"" + repeated("[", 1000) + "\\\"" + repeated("{", 1000) + "\""));
 }
 
 TEST(Nesting, OfXmlCountsElements) {
-    EXPECT_FALSE(xml_too_deep(repeated("<a>", most_levels) + repeated("</a>", most_levels)));
-    EXPECT_EQ(xml_too_deep(repeated("<a>", most_levels + 1)), 3 * most_levels);
+    EXPECT_FALSE(xml_too_deep(repeated("<a>", max_levels) + repeated("</a>", max_levels)));
+    EXPECT_EQ(xml_too_deep(repeated("<a>", max_levels + 1)), 3 * max_levels);
     EXPECT_FALSE(xml_too_deep(repeated("<a/>", 1000) + repeated("<b></b>", 1000)));
     EXPECT_FALSE(xml_too_deep("<!--" + repeated("<a>", 1000) + "--><![CDATA[" + repeated("<a>", 1000) + "]]><?x?>"));
 }
 
 TEST(Nesting, OfTomlCountsNamesToo) {
     EXPECT_FALSE(toml_too_deep("[a.b.c]\nx = 1.5\ny = [[1.0, 2.0], [3.0, 4.0]]\n" + repeated("z = 1.5e3\n", 1000)));
-    EXPECT_TRUE(toml_too_deep("a" + repeated(".a", most_levels + 1) + " = 1"));
-    EXPECT_TRUE(toml_too_deep("[" + repeated("a . ", most_levels + 2) + "a]"));
-    EXPECT_TRUE(toml_too_deep("x = " + repeated("[", most_levels + 1)));
+    EXPECT_TRUE(toml_too_deep("a" + repeated(".a", max_levels + 1) + " = 1"));
+    EXPECT_TRUE(toml_too_deep("[" + repeated("a . ", max_levels + 2) + "a]"));
+    EXPECT_TRUE(toml_too_deep("x = " + repeated("[", max_levels + 1)));
     EXPECT_FALSE(
         toml_too_deep("text = \"" + repeated("a.", 1000) + repeated("[", 1000) + "\" # " + repeated("[", 1000)));
     EXPECT_FALSE(toml_too_deep("text = \"\"\"\n" + repeated("[", 1000) + "\n\"\"\"\n"));

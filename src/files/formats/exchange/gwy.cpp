@@ -26,8 +26,8 @@ namespace setae::formats {
 namespace {
 
 constexpr std::size_t longest_text_of_gwy = 1 << 14;  ///< kept of a text; the rest is skipped
-constexpr std::size_t most_components = 200'000;      ///< of one file
-constexpr std::size_t most_attributes = 200;          ///< kept of a channel's metadata
+constexpr std::size_t max_components = 200'000;       ///< of one file
+constexpr std::size_t max_attributes = 200;           ///< kept of a channel's metadata
 
 /// A part of the file: what an object holds, or the items of an array.
 struct Part {
@@ -108,8 +108,7 @@ void for_each_component(const bytes::Source& source, const Part& part, Visit vis
             cursor.fail(
                 fmt::format("component '{:.40}' is longer than its object, which ends at byte {}; it is damaged",
                             component.name, part.end));
-        if (seen == most_components)
-            cursor.fail(fmt::format("more than {} components; it is damaged", most_components));
+        if (seen == max_components) cursor.fail(fmt::format("more than {} components; it is damaged", max_components));
         visit(component);
     }
 }
@@ -212,7 +211,7 @@ void read_metadata(const bytes::Source& source, const Part& part, topography::Me
         else if (key == "instrument" || key == "instrument name" || key == "microscope")
             metadata.instrument.name = component.text;
         else if (key == gwy_instrument_type) metadata.instrument.type = component.text;
-        else if (metadata.attributes.size() < most_attributes) metadata.attributes[component.name] = component.text;
+        else if (metadata.attributes.size() < max_attributes) metadata.attributes[component.name] = component.text;
     });
 }
 

@@ -87,7 +87,7 @@ Object field_outside(const topography::HeightMap& map, const char* unit_z) {
     return field.reals_outside("data", static_cast<std::uint32_t>(map.heights.size()));
 }
 
-constexpr std::uint64_t most_gwy_bytes = std::numeric_limits<std::uint32_t>::max() - (1u << 20);
+constexpr std::uint64_t max_gwy_bytes = std::numeric_limits<std::uint32_t>::max() - (1u << 20);
 constexpr const char* undefined_note = "masked, and given the mean height";
 
 Object metadata_of(const topography::Metadata& metadata, bool masked) {
@@ -119,7 +119,7 @@ void write_gwy(const std::string& path, const topography::Measurement& measureme
     container.text("/0/data/title", map.metadata.name)
         .object("/0/meta", "GwyContainer", metadata_of(map.metadata, masked));
     const auto field = field_outside(map, "m"), mask = field_outside(map, "");
-    if (points * sizeof(double) * (masked ? 2 : 1) + container.size() > most_gwy_bytes)
+    if (points * sizeof(double) * (masked ? 2 : 1) + container.size() > max_gwy_bytes)
         throw InvalidArgument(fmt::format(
             "{}: files of Gwyddion can hold less than 4 GiB, and {} × {} points need more; write the map as "
             ".x3p",
@@ -146,7 +146,7 @@ void write_quantity_maps(const std::string& path, const std::vector<QuantityMap>
     if (maps.empty()) throw InvalidArgument(path + ": there is no map to write");
     const std::array<Index, 2> shape{maps.front().values.rows(), maps.front().values.cols()};
     const auto points = static_cast<std::uint64_t>(shape[0] * shape[1]);
-    if (2 * points * sizeof(double) * maps.size() > most_gwy_bytes)
+    if (2 * points * sizeof(double) * maps.size() > max_gwy_bytes)
         throw InvalidArgument(
             fmt::format("{}: files of Gwyddion can hold less than 4 GiB, and {} maps of {} × {} points need more", path,
                         maps.size(), shape[0], shape[1]));

@@ -22,12 +22,12 @@ namespace {
 
 constexpr const char* element_size =
     "element_size_um";  // per index, slowest first: the convention of ImageJ's and napari's plugins
-constexpr std::size_t most_shown_attributes = 100, longest_attribute = 1000;
-constexpr std::size_t most_groups_looked_at = 1000;  ///< for the mark of an EMD
+constexpr std::size_t max_shown_attributes = 100, longest_attribute = 1000;
+constexpr std::size_t max_groups_looked_at = 1000;  ///< for the mark of an EMD
 
 void keep_attributes(const Attributes& attributes, topography::Metadata& metadata) {
     for (const auto& attribute : attributes) {
-        if (metadata.attributes.size() == most_shown_attributes) return;
+        if (metadata.attributes.size() == max_shown_attributes) return;
         if (!attribute.text.empty() && attribute.text.size() <= longest_attribute)
             metadata.attributes[attribute.name] = attribute.text;
         if (attribute.numbers.size() == 1)
@@ -103,10 +103,10 @@ bool is_emd(const Hdf5File& file) {
     };
     std::size_t looked_at = 0;
     for (const auto& outer : file.members("/")) {
-        if (looked_at++ > most_groups_looked_at) return false;
+        if (looked_at++ > max_groups_looked_at) return false;
         if (is_marked("/" + outer)) return true;
         for (const auto& inner : file.members("/" + outer)) {
-            if (looked_at++ > most_groups_looked_at) return false;
+            if (looked_at++ > max_groups_looked_at) return false;
             if (is_marked("/" + outer + "/" + inner)) return true;
         }
     }

@@ -24,7 +24,7 @@ namespace setae::formats {
 namespace {
 
 constexpr const char* height_tiff = "tiff";
-constexpr std::size_t most_tiff_pages = 300;
+constexpr std::size_t max_tiff_pages = 300;
 constexpr double coarsest_printed_pixel = 20e-6;  ///< larger ones are what printers are told [m]
 
 /// What the description of the first page says, as ImageJ writes it.
@@ -121,7 +121,7 @@ Channel page_channel(const bytes::TiffFile& file, std::size_t number, const Imag
 }
 
 std::vector<Channel> open_height_tiff(const bytes::Source& source, const ReadOptions& options) {
-    const auto file = bytes::open_tiff(source, "TIFF", most_tiff_pages);
+    const auto file = bytes::open_tiff(source, "TIFF", max_tiff_pages);
     const ImageJText imagej{file.text(file.pages.front(), TIFFTAG_IMAGEDESCRIPTION)};
     std::vector<Channel> channels;
     for (std::size_t k = 0; k < file.pages.size(); ++k)

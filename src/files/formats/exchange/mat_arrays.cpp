@@ -20,7 +20,7 @@ namespace {
 
 constexpr const char* mat_name = "MAT";
 constexpr std::uint64_t level5_header = 128, tag_bytes = 8;
-constexpr std::uint64_t most_mat_values = std::uint64_t{1} << 40;
+constexpr std::uint64_t max_mat_values = std::uint64_t{1} << 40;
 
 /// Types of elements of level 5.
 enum Element : std::uint32_t {
@@ -58,7 +58,7 @@ bool is_name(std::string_view name) {
 std::optional<std::uint64_t> values_in(const std::vector<Index>& shape) {
     std::uint64_t values = 1;
     for (const auto extent : shape) {
-        if (extent < 0 || (extent > 0 && values > most_mat_values / static_cast<std::uint64_t>(extent)))
+        if (extent < 0 || (extent > 0 && values > max_mat_values / static_cast<std::uint64_t>(extent)))
             return std::nullopt;
         values *= static_cast<std::uint64_t>(extent);
     }
@@ -173,11 +173,11 @@ std::optional<MatVariable> compressed_matrix(const bytes::Source& source, std::u
     auto variable = matrix(cursor, order);
     if (!variable) return variable;
     variable->array.data = source;
-    if (expanded > bytes::most_expanded(packed))
+    if (expanded > bytes::max_expanded(packed))
         variable->array.refusal = fmt::format(
             "MAT: matrix '{:.64}' of {} compressed bytes would become {}, more than {}; if you trust the "
             "file, save it uncompressed (-v6)",
-            variable->array.name, packed, expanded, bytes::most_expanded(packed));
+            variable->array.name, packed, expanded, bytes::max_expanded(packed));
     else place_compressed(*variable, source, offset, packed, expanded);
     return variable;
 }
@@ -214,7 +214,7 @@ std::optional<Level4> level4_header(std::string_view head, std::endian order) {
     const auto rows = bytes::load<std::int32_t>(head.data() + 4, order),
                columns = bytes::load<std::int32_t>(head.data() + 8, order);
     const Level4 header{order, precisions[fits ? precision : 0], kind, rows, columns, number(3) == 1, number(4)};
-    if (!fits || header.rows < 0 || header.columns < 0 || header.values() > most_mat_values) return std::nullopt;
+    if (!fits || header.rows < 0 || header.columns < 0 || header.values() > max_mat_values) return std::nullopt;
     return header;
 }
 

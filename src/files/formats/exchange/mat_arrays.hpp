@@ -24,7 +24,7 @@ struct MatVariable {
 
 /// The matrices of numbers in a file of level 5; texts, cells, structs, objects, sparse and logical ones are passed
 /// over. What is compressed is expanded when values are read, its header alone before; what is compressed and would
-/// expand more than most_expanded has a refusal.
+/// expand more than max_expanded has a refusal.
 /// @throws FormatError for elements that are damaged or truncated.
 /// Source: MathWorks, MAT-File Format (level 5).
 [[nodiscard]] std::vector<MatVariable> mat5_variables(const bytes::Source& source);

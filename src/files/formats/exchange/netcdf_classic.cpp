@@ -15,8 +15,8 @@ namespace setae::formats {
 namespace {
 
 constexpr std::uint32_t character = 2;
-constexpr std::uint64_t most_values = std::uint64_t{1} << 40;  // along a dimension, or of an attribute
-constexpr std::size_t most_dimensions_of_netcdf = 1024;        // of a variable, as the library allows
+constexpr std::uint64_t max_values = std::uint64_t{1} << 40;  // along a dimension, or of an attribute
+constexpr std::size_t max_dimensions_of_netcdf = 1024;        // of a variable, as the library allows
 
 /// The types in the order of their numbers, characters as bytes.
 constexpr Sample netcdf_samples[] = {Sample::int8,   Sample::int8,    Sample::uint8,   Sample::int16,
@@ -43,7 +43,7 @@ public:
         const auto n = count();
         if (got == 0 && n == 0) return 0;
         if (got != tag) fail(fmt::format("tag {} in the header, expected {}", got, tag));
-        if (n > cursor_.remaining() / 8) cursor_.skip(8 * std::min(n, most_values));
+        if (n > cursor_.remaining() / 8) cursor_.skip(8 * std::min(n, max_values));
         return n;
     }
 
@@ -77,7 +77,7 @@ Attributes parse_attributes(NetcdfHeader& header) {
         const auto sample = header.sample();
         const bool text = header.was_character();
         const auto n = header.count();
-        if (n > most_values) header.fail(fmt::format("attribute '{:.40}' of {} values", attribute.name, n));
+        if (n > max_values) header.fail(fmt::format("attribute '{:.40}' of {} values", attribute.name, n));
         const auto values = header.padded(n * bytes_of(sample));
         if (text) attribute.text = values.substr(0, values.find('\0'));
         else
@@ -104,18 +104,18 @@ Variable parse_variable(NetcdfHeader& header, const std::vector<std::uint64_t>& 
     auto& array = variable.array;
     array.name = header.name();
     const auto n = header.count();
-    if (n > most_dimensions_of_netcdf) header.fail(fmt::format("variable '{:.40}' has {} dimensions", array.name, n));
+    if (n > max_dimensions_of_netcdf) header.fail(fmt::format("variable '{:.40}' has {} dimensions", array.name, n));
     std::uint64_t values = 1;
     for (std::uint64_t i = 0; i < n; ++i) {
         const auto id = header.count();
-        if (id >= dimensions.size() || dimensions[id] > most_values)
+        if (id >= dimensions.size() || dimensions[id] > max_values)
             header.fail(fmt::format("variable '{:.40}' has an unknown dimension", array.name));
         const auto extent = dimensions[id];
         if (extent == 0 && i > 0)
             header.fail(fmt::format("variable '{:.40}' has the unlimited dimension after others", array.name));
         variable.has_records = variable.has_records || extent == 0;
-        if (extent > 0 && values > most_values / extent)
-            header.fail(fmt::format("variable '{:.40}' has more than {} values", array.name, most_values));
+        if (extent > 0 && values > max_values / extent)
+            header.fail(fmt::format("variable '{:.40}' has more than {} values", array.name, max_values));
         values *= extent == 0 ? 1 : extent;
         array.shape.push_back(static_cast<Index>(extent));
     }
@@ -138,13 +138,13 @@ void place_records(std::vector<Variable>& variables, std::uint64_t records, cons
         ++number;
         alone = variable.record_bytes;
         together += variable.padded_bytes();
-        if (together > most_values) header.fail(fmt::format("records of more than {} bytes", most_values));
+        if (together > max_values) header.fail(fmt::format("records of more than {} bytes", max_values));
     }
     if (number > 0 && header.is_streaming(records))
         header.fail("the number of records was never written: copy the file with nccopy");
     for (auto& variable : variables) {
         if (!variable.has_records) continue;
-        variable.array.shape[0] = static_cast<Index>(std::min(records, most_values));
+        variable.array.shape[0] = static_cast<Index>(std::min(records, max_values));
         variable.array.first_distance = number == 1 ? alone : together;
     }
 }

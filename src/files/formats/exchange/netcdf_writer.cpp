@@ -20,7 +20,7 @@ namespace setae::formats {
 namespace {
 
 enum Type : std::uint32_t { byte = 1, characters = 2, float64 = 6 };
-constexpr std::uint64_t most_bytes = 0xFFFFFFFCU;  // of a variable
+constexpr std::uint64_t max_bytes = 0xFFFFFFFCU;  // of a variable
 
 template <class T>
 void append(std::string& bytes, T value) {
@@ -125,9 +125,9 @@ private:
     Variable& begin(const std::string& name, std::span<const std::uint32_t> dimensions, Type type,
                     std::uint64_t bytes) {
         refuse_name(name, variable_names_);
-        if (bytes > most_bytes)
+        if (bytes > max_bytes)
             throw InvalidArgument(
-                fmt::format("{}: NetCDF: '{}' needs {} bytes; a variable may have {}", name_, name, bytes, most_bytes));
+                fmt::format("{}: NetCDF: '{}' needs {} bytes; a variable may have {}", name_, name, bytes, max_bytes));
         auto& made = variables_.emplace_back();
         made.type_ = type;
         append(made.head_, name);

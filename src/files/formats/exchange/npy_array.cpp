@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::string_view npy_array_magic = "\x93NUMPY";
 constexpr std::uint64_t longest_npy_header = 1 << 20;
-constexpr std::size_t most_dimensions_of_npy = 64;
+constexpr std::size_t max_dimensions_of_npy = 64;
 
 [[noreturn]] void broken_npy(const bytes::Source& source, std::uint64_t offset, const std::string& what) {
     throw FormatError(source.name, {.offset = offset}, "NPY: " + what);
@@ -68,7 +68,7 @@ void parse_shape(std::string_view text, StoredArray& array, const bytes::Source&
         const auto comma = body.find(',');
         const auto number = trimmed(body.substr(0, comma));
         const auto extent = spelled<Index>(number);
-        if (!extent || *extent < 0 || array.shape.size() == most_dimensions_of_npy)
+        if (!extent || *extent < 0 || array.shape.size() == max_dimensions_of_npy)
             broken_npy(source, npy_array_magic.size(), fmt::format("'{:.40}' in the shape of the header", number));
         array.shape.push_back(*extent);
         body = comma == std::string_view::npos ? std::string_view{} : body.substr(comma + 1);

@@ -13,7 +13,7 @@
 namespace setae::formats {
 namespace {
 
-constexpr Index most_points_of_sdf = 65535;
+constexpr Index max_points_of_sdf = 65535;
 constexpr double sdf_not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 /// Day, month, year, hour, minute; zeros where none is known.
@@ -58,11 +58,11 @@ void write_sdf(const std::string& path, const topography::Measurement& measureme
     if (std::holds_alternative<topography::Profile>(measurement))
         throw InvalidArgument(fmt::format(
             "{}: SDF needs equally spaced points, and this is a profile; write it as .x3p, .nc or .csv", path));
-    if (nx > most_points_of_sdf || ny > most_points_of_sdf)
+    if (nx > max_points_of_sdf || ny > max_points_of_sdf)
         throw InvalidArgument(
             fmt::format("{}: SDF can hold at most {} points along each direction, but there are {} × {}; write it as "
                         ".x3p",
-                        path, most_points_of_sdf, nx, ny));
+                        path, max_points_of_sdf, nx, ny));
     const auto& metadata = topography::metadata(measurement);
     if (const auto* map = std::get_if<topography::HeightMap>(&measurement)) {
         write_grid(path, {nx, ny, map->pixel_size()[0], map->pixel_size()[1]}, map->heights, metadata);

@@ -35,7 +35,7 @@ using topography::LineScan;
 using topography::Measurement;
 using topography::Profile;
 
-constexpr Index most_layers = 256;
+constexpr Index max_layers = 256;
 
 [[noreturn]] void broken_archive(const bytes::Source& source, const std::string& what) {
     throw FormatError(source.name, {}, "X3P: " + what);
@@ -75,8 +75,8 @@ bytes::Source required_member(const Package& package, const std::string& link, s
 std::uint64_t count_of(const X3pDocument& document, const bytes::Source& source) {
     const auto layer =
         static_cast<std::uint64_t>(document.nx) * static_cast<std::uint64_t>(document.ny);  // each at most 2^31
-    if (document.layers > most_layers)
-        broken_archive(source, fmt::format("{} layers, expected at most {}", document.layers, most_layers));
+    if (document.layers > max_layers)
+        broken_archive(source, fmt::format("{} layers, expected at most {}", document.layers, max_layers));
     if (layer > (std::uint64_t{1} << 53))
         broken_archive(source, fmt::format("{} × {} points, more than a file can contain", document.nx, document.ny));
     return layer * static_cast<std::uint64_t>(document.layers);

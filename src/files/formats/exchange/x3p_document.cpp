@@ -14,7 +14,7 @@
 namespace setae::formats {
 namespace {
 
-constexpr Index most_points_of_x3p = Index{1} << 31;
+constexpr Index max_points_of_x3p = Index{1} << 31;
 
 [[noreturn]] void broken_document(const bytes::Source& source, const std::string& what) {
     throw FormatError(source.name, {}, "X3P: " + what);
@@ -47,7 +47,7 @@ Index extent(const pugi::xml_node& node, const char* name, const bytes::Source& 
     const auto text = trimmed(node.child_value());
     auto digits = text;
     const auto value = leading<Index>(digits).value_or(0);
-    if (value < 1 || value > most_points_of_x3p)
+    if (value < 1 || value > max_points_of_x3p)
         broken_document(source, fmt::format("<{}> is '{:.40}', expected a positive integer", name, text));
     return value;
 }

@@ -19,7 +19,7 @@
 namespace setae::formats {
 namespace {
 
-constexpr std::uint64_t usual_characters = 2048, most_characters = 1 << 20;
+constexpr std::uint64_t usual_characters = 2048, max_characters = 1 << 20;
 constexpr double void_integer = 32767.0;
 /// Image Metrology writes 1.7014118e38 for a void, NanoFocus 3.402823e38.
 constexpr double greatest_float = 1.7e38;
@@ -109,10 +109,10 @@ std::vector<Channel> open_bcr(const bytes::Source& source, const ReadOptions& op
     const auto width = character_bytes(source.head(bytes::detection_bytes));
     const auto probe = parsed(source.head(usual_characters * width), width);
     const auto characters = probe.contains("headersize") ? count(probe, "headersize", source) : usual_characters;
-    if (width == 0 || characters > most_characters)
+    if (width == 0 || characters > max_characters)
         throw FormatError(
             source.name, {.offset = 0},
-            fmt::format("BCR: a header of {} characters, expected {} at most", characters, most_characters));
+            fmt::format("BCR: a header of {} characters, expected {} at most", characters, max_characters));
     const auto header = parsed(source.bytes(0, characters * width), width);
     const auto format = header.contains("fileformat") ? bytes::lowered(header.at("fileformat")) : std::string();
     const bool integers = format == "bcrstm" || format == "bcrstm_unicode";

@@ -22,7 +22,7 @@
 namespace setae::formats {
 namespace {
 
-constexpr std::uint64_t most_channels_of_ibw = 1000;
+constexpr std::uint64_t max_channels_of_ibw = 1000;
 
 using Note = std::map<std::string, std::string, std::less<>>;
 
@@ -134,8 +134,8 @@ void require_topography(const IgorWave& wave, const bytes::Source& source) {
         refuse(
             fmt::format("curves of {} columns ('{}' is the first), not a map", wave.points[1], wave.labels[1].front()));
     if (wave.points[1] == 1) refuse("a map of one line");
-    if (wave.points[2] > most_channels_of_ibw)
-        refuse(fmt::format("a wave of {} layers, expected at most {} channels", wave.points[2], most_channels_of_ibw));
+    if (wave.points[2] > max_channels_of_ibw)
+        refuse(fmt::format("a wave of {} layers, expected at most {} channels", wave.points[2], max_channels_of_ibw));
     for (std::size_t k = 0; k < 2; ++k)
         if (wave.points[k] > 0 && !wave.units[k].empty() && !holds_heights({}, wave.units[k]))
             refuse(fmt::format("a wave over '{}', expected a length along each direction of a surface", wave.units[k]));

@@ -19,7 +19,7 @@ namespace setae::formats {
 namespace {
 
 constexpr const char* jpk_hdf5 = "jpk-hdf5";
-constexpr std::size_t most_frames = 10'000;
+constexpr std::size_t max_frames = 10'000;
 
 /// A measurement's grid: pixels and extents [m].
 struct JpkGrid {
@@ -139,9 +139,9 @@ std::vector<Channel> open_jpk_hdf5(const bytes::Source& source, const ReadOption
                     array->shape.back() < 1)
                     continue;
                 if (channels.size() + static_cast<std::size_t>(array->shape.size() == 2 ? array->shape[1] : 1) >
-                    most_frames)
+                    max_frames)
                     throw FormatError(source.name, {},
-                                      fmt::format("JPK HDF5: more than {} frames; cut the film", most_frames));
+                                      fmt::format("JPK HDF5: more than {} frames; cut the film", max_frames));
                 add_frames(*array, about_channel, about, source, options, channels);
             }
         }

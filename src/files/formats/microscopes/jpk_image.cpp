@@ -42,7 +42,7 @@ enum JpkTag : std::uint16_t {
     first_slot = 0x8090
 };
 constexpr std::uint16_t slot_distance = 0x30;
-constexpr std::size_t most_slots = 64, most_pages = 300;
+constexpr std::size_t max_slots = 64, max_pages = 300;
 
 /// One way to read a channel's integers.
 struct Slot {
@@ -53,8 +53,7 @@ struct Slot {
 /// The slots whose scale is linear; others (raw, or calibrated by a curve) give no heights.
 std::vector<Slot> linear_slots(const bytes::TiffFile& file, const bytes::TiffPage& page) {
     std::vector<Slot> slots;
-    const auto announced =
-        std::clamp(file.number(page, slot_count).value_or(0.0), 0.0, static_cast<double>(most_slots));
+    const auto announced = std::clamp(file.number(page, slot_count).value_or(0.0), 0.0, static_cast<double>(max_slots));
     for (std::size_t k = 0; k < static_cast<std::size_t>(announced); ++k) {
         const auto tag = [&](std::uint16_t which) {
             return static_cast<std::uint16_t>(first_slot + k * slot_distance + which);
@@ -169,7 +168,7 @@ Match detect_jpk_image(std::string_view head, const bytes::Source& source, JpkIm
 
 std::vector<Channel> open_jpk_image(const bytes::Source& source, const std::string& format,
                                     const ReadOptions& options) {
-    const auto file = bytes::open_tiff(source, "JPK", most_pages + 1);
+    const auto file = bytes::open_tiff(source, "JPK", max_pages + 1);
     const auto& first = file.pages.front();
     ChannelInfo common;
     common.format = format;
@@ -180,10 +179,10 @@ std::vector<Channel> open_jpk_image(const bytes::Source& source, const std::stri
     const double width = std::abs(file.number(first, grid_width).value_or(0.0)),
                  height = std::abs(file.number(first, grid_height).value_or(0.0));
     common.size = {width, height};
-    if (file.pages.size() > most_pages)
+    if (file.pages.size() > max_pages)
         throw FormatError(
             source.name, {.offset = file.pages.back().offset},
-            fmt::format("JPK: {} pages, expected at most {}; it is damaged", file.pages.size(), most_pages));
+            fmt::format("JPK: {} pages, expected at most {}; it is damaged", file.pages.size(), max_pages));
     std::vector<Channel> channels;
     for (std::size_t k = 1; k < file.pages.size(); ++k)
         if (file.pages[k].find(channel_name) || file.pages[k].find(channel_fancy_name))

@@ -23,7 +23,7 @@ namespace setae::formats {
 namespace {
 
 constexpr std::string_view mdt_magic = "\x01\xb0\x93\xff";
-constexpr std::uint64_t head_bytes = 33, frame_head_bytes = 22, least_variables = 36;
+constexpr std::uint64_t head_bytes = 33, frame_head_bytes = 22, min_variables = 36;
 constexpr std::uint16_t scanned = 0, spectroscopy = 1, text_frame = 3, old_mda = 105, mda = 106, palette = 107,
                         curves = 201;
 
@@ -141,9 +141,9 @@ void require_in_frame(const MdtImage& image, const FrameHead& frame, const bytes
 }
 
 std::optional<MdtImage> scanned_image(bytes::Cursor& cursor, const FrameHead& frame) {
-    if (frame.variables < least_variables)
+    if (frame.variables < min_variables)
         cursor.fail(
-            fmt::format("a scan with {} bytes of variables, expected at least {}", frame.variables, least_variables));
+            fmt::format("a scan with {} bytes of variables, expected at least {}", frame.variables, min_variables));
     cursor.seek(frame.body());
     MdtImage image;
     image.x = read_axis(cursor);
@@ -232,8 +232,8 @@ std::vector<MdtImage> mda_images(bytes::Cursor& cursor, const FrameHead& frame) 
     const auto calibrations = cursor.position() + structure;
     cursor.skip(12);
     const auto dimensions = cursor.number<std::uint32_t>(), measurands = cursor.number<std::uint32_t>();
-    constexpr std::uint32_t most_measurands = 64;
-    if (dimensions != 2 || measurands == 0 || measurands > most_measurands) return {};
+    constexpr std::uint32_t max_measurands = 64;
+    if (dimensions != 2 || measurands == 0 || measurands > max_measurands) return {};
     cursor.seek(calibrations);
     const auto x = read_calibration(cursor), y = read_calibration(cursor);
     std::vector<Calibration> values;
@@ -246,8 +246,8 @@ std::vector<MdtImage> mda_images(bytes::Cursor& cursor, const FrameHead& frame) 
                                     values.back().name));
         cell += bytes_of(*sample);
     }
-    constexpr std::uint64_t most_points = std::uint64_t{1} << 31;
-    if (x.points < 1 || y.points < 1 || x.points > most_points || y.points > most_points)
+    constexpr std::uint64_t max_points = std::uint64_t{1} << 31;
+    if (x.points < 1 || y.points < 1 || x.points > max_points || y.points > max_points)
         cursor.fail(fmt::format("{} × {} points in '{}'; the file is damaged", x.points, y.points, title));
     std::vector<MdtImage> images;
     std::uint64_t within = 0;

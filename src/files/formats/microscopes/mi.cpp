@@ -21,7 +21,7 @@ namespace setae::formats {
 namespace {
 
 constexpr std::string_view first_key = "fileType", last_key = "\ndata          ";
-constexpr std::size_t key_width = 14, most_channels = 1000;
+constexpr std::size_t key_width = 14, max_channels = 1000;
 
 using MiEntries = std::map<std::string, std::string, std::less<>>;
 
@@ -59,8 +59,8 @@ MiFile parsed(const bytes::Source& source) {
         if (line.starts_with(' ') || line.size() < 2) continue;
         const std::string key(trimmed(line.substr(0, key_width)));
         if (key == "bufferLabel") {
-            if (file.channels.size() == most_channels)
-                refuse(source, 0, fmt::format("more than {} channels; it is damaged", most_channels));
+            if (file.channels.size() == max_channels)
+                refuse(source, 0, fmt::format("more than {} channels; it is damaged", max_channels));
             entries = &file.channels.emplace_back();
         }
         entries->insert_or_assign(

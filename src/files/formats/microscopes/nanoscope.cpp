@@ -27,7 +27,7 @@ namespace setae::formats {
 namespace {
 
 constexpr std::string_view first_section_as_text = "?*File list";
-constexpr std::size_t most_images = 1000;
+constexpr std::size_t max_images = 1000;
 
 using tables::find;
 using tables::leading_value;
@@ -251,7 +251,7 @@ std::vector<Channel> open_nanoscope(const bytes::Source& source, const ReadOptio
         if (!scale || !scale->starts_with("V ") || !find(section, "image data"))
             refuse(
                 "an image without '@2:Z scale' and '@2:Image Data', written by a version before 4.3; save it again with a newer one");
-        if (channels.size() == most_images) refuse(fmt::format("more than {} images; it is damaged", most_images));
+        if (channels.size() == max_images) refuse(fmt::format("more than {} images; it is damaged", max_images));
         channels.push_back(image_channel(section, sections, common, source, options));
     }
     if (channels.empty())

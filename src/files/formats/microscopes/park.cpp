@@ -30,7 +30,7 @@ enum ParkTag : std::uint16_t {
     strip_offsets_tag = 273,
     strip_bytes_tag = 279
 };
-constexpr std::uint64_t most_strips = 1 << 20;
+constexpr std::uint64_t max_strips = 1 << 20;
 constexpr double park_magic = 0x0E031301, version_1 = 0x1000001, version_2 = 0x1000002;
 constexpr std::uint64_t park_header_bytes = 356, header_bytes_2 = 580;
 
@@ -153,8 +153,8 @@ Raster raster_of(const ParkHeader& header, const bytes::TiffTag& samples, const 
 
 /// The picture is not read, but a file without all of it is not whole.
 void require_preview(const bytes::TiffFile& file, const bytes::TiffPage& page) {
-    const auto offsets = file.integers(page, strip_offsets_tag, most_strips),
-               counts = file.integers(page, strip_bytes_tag, most_strips);
+    const auto offsets = file.integers(page, strip_offsets_tag, max_strips),
+               counts = file.integers(page, strip_bytes_tag, max_strips);
     for (std::size_t k = 0; k < std::min(offsets.size(), counts.size()); ++k)
         if (offsets[k] > file.source.size || counts[k] > file.source.size - offsets[k])
             throw FormatError(

@@ -70,7 +70,7 @@ PointArray array_of(const bytes::Archive& archive, const char* member, std::int3
                                       array.nx, array.ny, array.element_bytes, array.row_bytes, element_bytes));
     if (!zstd) return array;
     const auto size = array_header + static_cast<std::uint64_t>(array.ny) * static_cast<std::uint64_t>(array.row_bytes);
-    if (size > bytes::most_expanded(content.size))
+    if (size > bytes::max_expanded(content.size))
         throw FormatError(content.name, {.offset = 8},
                           fmt::format("ZON: {} × {} points announced in {} compressed bytes; the file is damaged",
                                       array.nx, array.ny, content.size));

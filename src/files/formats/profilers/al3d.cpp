@@ -112,10 +112,10 @@ void require_texture(const Tags& tags, const Raster& depth, const bytes::Source&
     const auto offset = count_of(tags, "TextureImageOffset", source);
     const auto planes = tags.values.contains("NumberOfPlanes") ? count_of(tags, "NumberOfPlanes", source) : Index{1};
     if (offset == 0 || planes == 0) return;
-    constexpr Index most_planes = 16;
-    if (planes > most_planes)
+    constexpr Index max_planes = 16;
+    if (planes > max_planes)
         throw FormatError(source.name, {.offset = tags.end},
-                          fmt::format("Alicona: {} planes, expected {} at most", planes, most_planes));
+                          fmt::format("Alicona: {} planes, expected {} at most", planes, max_planes));
     const auto row = (static_cast<std::uint64_t>(depth.nx) + 7) / 8 * 8;
     const Raster texture{.offset = static_cast<std::uint64_t>(offset),
                          .nx = depth.nx,

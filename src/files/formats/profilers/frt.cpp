@@ -45,9 +45,9 @@ struct FrtBlock {
 struct FrtFile {
     std::map<std::uint16_t, FrtBlock> blocks;
 
-    [[nodiscard]] const FrtBlock* find(std::uint16_t tag, std::uint64_t least_bytes = 0) const {
+    [[nodiscard]] const FrtBlock* find(std::uint16_t tag, std::uint64_t min_bytes = 0) const {
         const auto at = blocks.find(tag);
-        return at == blocks.end() || at->second.length < least_bytes ? nullptr : &at->second;
+        return at == blocks.end() || at->second.length < min_bytes ? nullptr : &at->second;
     }
 };
 
@@ -115,14 +115,14 @@ FrtImage image_of(bytes::Cursor& cursor, std::uint32_t type) {
 /// Images of the block of several.
 std::vector<FrtImage> images_of(const FrtBlock& block, bytes::Cursor& cursor) {
     constexpr std::uint64_t identifiers_bytes = 8, header_bytes = 16;
-    constexpr std::size_t most_images = 256;
+    constexpr std::size_t max_images = 256;
     std::vector<FrtImage> found;
     const auto end = block.offset + block.length;
     cursor.seek(block.offset);
     cursor.skip(std::min(identifiers_bytes, block.length));
     while (cursor.position() + header_bytes <= end) {
-        if (found.size() == most_images)
-            cursor.fail(fmt::format("more than {} images; the file is damaged", most_images));
+        if (found.size() == max_images)
+            cursor.fail(fmt::format("more than {} images; the file is damaged", max_images));
         auto image = image_of(cursor, cursor.number<std::uint32_t>());
         image.raster.offset = cursor.position();
         require_raster(image.raster, cursor.source(), "FRT");

@@ -26,8 +26,8 @@ enum LextTag : std::uint16_t {
     device_settings_tag = 0xa40b
 };
 constexpr std::string_view root_name = "TiffTagDescData", exif_root_name = "ExifTagDescData";
-constexpr std::size_t most_pages = 300;  ///< what follows is not looked at
-constexpr double picometre = 1e-12;      ///< lengths of the XML: micrometres in millionths
+constexpr std::size_t max_pages = 300;  ///< what follows is not looked at
+constexpr double picometre = 1e-12;     ///< lengths of the XML: micrometres in millionths
 
 /// Metres per pixel and per grey value.
 struct LextScale {
@@ -86,7 +86,7 @@ topography::Metadata metadata_of(const bytes::TiffFile& file) {
 }
 
 std::vector<Channel> open_lext(const bytes::Source& source, const ReadOptions& options) {
-    const auto file = bytes::open_tiff(source, "LEXT", most_pages);
+    const auto file = bytes::open_tiff(source, "LEXT", max_pages);
     const auto& first = file.pages.front();
     const auto document = bytes::parsed_xml(file.text(first, description_tag), source, "LEXT");
     ChannelInfo common;

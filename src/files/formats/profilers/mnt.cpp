@@ -184,7 +184,7 @@ Array array_of(Tree& tree, const MntEntry& object, std::uint64_t elements) {
             stream, object.offset,
             fmt::format("an array of {} elements, expected {}; the file is damaged", count.value_or(0), elements));
     const auto bytes = bytes::Cursor(stream, mnt_name).number_at<std::uint64_t>(data->offset);
-    if (elements == 0 || bytes % elements != 0 || bytes > bytes::most_expanded(data->size))
+    if (elements == 0 || bytes % elements != 0 || bytes > bytes::max_expanded(data->size))
         broken_mnt(stream, data->offset,
                    fmt::format("{} bytes announced for {} elements in {} compressed bytes; the file is damaged", bytes,
                                elements, data->size));

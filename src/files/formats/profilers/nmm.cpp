@@ -27,7 +27,7 @@ namespace {
 constexpr std::string_view dashes = "------------------------------------------",
                            title = "Scan procedure description file", nmm_height_column = "-Lz+Az";
 constexpr double agreement = 1e-6;  ///< relative, of lengths that tell the same
-constexpr Index most_lines = 1 << 20;
+constexpr Index max_lines = 1 << 20;
 
 [[noreturn]] void broken_nmm(const bytes::Source& source, std::uint64_t line, const std::string& what) {
     throw FormatError(source.name, {.line = line}, "NMM: " + what);
@@ -79,10 +79,10 @@ double length_of(const std::map<std::string, std::string>& entries, const std::s
 Index number_of(const std::map<std::string, std::string>& entries, const std::string& key,
                 const bytes::Source& source) {
     const auto count = tables::count_in(entry(entries, key, source));
-    if (!count || *count < 1 || *count > most_lines)
+    if (!count || *count < 1 || *count > max_lines)
         throw FormatError(
             source.name, {},
-            fmt::format("NMM: '{}' is '{:.40}', expected 1 to {}", key, entry(entries, key, source), most_lines));
+            fmt::format("NMM: '{}' is '{:.40}', expected 1 to {}", key, entry(entries, key, source), max_lines));
     return *count;
 }
 

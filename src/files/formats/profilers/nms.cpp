@@ -20,7 +20,7 @@ namespace {
 constexpr std::uint64_t nms_header_bytes = 3468;
 constexpr std::string_view program = "OM_MS_";
 constexpr double steps_of_range = 65534.0;
-constexpr std::uint32_t most_points_of_nms = 100000;
+constexpr std::uint32_t max_points_of_nms = 100000;
 
 namespace at {
 constexpr std::uint64_t limits = 16, program = 32, title = 52, date = 1076, header_length = 1352, points = 1368,
@@ -38,9 +38,9 @@ bool is_consistent(std::string_view head) {
     const auto lowest = value_at<double>(head, at::limits), highest = value_at<double>(head, at::limits + 8);
     const auto nx = value_at<std::uint32_t>(head, at::points), ny = value_at<std::uint32_t>(head, at::points + 4);
     const auto dx = value_at<double>(head, at::pitch), dy = value_at<double>(head, at::pitch + 8);
-    constexpr double farthest = 1e6, least_pitch = 1e-3, greatest_pitch = 1e9;  // µm, nm
+    constexpr double farthest = 1e6, min_pitch = 1e-3, greatest_pitch = 1e9;  // µm, nm
     return std::abs(lowest) < farthest && std::abs(highest) < farthest && lowest < highest && nx > 0 && ny > 0 &&
-           nx <= most_points_of_nms && ny <= most_points_of_nms && dx > least_pitch && dy > least_pitch &&
+           nx <= max_points_of_nms && ny <= max_points_of_nms && dx > min_pitch && dy > min_pitch &&
            dx < greatest_pitch && dy < greatest_pitch;
 }
 

@@ -27,7 +27,7 @@ constexpr auto opd_signature =
     "\x01\0"
     "Directory"sv;
 constexpr std::uint64_t directory_offset = 2, entry_bytes = 24, name_bytes = 16, array_header_bytes = 6;
-constexpr std::uint64_t most_blocks = 65536;
+constexpr std::uint64_t max_blocks = 65536;
 constexpr int array_type = 3, text_type = 5, short_type = 6, float_type = 7, double_type = 8, long_type = 12,
               tagged_type = 15;
 constexpr double greatest_integer = 32765.0, greatest_float = 9.9e37;
@@ -52,10 +52,10 @@ OpdFile read_directory(bytes::Cursor& cursor) {
     cursor.seek(directory_offset + name_bytes);
     (void)cursor.number<std::uint16_t>();
     const auto length = static_cast<std::uint64_t>(std::max(cursor.number<std::int32_t>(), 0));
-    if (length % entry_bytes != 0 || length < entry_bytes || length / entry_bytes > most_blocks)
+    if (length % entry_bytes != 0 || length < entry_bytes || length / entry_bytes > max_blocks)
         cursor.fail(
             fmt::format("a directory of {} bytes, expected a multiple of {} for at most {} blocks; the file is damaged",
-                        length, entry_bytes, most_blocks));
+                        length, entry_bytes, max_blocks));
     const auto count = length / entry_bytes - 1;
     auto offset = directory_offset + length;
     cursor.seek(directory_offset + entry_bytes);
@@ -189,14 +189,14 @@ Match detect_opd(std::string_view head, const bytes::Source&) {
 }
 
 std::vector<Channel> open_opd(const bytes::Source& source, const ReadOptions& options) {
-    constexpr std::size_t most_channels = 1000;
+    constexpr std::size_t max_channels = 1000;
     bytes::Cursor cursor(source, "OPD");
     const auto file = read_directory(cursor);
     const auto common = common_of(file, cursor);
     std::vector<Channel> channels;
     for (const auto& block : file.blocks) {
-        if (channels.size() == most_channels)
-            cursor.fail(fmt::format("more than {} arrays, which is not possible; the file is damaged", most_channels));
+        if (channels.size() == max_channels)
+            cursor.fail(fmt::format("more than {} arrays, which is not possible; the file is damaged", max_channels));
         if (block.type == array_type) channels.push_back(array_channel(block, common, cursor, options));
         if (block.type != tagged_type) continue;
         const auto item = tagged_value(block, cursor);

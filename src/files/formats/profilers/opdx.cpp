@@ -21,7 +21,7 @@ namespace setae::formats {
 namespace {
 
 using namespace std::string_view_literals;
-constexpr std::size_t most_channels_of_opdx = 1000;
+constexpr std::size_t max_channels_of_opdx = 1000;
 constexpr auto opdx_signature = "VCA DATA\x01\x00\x00\x55"sv;
 constexpr auto* format_name = "OPDx";
 
@@ -91,10 +91,10 @@ std::vector<const VcaItem*> data_items(const VcaItem& tree, const char* folder, 
         for (const auto& child : data->children)
             if (child.find(content))
                 ranked.emplace_back(ranks.contains(child.name) ? ranks[child.name] : ranks.size(), &child);
-    if (ranked.size() > most_channels_of_opdx)
+    if (ranked.size() > max_channels_of_opdx)
         throw FormatError(source.name, {.offset = source.size},
                           fmt::format("OPDx: {} channels, expected {} at most; the file is damaged", ranked.size(),
-                                      most_channels_of_opdx));
+                                      max_channels_of_opdx));
     std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<const VcaItem*> items;
     for (const auto& [rank, item] : ranked) items.push_back(item);

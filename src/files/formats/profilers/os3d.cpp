@@ -15,7 +15,7 @@ namespace setae::formats {
 namespace {
 
 constexpr std::string_view os3d_signature = "OmniSurf3D";
-constexpr double least_height = -3e38;
+constexpr double min_height = -3e38;
 
 std::string counted_text(bytes::Cursor& cursor) {
     const auto length = cursor.number<std::int32_t>();
@@ -49,7 +49,7 @@ std::vector<Channel> open_os3d(const bytes::Source& source, const ReadOptions& o
     if (origin_x != 0.0 || origin_y != 0.0)
         info.metadata.attributes["origin"] = fmt::format("{} {} µm", origin_x, origin_y);
     raster.offset = cursor.position();
-    return {raster_channel(std::move(info), source, raster, {.factor = units::um, .least = least_height}, options)};
+    return {raster_channel(std::move(info), source, raster, {.factor = units::um, .least = min_height}, options)};
 }
 
 }  // namespace

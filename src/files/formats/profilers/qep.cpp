@@ -29,7 +29,7 @@ namespace setae::formats {
 namespace {
 
 constexpr std::string_view qep_magic = "[p3dlin]", first_marker = "[sellsg]", second_marker = "[Trajec]";
-constexpr std::uint64_t points_at = 0x14, texts_at = 0xc4, data_behind_marker = 49, bytes_a_point = 28;
+constexpr std::uint64_t points_at = 0x14, texts_at = 0xc4, data_behind_marker = 49, bytes_per_point = 28;
 
 /// Members that hold profiles, the measured one first.
 constexpr std::array<std::pair<const char*, const char*>, 2> members{
@@ -79,11 +79,11 @@ Blob read_blob(const bytes::Source& source) {
         position_of(content, second_marker, position_of(content, first_marker, cursor.position(), source), source) +
         data_behind_marker;
     const auto count = static_cast<std::uint64_t>(points);
-    if (data > content.size() || content.size() - data != count * bytes_a_point)
+    if (data > content.size() || content.size() - data != count * bytes_per_point)
         throw FormatError(
             source.name, {.offset = content.size()},
             fmt::format("MarWin: expected the end of {} points at byte {}, but the profile ends here; it is damaged",
-                        points, data + count * bytes_a_point));
+                        points, data + count * bytes_per_point));
     blob.positions.resize(points);
     blob.heights.resize(points);
     for (std::uint64_t i = 0; i < count; ++i) {

@@ -165,7 +165,7 @@ bytes::Source compressed_points(const SurHeader& header, bytes::Cursor& cursor) 
         stream.offset = cursor.position();
         cursor.skip(stream.size);
         expanded += stream.expanded;
-        if (stream.expanded > bytes::most_expanded(stream.size))
+        if (stream.expanded > bytes::max_expanded(stream.size))
             cursor.fail(
                 fmt::format("{} compressed bytes announce {}; the file is damaged", stream.size, stream.expanded));
     }

@@ -18,9 +18,9 @@ namespace setae::formats {
 namespace {
 
 constexpr int vca_deepest = 16;
-constexpr int most_items = 100000;
+constexpr int max_items = 100000;
 constexpr std::uint64_t longest_text_of_vca = 1 << 16;
-constexpr std::size_t most_texts = 1000;
+constexpr std::size_t max_texts = 1000;
 /// Vision writes 1e38 where it measured nothing, which in single precision is a little less.
 constexpr double greatest_height = 9.9e37;
 
@@ -41,8 +41,8 @@ public:
     }
 
     VcaItem value(std::string name, std::uint64_t end, int depth) {
-        if (++count_ > most_items)
-            cursor_.fail(fmt::format("more than {} entries, which is not possible; the file is damaged", most_items));
+        if (++count_ > max_items)
+            cursor_.fail(fmt::format("more than {} entries, which is not possible; the file is damaged", max_items));
         VcaItem item;
         item.name = std::move(name);
         item.type = static_cast<VcaType>(cursor_.number<std::uint8_t>());
@@ -247,7 +247,7 @@ VcaItem read_vca_value(bytes::Cursor& cursor, std::string name, std::uint64_t en
 std::vector<std::string> texts_of(const VcaItem& list, const bytes::Source& source, const std::string& format) {
     std::vector<std::string> texts;
     bytes::Cursor cursor(source, format, list.offset);
-    while (cursor.position() < list.offset + list.length && texts.size() < most_texts) {
+    while (cursor.position() < list.offset + list.length && texts.size() < max_texts) {
         const auto length = cursor.number<std::uint32_t>();
         if (length > longest_text_of_vca)
             cursor.fail(fmt::format("a text of {} characters, expected {} at most; the file is damaged", length,

@@ -85,8 +85,8 @@ Raster image_raster(bytes::Cursor& cursor, std::uint32_t offset) {
         cursor.fail(fmt::format("{} bits per point, expected 8, 16 or 32", bits));
     cursor.skip(4);  // compression, always none
     const auto bytes = cursor.number<std::uint32_t>();
-    const auto bytes_a_point = bits / 8;
-    if (std::uint64_t{width} * height != bytes / bytes_a_point || bytes % bytes_a_point != 0)
+    const auto bytes_per_point = bits / 8;
+    if (std::uint64_t{width} * height != bytes / bytes_per_point || bytes % bytes_per_point != 0)
         cursor.fail(fmt::format("{} × {} points of {} bits in {} bytes", width, height, bits, bytes));
     cursor.skip(2 * 4 + palette_bytes);
     return {.offset = cursor.position(),

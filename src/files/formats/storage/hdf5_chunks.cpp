@@ -121,11 +121,11 @@ std::string ChunkedValues::unpacked_band(std::uint64_t index) const {
 }
 
 const std::string& ChunkedValues::band(std::uint64_t index) {
-    const auto most_kept = static_cast<std::size_t>(parallel::Threads{}.resolved()) + 1;
+    const auto max_kept = static_cast<std::size_t>(parallel::Threads{}.resolved()) + 1;
     std::erase(last_used_, index);
     last_used_.push_back(index);
     if (const auto found = bands_.find(index); found != bands_.end()) return found->second;
-    if (last_used_.size() > most_kept) {
+    if (last_used_.size() > max_kept) {
         bands_.erase(last_used_.front());
         last_used_.erase(last_used_.begin());
     }

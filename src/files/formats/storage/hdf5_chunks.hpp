@@ -41,7 +41,7 @@ class ChunkedValues {
 public:
     ChunkedValues(const bytes::Source& source, Hdf5Chunks chunks);
 
-    /// @throws FormatError for a piece that is damaged or expands more than most_expanded.
+    /// @throws FormatError for a piece that is damaged or expands more than max_expanded.
     void read(std::uint64_t offset, std::uint64_t count, char* target);
 
 private:

@@ -20,8 +20,8 @@ namespace setae::formats {
 namespace {
 
 constexpr int deepest_group = 16;
-constexpr std::size_t most_objects = 10'000, most_hdf5_attributes = 1'000, most_numbers = 4'096, most_records = 100'000;
-constexpr std::uint64_t longest_hdf5_text = 1 << 16, most_record_bytes = 1 << 24;
+constexpr std::size_t max_objects = 10'000, max_hdf5_attributes = 1'000, max_numbers = 4'096, max_records = 100'000;
+constexpr std::uint64_t longest_hdf5_text = 1 << 16, max_record_bytes = 1 << 24;
 
 [[noreturn]] void broken_file(const bytes::Source& source, const std::string& what) {
     throw FormatError(source.name, {}, "HDF5: " + what);
@@ -37,7 +37,7 @@ std::string clean_text(std::string bytes) {
 herr_t note_member(hid_t, const char* name, const H5L_info_t* link, void* names) {
     auto& found = *static_cast<std::vector<std::string>*>(names);
     if (link->type == H5L_TYPE_HARD && std::strlen(name) < longest_hdf5_text) found.emplace_back(name);
-    return found.size() < most_objects ? 0 : 1;
+    return found.size() < max_objects ? 0 : 1;
 }
 
 std::vector<std::string> members_of(hid_t group) {
@@ -49,7 +49,7 @@ std::vector<std::string> members_of(hid_t group) {
 void find_datasets(hid_t group, const std::string& path, int depth, std::size_t& visited,
                    std::vector<std::string>& found) {
     for (const auto& name : members_of(group)) {
-        if (++visited > most_objects) return;
+        if (++visited > max_objects) return;
         const bytes::Hdf5Handle member(H5Oopen(group, name.c_str(), H5P_DEFAULT), &H5Oclose);
         const auto type =
             member ? H5Iget_type(member) : H5I_DATASET;  // what the library cannot open is told by array()
@@ -94,11 +94,11 @@ struct NativeType {
 
 /// A type as it is in memory. Sizes that the file announces are bounded before anything of them is allocated.
 std::optional<NativeType> native(hid_t stored) {
-    if (H5Tget_size(stored) > most_record_bytes) return std::nullopt;
+    if (H5Tget_size(stored) > max_record_bytes) return std::nullopt;
     NativeType native{{H5Tget_native_type(stored, H5T_DIR_ASCEND), &H5Tclose}, 0};
     if (!native.type) return std::nullopt;
     native.bytes = H5Tget_size(native.type);
-    if (native.bytes == 0 || native.bytes > most_record_bytes) return std::nullopt;
+    if (native.bytes == 0 || native.bytes > max_record_bytes) return std::nullopt;
     return native;
 }
 
@@ -113,7 +113,7 @@ std::string text_in(const char* value, hid_t type) {
 /// Numbers in memory, converted.
 void append_numbers(const char* values, std::size_t count, hid_t type, std::vector<double>& numbers) {
     const auto bytes = H5Tget_size(type);
-    if (bytes == 0 || count > most_numbers) return;
+    if (bytes == 0 || count > max_numbers) return;
     std::string buffer(std::max(bytes, sizeof(double)) * count, '\0');
     std::memcpy(buffer.data(), values, bytes * count);
     if (H5Tconvert(type, H5T_NATIVE_DOUBLE, count, buffer.data(), nullptr, H5P_DEFAULT) < 0) return;
@@ -170,7 +170,7 @@ void with_attribute(hid_t object, const std::string& name, const std::function<v
     const auto points = space ? H5Sget_simple_extent_npoints(space) : -1;
     if (!type || points < 1) return;
     const auto count = static_cast<std::uint64_t>(points);
-    if (count > most_numbers || count * type->bytes > most_record_bytes) return;
+    if (count > max_numbers || count * type->bytes > max_record_bytes) return;
     with_values(
         space, *type, count, [&](void* values) { return H5Aread(attribute, type->type, values); },
         [&](const char* value) { take(value, type->type); });
@@ -179,7 +179,7 @@ void with_attribute(hid_t object, const std::string& name, const std::function<v
 herr_t note_attribute(hid_t, const char* name, const H5A_info_t*, void* names) {
     auto& found = *static_cast<std::vector<std::string>*>(names);
     found.emplace_back(name);
-    return found.size() < most_hdf5_attributes ? 0 : 1;
+    return found.size() < max_hdf5_attributes ? 0 : 1;
 }
 
 Attributes attributes_of(hid_t object) {
@@ -201,14 +201,14 @@ Attributes attributes_of(hid_t object) {
 /// Whether a table's pieces cannot take much memory, whatever they announce: deflate makes at most a thousand bytes of
 /// one.
 bool are_bounded(hid_t data, hid_t properties, std::size_t dimensions) {
-    constexpr std::uint64_t most_packed = 1 << 16, most_piece = 1 << 18;
+    constexpr std::uint64_t max_packed = 1 << 16, max_piece = 1 << 18;
     if (H5Pget_layout(properties) != H5D_CHUNKED)
         return H5Pget_layout(properties) != H5D_VIRTUAL && H5Pget_external_count(properties) == 0;
     std::vector<hsize_t> chunk(dimensions);
     if (H5Pget_chunk(properties, static_cast<int>(chunk.size()), chunk.data()) < 0 ||
-        bytes::hdf5_product(chunk) > most_piece)
+        bytes::hdf5_product(chunk) > max_piece)
         return false;
-    return H5Pget_nfilters(properties) == 0 || H5Dget_storage_size(data) <= most_packed;
+    return H5Pget_nfilters(properties) == 0 || H5Dget_storage_size(data) <= max_packed;
 }
 
 }  // namespace
@@ -309,8 +309,8 @@ std::vector<Hdf5Record> Hdf5File::records(const std::string& path) const {
     const auto type = native(stored);
     const auto extents = bytes::hdf5_extents(space);
     const auto count = bytes::hdf5_product(extents);
-    if (!properties || !are_bounded(data, properties, extents.size()) || !type || count > most_records ||
-        count * type->bytes > most_record_bytes)
+    if (!properties || !are_bounded(data, properties, extents.size()) || !type || count > max_records ||
+        count * type->bytes > max_record_bytes)
         return {};
     std::vector<Hdf5Record> records;
     with_values(

@@ -18,7 +18,7 @@
 namespace setae::formats {
 namespace {
 
-constexpr std::uint64_t most_compact_bytes = 1 << 16;
+constexpr std::uint64_t max_compact_bytes = 1 << 16;
 
 [[noreturn]] void broken_layout(const bytes::Source& source, const std::string& what) {
     throw FormatError(source.name, {}, "HDF5: " + what);
@@ -31,7 +31,7 @@ void refuse_elsewhere(StoredArray& array, const char* where) {
 
 /// A few values stand in the dataset's header.
 void place_compact(const Hdf5Dataset& dataset, std::uint64_t bytes, StoredArray& array) {
-    if (bytes > most_compact_bytes)
+    if (bytes > max_compact_bytes)
         broken_layout(dataset.source, fmt::format("dataset {:.200} has {} bytes in its header; the file is damaged",
                                                   dataset.path, bytes));
     std::string values(bytes, '\0');
@@ -87,7 +87,7 @@ void place_chunked(const Hdf5Dataset& dataset, std::uint64_t bytes, StoredArray&
         chunks.filters.push_back({id, parameters > 0 ? parameter : 0});
     }
     const auto stored = std::min<std::uint64_t>(H5Dget_storage_size(dataset.data), dataset.source.size);
-    const auto most = bytes::most_expanded(stored), piece_bytes = bytes::hdf5_product(chunks.chunk, chunks.value_bytes);
+    const auto most = bytes::max_expanded(stored), piece_bytes = bytes::hdf5_product(chunks.chunk, chunks.value_bytes);
     if (bytes > most || piece_bytes > most) {
         array.refusal = fmt::format(
             "HDF5: dataset {:.200} of {} bytes in pieces of {} has {} bytes in the file; it is damaged, or a map of one value",

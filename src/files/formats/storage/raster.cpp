@@ -22,7 +22,7 @@
 namespace setae::formats {
 namespace {
 
-constexpr Index most_points_a_direction = Index{1} << 31;
+constexpr Index max_points_per_direction = Index{1} << 31;
 /// Lines and samples that are converted and turned together: in the first cache, and 512 bytes of each row of heights
 /// in one go.
 constexpr Index tile_lines = 64, tile_samples = 32;
@@ -272,7 +272,7 @@ std::uint64_t bytes_of(Sample sample) {
 }
 
 void require_raster(const Raster& raster, const bytes::Source& source, const std::string& format) {
-    if (raster.nx < 1 || raster.ny < 1 || raster.nx > most_points_a_direction || raster.ny > most_points_a_direction)
+    if (raster.nx < 1 || raster.ny < 1 || raster.nx > max_points_per_direction || raster.ny > max_points_per_direction)
         broken(source, format, std::min(raster.offset, source.size),
                fmt::format("{} × {} points, expected 1 to 2^31 along each direction", raster.nx, raster.ny));
     const auto lines = static_cast<std::uint64_t>(raster.columns ? raster.nx : raster.ny);

@@ -14,7 +14,7 @@
 namespace setae::formats {
 namespace {
 
-constexpr std::uint64_t most_pieces = 1 << 22;
+constexpr std::uint64_t max_pieces = 1 << 22;
 constexpr std::uint64_t allocation_floor = 1 << 24;  ///< what libtiff may take at once for the smallest file
 
 /// What is needed to find and expand a page's pixels.
@@ -31,7 +31,7 @@ struct Layout {
 
 std::uint64_t entry(const bytes::TiffFile& file, const bytes::TiffPage& page, std::uint16_t id,
                     std::uint64_t fallback) {
-    const auto values = file.integers(page, id, most_pieces);
+    const auto values = file.integers(page, id, max_pieces);
     return values.empty() ? fallback : values.front();
 }
 
@@ -73,8 +73,8 @@ Layout layout_of(const bytes::TiffFile& file, const bytes::TiffPage& page) {
                      .piece_nx = tiled ? entry(file, page, TIFFTAG_TILEWIDTH, 0) : width,
                      .piece_ny = tiled ? entry(file, page, TIFFTAG_TILELENGTH, 0)
                                        : std::min(entry(file, page, TIFFTAG_ROWSPERSTRIP, height), height)};
-    layout.offsets = file.integers(page, tiled ? TIFFTAG_TILEOFFSETS : TIFFTAG_STRIPOFFSETS, most_pieces);
-    layout.byte_counts = file.integers(page, tiled ? TIFFTAG_TILEBYTECOUNTS : TIFFTAG_STRIPBYTECOUNTS, most_pieces);
+    layout.offsets = file.integers(page, tiled ? TIFFTAG_TILEOFFSETS : TIFFTAG_STRIPOFFSETS, max_pieces);
+    layout.byte_counts = file.integers(page, tiled ? TIFFTAG_TILEBYTECOUNTS : TIFFTAG_STRIPBYTECOUNTS, max_pieces);
     const auto nx = layout.pieces.piece_nx, ny = layout.pieces.piece_ny;
     if (nx == 0 || ny == 0 || nx > (1u << 30) || ny > (1u << 30))
         broken(file, page.offset, fmt::format("pieces of {} × {} pixels", nx, ny));
@@ -102,7 +102,7 @@ void require_pieces(const bytes::TiffFile& file, const Layout& layout) {
     const auto width = std::max<std::uint64_t>(bytes_of(layout.sample), 2);
     const auto announced =
         width * std::max(layout.pieces.nx * layout.pieces.ny, layout.pieces.piece_nx * layout.pieces.piece_ny);
-    if (announced > bytes::most_expanded(stored))
+    if (announced > bytes::max_expanded(stored))
         broken(file, layout.pieces.directory,
                fmt::format("{} bytes of strips or tiles announce {} × {} pixels; it is damaged", stored,
                            layout.pieces.nx, layout.pieces.ny));

@@ -20,7 +20,7 @@ struct TiffPixels {
 
 /// Pixels of one sample each. @throws FormatError for several samples a pixel, a type that is no number of 1, 2, 4 or 8
 /// bytes, strips or tiles beyond the end of the file or fewer than the page needs, or a page that announces more than
-/// most_expanded of its bytes.
+/// max_expanded of its bytes.
 [[nodiscard]] TiffPixels tiff_pixels(const bytes::TiffFile& file, const bytes::TiffPage& page);
 
 }  // namespace setae::formats

@@ -66,20 +66,20 @@ double height_at(const std::string& content, const Raster& raster, const RawScal
 constexpr auto samples = {Sample::int8,   Sample::uint8, Sample::int16,  Sample::uint16,  Sample::int32,
                           Sample::uint32, Sample::int64, Sample::uint64, Sample::float32, Sample::float64};
 
-Raster any_raster(Index most_points, std::uint64_t most_between) {
+Raster any_raster(Index max_points, std::uint64_t max_between) {
     Raster raster;
     raster.offset = *rc::gen::inRange<std::uint64_t>(0, 100);
-    raster.nx = *rc::gen::inRange<Index>(1, most_points);
-    raster.ny = *rc::gen::inRange<Index>(1, most_points);
+    raster.nx = *rc::gen::inRange<Index>(1, max_points);
+    raster.ny = *rc::gen::inRange<Index>(1, max_points);
     raster.sample = *rc::gen::elementOf(std::vector<Sample>(samples));
     raster.order = *rc::gen::element(std::endian::little, std::endian::big);
     raster.columns = *rc::gen::arbitrary<bool>();
     raster.bottom_up = *rc::gen::arbitrary<bool>();
     raster.right_to_left = *rc::gen::arbitrary<bool>();
     if (*rc::gen::arbitrary<bool>())
-        raster.step = formats::bytes_of(raster.sample) + *rc::gen::inRange<std::uint64_t>(0, most_between);
+        raster.step = formats::bytes_of(raster.sample) + *rc::gen::inRange<std::uint64_t>(0, max_between);
     if (*rc::gen::arbitrary<bool>())
-        raster.line_distance = raster.row_distance() + *rc::gen::inRange<std::uint64_t>(0, 40 * most_between);
+        raster.line_distance = raster.row_distance() + *rc::gen::inRange<std::uint64_t>(0, 40 * max_between);
     return raster;
 }
 

@@ -57,12 +57,12 @@ std::string other_quantity(const std::string& name) {
 }
 
 std::string why_no_heights(const tables::RawTable::RawColumn& column) {
-    constexpr Index fewest_counted = 8;
+    constexpr Index min_counted = 8;
     if (!column.text.empty()) return fmt::format("text, {}", column.text);
     if (const auto quantity = other_quantity(column.name); !quantity.empty() && !is_height_name(column.name))
         return fmt::format("its name means {}", quantity);
     if (!column.unit.empty() && !is_length_unit(column.unit)) return fmt::format("its unit is {}", column.unit);
-    if (column.values.size() >= fewest_counted && counts_rows(column.values)) return "numbers of rows";
+    if (column.values.size() >= min_counted && counts_rows(column.values)) return "numbers of rows";
     return {};
 }
 

@@ -16,8 +16,8 @@
 namespace setae::formats {
 namespace {
 
-constexpr Index fewest_told_by_numbers = 8;  ///< evenly spaced numbers that are no heights by chance
-constexpr Index fewest_positions = 3, rows_looked_at = 64;
+constexpr Index min_told_by_numbers = 8;  ///< evenly spaced numbers that are no heights by chance
+constexpr Index min_positions = 3, rows_looked_at = 64;
 constexpr double rounding_of_labels = 0.1;  ///< of a step
 constexpr double share_of_others = 0.25;    ///< of other rows that are evenly spaced, too: a tilted plane
 
@@ -136,8 +136,8 @@ private:
         const auto inner = evenly_spaced(row(0, 1)), whole = evenly_spaced(row(0, 0));
         // few numbers are labels where those of the first column are, too
         const auto column = first_column_from(1);
-        const bool both = column && n - 1 + column->count > fewest_told_by_numbers;
-        if (!inner || (!corner_is_empty && !both && n - 1 < fewest_told_by_numbers)) return;
+        const bool both = column && n - 1 + column->count > min_told_by_numbers;
+        if (!inner || (!corner_is_empty && !both && n - 1 < min_told_by_numbers)) return;
         const auto others = [&](Index j) -> Array1D { return row(j, 1); };
         if (evenly_spaced_share(1, numbers_.cols(), others) > share_of_others) return;
         found.rows_above = 1;
@@ -164,7 +164,7 @@ private:
             if (found.first_column) found.y = positions;
             return;
         }
-        if (!positions || positions->count < fewest_told_by_numbers) return;
+        if (!positions || positions->count < min_told_by_numbers) return;
         const auto others = [&](Index k) -> Array1D { return numbers_.row(k).transpose(); };
         if (evenly_spaced_share(1, lines_.columns, others) > share_of_others) return;
         if (!positions->counts && !is_map_) ask(*positions);
@@ -202,7 +202,7 @@ std::string Labels::described() const {
 }
 
 Labels find_labels(const tables::NumberLines& lines, const std::vector<std::string>& header, bool is_map) {
-    if (lines.columns <= fewest_positions || lines.rows <= fewest_positions) return {};
+    if (lines.columns <= min_positions || lines.rows <= min_positions) return {};
     return Search(lines, header, is_map).labels();
 }
 

@@ -151,10 +151,10 @@ bool count_on(const tables::NumberLines& lines) {
 
 /// Why unnamed numbers are no map; empty where they may be one.
 std::string why_no_map(const tables::NumberLines& lines, const Layer& layer, const ReadOptions& options) {
-    constexpr Index most_columns = 6, tallest = 200;
+    constexpr Index max_columns = 6, tallest = 200;
     if (options.keep_values || options.layout == TextLayout::matrix) return {};
     const bool sized = options.size && options.size->size() == 2;
-    if (!sized && layer.nx > 1 && layer.nx <= most_columns && layer.ny >= tallest)
+    if (!sized && layer.nx > 1 && layer.nx <= max_columns && layer.ny >= tallest)
         return fmt::format("{} rows of {} numbers: a table of {} columns; set `layout` to matrix to read it as a map",
                            layer.ny, layer.nx, layer.nx);
     return count_on(lines) ? "whole numbers that increase by one from value to value" : std::string();

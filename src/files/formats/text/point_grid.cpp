@@ -12,7 +12,7 @@
 namespace setae::formats {
 namespace {
 
-constexpr double most_stray = 0.02;  ///< of a step, as of line scans
+constexpr double max_stray = 0.02;  ///< of a step, as of line scans
 
 struct Axis {
     double first = 0.0, step = 0.0;
@@ -32,13 +32,13 @@ Axis axis_of(const Array1D& values, const char* name) {
     const double range = sorted.back() - sorted.front();
     if (!(range > 0.0) || !std::isfinite(range)) return fail("is equal for all points");
     // a grid of n points has fewer than n positions along each direction, so that steps are longer than range/n
-    const double same = most_stray * range / static_cast<double>(sorted.size());
+    const double same = max_stray * range / static_cast<double>(sorted.size());
     std::vector<double> positions{sorted.front()};
-    double least_gap = range;
+    double min_gap = range;
     for (const double value : sorted) {
         const double gap = value - positions.back();
         if (gap <= same) continue;
-        least_gap = std::min(least_gap, gap);
+        min_gap = std::min(min_gap, gap);
         positions.push_back(value);
     }
     if (positions.size() >= sorted.size())
@@ -46,10 +46,10 @@ Axis axis_of(const Array1D& values, const char* name) {
     double node = 0.0;
     std::vector<double> nodes{0.0};
     for (std::size_t i = 1; i < positions.size(); ++i)
-        nodes.push_back(node += std::round((positions[i] - positions[i - 1]) / least_gap));
+        nodes.push_back(node += std::round((positions[i] - positions[i - 1]) / min_gap));
     const double step = range / node;
     for (std::size_t i = 0; i < positions.size(); ++i)
-        if (std::abs(positions[i] - positions[0] - nodes[i] * step) > most_stray * step)
+        if (std::abs(positions[i] - positions[0] - nodes[i] * step) > max_stray * step)
             return fail("has no constant step");
     if (node + 1.0 > static_cast<double>(sorted.size())) return fail("has gaps of too many steps");
     return {positions.front(), step, static_cast<Index>(node) + 1, {}};
@@ -64,7 +64,7 @@ PointGrid grid_of(const Array1D& x, const Array1D& y, const Array1D& heights) {
         if (!axis->problem.empty()) return {.problem = axis->problem};
     const double nodes = static_cast<double>(along_x.count) * static_cast<double>(along_y.count),
                  points = static_cast<double>(x.size());
-    const bool sparse = points < least_filled * nodes || x.size() < along_x.count + along_y.count;
+    const bool sparse = points < min_filled * nodes || x.size() < along_x.count + along_y.count;
     if (sparse)
         return {.problem = fmt::format("{} points lie on {} × {} nodes, too few to be a map", x.size(), along_x.count,
                                        along_y.count)};

@@ -18,10 +18,10 @@ struct PointGrid {
 };
 
 /// Least share of nodes that have a point.
-inline constexpr double least_filled = 0.1;
+inline constexpr double min_filled = 0.1;
 
 /// The regular grid that points x, y, in any order, lie on: both spacings are constant within 2 % of a step (files
-/// round their positions), each node has at most one point, at least `least_filled` of them have one, and there are as
+/// round their positions), each node has at most one point, at least `min_filled` of them have one, and there are as
 /// many points as columns and rows together.
 ///
 /// Cost: n log n.

@@ -67,8 +67,8 @@ Choice choose(const tables::RawTable& table, const ReadOptions& options) {
         return {TextContent::profiles, false, std::move(grid), x};
     if (said || options.layout) return {TextContent::none, false, std::move(grid)};
     if (runs_evenly(columns[0].values)) return {TextContent::profiles, true, std::move(grid), 0};
-    constexpr Index most_rows_of_strip = 16;  // a list of points is longer than a map of three columns
-    if (columns[0].values.size() > most_rows_of_strip) return {TextContent::none, false, std::move(grid)};
+    constexpr Index max_rows_of_strip = 16;  // a list of points is longer than a map of three columns
+    if (columns[0].values.size() > max_rows_of_strip) return {TextContent::none, false, std::move(grid)};
     return {TextContent::matrix, true, std::move(grid)};
 }
 

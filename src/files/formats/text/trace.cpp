@@ -18,11 +18,11 @@ namespace {
 using topography::LineScan;
 using topography::Profile;
 
-constexpr double stray_of_step = 0.02;      ///< as line scans have it
-constexpr double stray_of_digit = 0.55;     ///< rounding and cutting off stray by half a digit about their line
-constexpr double least_filled_nodes = 0.1;  ///< of a line with missing rows
-constexpr double least_usual_steps = 0.7;   ///< of all steps: a line with rows missing, no irregular one
-constexpr Index fewest_points = 20;         ///< that show rounding or gaps
+constexpr double stray_of_step = 0.02;    ///< as line scans have it
+constexpr double stray_of_digit = 0.55;   ///< rounding and cutting off stray by half a digit about their line
+constexpr double min_filled_nodes = 0.1;  ///< of a line with missing rows
+constexpr double min_usual_steps = 0.7;   ///< of all steps: a line with rows missing, no irregular one
+constexpr Index min_points = 20;          ///< that show rounding or gaps
 
 /// −1, 0 or 1.
 int direction(double step) { return (step > 0.0) - (step < 0.0); }
@@ -65,7 +65,7 @@ bool never_turns(const Array1D& positions) {
 
 /// Equal steps that rounding to the last digit has hidden, between positions that may then be the same.
 std::optional<Trace> rounded_scan(const Profile& profile, double last_digit, const std::string& subject) {
-    if (profile.positions.size() < fewest_points) return std::nullopt;
+    if (profile.positions.size() < min_points) return std::nullopt;
     const auto line = even_steps(profile.positions);
     if (!(line.step > 0.0) || !(line.stray <= stray_of_digit * last_digit)) return std::nullopt;
     const Index n = profile.positions.size(), repeated = repeated_positions(profile.positions);
@@ -102,20 +102,20 @@ double usual_step(const Array1D& positions) {
 /// Nodes of a line with equal steps that positions lie on; nothing where they lie on none, or on few of them.
 std::optional<std::vector<Index>> nodes_of(const Array1D& positions, double last_digit) {
     const Index n = positions.size();
-    if (n < fewest_points) return std::nullopt;
+    if (n < min_points) return std::nullopt;
     const double usual = usual_step(positions);
     if (!(usual > 0.0)) return std::nullopt;
     std::vector<Index> nodes{0};
     Index single = 0;
     for (Index i = 1; i < n; ++i) {
         const double steps = std::round((positions[i] - positions[i - 1]) / usual);
-        if (!(steps >= 1.0) || steps > static_cast<double>(n) / least_filled_nodes) return std::nullopt;
+        if (!(steps >= 1.0) || steps > static_cast<double>(n) / min_filled_nodes) return std::nullopt;
         single += steps == 1.0;
         nodes.push_back(nodes.back() + static_cast<Index>(steps));
     }
     const auto last = static_cast<double>(nodes.back());
-    if (static_cast<double>(n) < least_filled_nodes * (last + 1.0) ||
-        static_cast<double>(single) < least_usual_steps * static_cast<double>(n - 1))
+    if (static_cast<double>(n) < min_filled_nodes * (last + 1.0) ||
+        static_cast<double>(single) < min_usual_steps * static_cast<double>(n - 1))
         return std::nullopt;
     const double step = (positions[n - 1] - positions[0]) / last;
     const double allowed = std::max(stray_of_step * step, 2.0 * stray_of_digit * last_digit);
@@ -198,7 +198,7 @@ void turn(Profile& profile) {
 }  // namespace
 
 std::vector<Pass> passes_of(const Array1D& positions) {
-    constexpr Index fewest_of_pass = 8;
+    constexpr Index min_of_pass = 8;
     const Index n = positions.size();
     const double half = 0.5 * (positions.maxCoeff() - positions.minCoeff());
     std::vector<Pass> passes{{0, 0, false}};
@@ -223,7 +223,7 @@ std::vector<Pass> passes_of(const Array1D& positions) {
         pass.last = i;
     }
     const bool all_wide = std::all_of(passes.begin(), passes.end(), [&](const Pass& pass) {
-        return pass.last - pass.first + 1 >= fewest_of_pass &&
+        return pass.last - pass.first + 1 >= min_of_pass &&
                std::abs(positions[pass.last] - positions[pass.first]) >= half;
     });
     if (passes.size() > 1 && all_wide) return passes;
@@ -231,10 +231,10 @@ std::vector<Pass> passes_of(const Array1D& positions) {
 }
 
 bool are_scattered(const Array1D& positions) {
-    constexpr Index fewest_scattered = 10;
+    constexpr Index min_scattered = 10;
     constexpr double far = 0.1;
     const Index n = positions.size();
-    if (n < fewest_scattered) return false;
+    if (n < min_scattered) return false;
     const double range = positions.maxCoeff() - positions.minCoeff();
     Index jumps = 0;
     int turns = 0, along = 0;
@@ -248,12 +248,12 @@ bool are_scattered(const Array1D& positions) {
 }
 
 double last_digit(const Array1D& positions) {
-    constexpr int most_digits = 9;
+    constexpr int max_digits = 9;
     constexpr double rounding = 1e-6;
     const double largest = positions.abs().maxCoeff();
     if (!(largest > 0.0) || !std::isfinite(largest)) return 0.0;
     const int first = -static_cast<int>(std::floor(std::log10(largest)));  // places behind the point of its first digit
-    for (int places = first; places < first + most_digits; ++places) {
+    for (int places = first; places < first + max_digits; ++places) {
         const double digit = std::pow(10.0, static_cast<double>(-places));
         const bool all = std::all_of(positions.begin(), positions.end(), [digit](double x) {
             return std::abs(x / digit - std::round(x / digit)) <= rounding;

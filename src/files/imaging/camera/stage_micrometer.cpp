@@ -16,7 +16,7 @@
 namespace setae::imaging {
 namespace {
 
-constexpr int fewest_lines = 5;
+constexpr int min_lines = 5;
 
 /// A place where a line crosses the middle of a band.
 struct Place {
@@ -73,7 +73,7 @@ std::vector<double> line_centres(const Array1D& levels) {
 
 /// Distance of neighbouring lines, where most are equally far apart.
 std::optional<double> spacing_of(const std::vector<double>& centres) {
-    if (static_cast<int>(centres.size()) < fewest_lines) return std::nullopt;
+    if (static_cast<int>(centres.size()) < min_lines) return std::nullopt;
     std::vector<double> distances;
     for (std::size_t i = 1; i < centres.size(); ++i) distances.push_back(centres[i] - centres[i - 1]);
     const double spacing = median(distances);
@@ -92,12 +92,12 @@ std::vector<Place> places_of(const FramePixels& pixels) {
     std::vector<int> last_lines;
     long found = 0;
     // lines along the band's short side keep their contrast in its mean, other lines lose it
-    constexpr double least_contrast = 0.4;
+    constexpr double min_contrast = 0.4;
     const double contrast = contrast_of({pixels.data(), pixels.data() + pixels.size()}).size();
     for (long band = 0; band < bands; ++band) {
         const Array1D levels =
             evenly_lit(pixels.middleRows(band * height, height).cast<double>().colwise().mean().transpose().eval());
-        if (contrast_of({levels.begin(), levels.end()}).size() < least_contrast * contrast) continue;
+        if (contrast_of({levels.begin(), levels.end()}).size() < min_contrast * contrast) continue;
         const auto centres = line_centres(levels);
         const auto spacing = spacing_of(centres);
         if (!spacing) continue;
@@ -194,9 +194,9 @@ std::optional<RulingFit> ruling_fit(const FramePixels& pixels, const Estimate& p
         for (const auto& place : all) ++lines[place.line];
         return static_cast<int>(lines.size());
     };
-    if (lines_in(places) < fewest_lines) return std::nullopt;
+    if (lines_in(places) < min_lines) return std::nullopt;
     auto fit = fit_numbers(places, corner);
-    if (auto kept = agreeing(places, fit); kept.size() < places.size() && lines_in(kept) >= fewest_lines) {
+    if (auto kept = agreeing(places, fit); kept.size() < places.size() && lines_in(kept) >= min_lines) {
         places = std::move(kept);
         fit = fit_numbers(places, corner);
     }
@@ -266,7 +266,7 @@ CameraScale camera_scale(const std::vector<FramePixels>& pictures, const Estimat
             throw UndefinedDataError(fmt::format(
                 "picture {}: no {} lines at equal distances are found, neither upright nor horizontal; turn the "
                 "ruling along an edge of the picture, or crop the picture",
-                i + 1, fewest_lines));
+                i + 1, min_lines));
         if (upright) scale.across_x = upright;
         if (lying) scale.across_y = lying;
     }

@@ -16,10 +16,10 @@ namespace {
 using Grey = FramePixels;
 
 constexpr long pixels_across = 200;
-constexpr double false_alarms = 0.01;      // gradients of pure noise that pass, in a frame
-constexpr double least_gradient = 1.2e-3;  // of the largest grey level: a third of a level of 8 bits a pixel
-constexpr double padding = 0.25;           // centres may lie beyond the frame by this share of it
-constexpr std::size_t most_candidates = 3;
+constexpr double false_alarms = 0.01;    // gradients of pure noise that pass, in a frame
+constexpr double min_gradient = 1.2e-3;  // of the largest grey level: a third of a level of 8 bits a pixel
+constexpr double padding = 0.25;         // centres may lie beyond the frame by this share of it
+constexpr std::size_t max_candidates = 3;
 constexpr int rays = 96;
 
 Grey binned(const Grey& pixels, long k) {
@@ -114,7 +114,7 @@ Votes votes_for_centres(const Grey& grey, double brightest, double smallest_radi
     const double noise_above =
         std::sqrt(2 * std::log(static_cast<double>(steepnesses.size()) / false_alarms));  // Rayleigh
     const double threshold =
-        std::max(noise_above * static_cast<double>(lower_quartile(steepnesses)) / quartile, least_gradient * brightest);
+        std::max(noise_above * static_cast<double>(lower_quartile(steepnesses)) / quartile, min_gradient * brightest);
     if (steepest < threshold) return votes;
     votes.any = true;
     const auto floor = static_cast<float>(std::max(threshold, 0.2 * static_cast<double>(steepest)));
@@ -315,7 +315,7 @@ Search search(const FramePixels& pixels, long k, const ContactFrameOptions& opti
                                                                   : -1.0;
     auto votes = votes_for_centres(grey, brightest, smallest, wanted);
     Search result{{}, votes.any};
-    for (std::size_t candidate = 0; votes.any && candidate < most_candidates; ++candidate) {
+    for (std::size_t candidate = 0; votes.any && candidate < max_candidates; ++candidate) {
         long row = 0, column = 0;
         if (votes.count.maxCoeff(&row, &column) <= 0) break;
         const double x = static_cast<double>(column - votes.pad_x), y = static_cast<double>(row - votes.pad_y);
@@ -349,11 +349,11 @@ Search search(const FramePixels& pixels, long k, const ContactFrameOptions& opti
 }  // namespace
 
 CoarseSearch find_discs(const FramePixels& pixels, const ContactFrameOptions& options, int level) {
-    constexpr long fewest_pixels = 14;
+    constexpr long min_pixels = 14;
     constexpr int last_level = 2;
     const long longer = std::max(pixels.rows(), pixels.cols()), shorter = std::min(pixels.rows(), pixels.cols());
     const long finest = (longer + pixels_across - 1) / pixels_across;
-    const long k = std::clamp(finest << level, 1L, std::max(1L, shorter / fewest_pixels));
+    const long k = std::clamp(finest << level, 1L, std::max(1L, shorter / min_pixels));
     CoarseSearch result;
     result.binning = k;
     result.last_level = level == last_level || k < finest << level;

@@ -15,7 +15,7 @@ namespace setae::imaging {
 namespace {
 
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
-constexpr double least_visible = 0.25;  // of the perimeter
+constexpr double min_visible = 0.25;  // of the perimeter
 constexpr long smallest_frame = 16;
 
 void require_valid(const FramePixels& pixels, const ContactFrameOptions& options) {
@@ -23,8 +23,8 @@ void require_valid(const FramePixels& pixels, const ContactFrameOptions& options
         throw InvalidArgument(
             fmt::format("smallest_radius {} px, expected at least 3: the edge of a smaller disc cannot be fitted",
                         options.smallest_radius));
-    if (!(options.least_confidence >= 0 && options.least_confidence <= 1))
-        throw InvalidArgument(fmt::format("the confidence limit is {}, expected 0 to 1", options.least_confidence));
+    if (!(options.min_confidence >= 0 && options.min_confidence <= 1))
+        throw InvalidArgument(fmt::format("the confidence limit is {}, expected 0 to 1", options.min_confidence));
     if (pixels.rows() < smallest_frame || pixels.cols() < smallest_frame)
         throw InvalidArgument(fmt::format("a frame of {} × {} pixels, expected at least {} × {}", pixels.cols(),
                                           pixels.rows(), smallest_frame, smallest_frame));
@@ -89,15 +89,15 @@ ContactFrame as_frame(const EdgeFit& fit, double sign) {
 }
 
 std::string why_not(const ContactFrame& frame, const ContactFrameOptions& options) {
-    if (frame.visible_share < least_visible)
+    if (frame.visible_share < min_visible)
         return fmt::format("{:.0f} % of the edge lies within the frame; {:.0f} % are needed", 100 * frame.visible_share,
-                           100 * least_visible);
+                           100 * min_visible);
     if (frame.radius < options.smallest_radius)
         return fmt::format("the radius would be {:.1f} px, below the smallest radius of {:g} px", frame.radius,
                            options.smallest_radius);
-    if (frame.confidence < options.least_confidence)
+    if (frame.confidence < options.min_confidence)
         return fmt::format("the confidence is {:.2f}, below {:.2f}: {:.0f} % of the rays agree", frame.confidence,
-                           options.least_confidence, 100 * frame.agreeing_rays);
+                           options.min_confidence, 100 * frame.agreeing_rays);
     return {};
 }
 

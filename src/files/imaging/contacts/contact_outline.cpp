@@ -20,7 +20,7 @@ constexpr Index half_step = 6, level_samples = 8;           // 3 px of a step, 4
 constexpr Index reach = half_step + level_samples;          // samples that a place needs on either side
 constexpr double smallest_place = 8.0, search_range = 0.3;  // px; of the radius
 constexpr double cost = 0.05, level_arc = 16.0;             // of a half pixel; px along the edge
-constexpr Index most_shift = 3;                             // samples from a ray to the next
+constexpr Index max_shift = 3;                              // samples from a ray to the next
 
 double between(const FramePixels& pixels, double x, double y) {
     const auto column = static_cast<Index>(x), row = static_cast<Index>(y);
@@ -143,7 +143,7 @@ ContactOutline trace_contact_outline(const FramePixels& pixels, const ContactFra
     const auto polar = sampled(pixels, centre_x, centre_y, first, std::min(last, room), angles);
     const double arc = 2.0 * pi * contact.radius / static_cast<double>(angles);
     const auto half_arc = std::clamp<Index>(static_cast<Index>(std::lround(0.5 * level_arc / arc)), 0, angles / 4);
-    const auto places = places_on(closed_path(steps(polar, sign), cost, most_shift), polar, half_arc);
+    const auto places = places_on(closed_path(steps(polar, sign), cost, max_shift), polar, half_arc);
     // white noise between pixels: a line across two of them sees (1 − u)² + u², 2/3 on average
     const double window = 2.0 * sample * static_cast<double>(half_step);
     const TracedEdge edge{places.radius, centre_x, centre_y};

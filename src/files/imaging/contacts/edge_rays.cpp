@@ -13,11 +13,11 @@
 namespace setae::imaging {
 namespace {
 
-constexpr double arc_a_ray = 6.0;                         // px of perimeter
+constexpr double arc_per_ray = 6.0;                       // px of perimeter
 constexpr double narrowest_ray = 0.3, widest_ray = 12.0;  // widths of edges [px]; a pixel's own area makes 0.29
 constexpr double bin = 0.5;                               // px of distance, of profiles
-constexpr double least_contrast = 0.3;                    // of the median ray's
-constexpr int most_rounds = 10, rounds_before_polish = 6, rounds_of_search = 4;
+constexpr double min_contrast = 0.3;                      // of the median ray's
+constexpr int max_rounds = 10, rounds_before_polish = 6, rounds_of_search = 4;
 constexpr double nearly_at_rest = 0.03, at_rest = 0.003, restless = 0.2;  // px
 
 /// How places are found: among all, from the outline on, or linear in the grey levels.
@@ -197,7 +197,7 @@ std::vector<EdgeRay> fitted_rays(const Sectors& sectors, const Outline& outline,
                                  double typical_contrast, double& noise) {
     const auto n = sectors.profiles.size();
     std::vector<EdgeRay> rays(n);
-    std::vector<double> squares_a_pixel;
+    std::vector<double> squares_per_pixel;
     const double whole = whole_sector(outline, n, sectors.window),
                  farthest = 0.8 * std::min(sectors.window.inside, sectors.window.outside);
     double squares = 0, freedom = 0;
@@ -225,12 +225,12 @@ std::vector<EdgeRay> fitted_rays(const Sectors& sectors, const Outline& outline,
         ray.contrast_deviation = std::sqrt(fit.inverse(1, 1));
         // scatter within bins and of bins about the fit: of pixels
         const double own = std::max(0.0, profile.grey_squared - grey_squared) + fit.squares;
-        squares_a_pixel.push_back(own / std::max(1.0, fit.count - 3));
+        squares_per_pixel.push_back(own / std::max(1.0, fit.count - 3));
         squares += own;
         freedom += fit.count - 3;
     }
     // the median keeps rays over dust out
-    noise = std::sqrt(std::max(upper_median(squares_a_pixel), 0.0));
+    noise = std::sqrt(std::max(upper_median(squares_per_pixel), 0.0));
     const double floor = freedom > 0 ? 1e-4 * std::sqrt(squares / freedom) : 0;
     noise = std::max({noise, floor, 1e-9});
     for (auto& ray : rays) {
@@ -304,7 +304,7 @@ OutlineRays comparable_rays(const std::vector<EdgeRay>& rays, double sign) {
     OutlineRays found{.significance = upper_median(significances)};
     const double typical = upper_median(contrasts);
     for (std::size_t k = 0; k < rays.size(); ++k) {
-        if (!rays[k].fitted || sign * rays[k].contrast < least_contrast * typical) continue;
+        if (!rays[k].fitted || sign * rays[k].contrast < min_contrast * typical) continue;
         found.offsets.push_back({rays[k].angle, rays[k].place, rays[k].variance});
         found.rays.push_back(k);
     }
@@ -314,11 +314,11 @@ OutlineRays comparable_rays(const std::vector<EdgeRay>& rays, double sign) {
 /// Takes over what a correction says of the rays; marks those that agree.
 void take_agreement(EdgeFit& fit, const OutlineRays& used, const OutlineCorrection& correction, double sign,
                     std::vector<bool>& agree) {
-    constexpr double least_weight = 0.073;  // Tukey's at 4 of 4.685 scales: (1 − (4/4.685)²)²
+    constexpr double min_weight = 0.073;  // Tukey's at 4 of 4.685 scales: (1 − (4/4.685)²)²
     agree.assign(fit.rays.size(), false);
     std::vector<double> contrasts;
     for (std::size_t i = 0; i < used.rays.size(); ++i)
-        if (correction.weights[i] > least_weight) {
+        if (correction.weights[i] > min_weight) {
             agree[used.rays[i]] = true;
             contrasts.push_back(sign * fit.rays[used.rays[i]].contrast);
         }
@@ -355,7 +355,7 @@ EdgeFit fit_edge(const FramePixels& pixels, const Outline& start, double sign, d
     std::size_t count = 0;
     std::vector<bool> agree;
     double last_step = 0;
-    for (int round = 0; round < most_rounds; ++round) {
+    for (int round = 0; round < max_rounds; ++round) {
         auto& outline = fit.outline;
         if (fit.shape == OutlineShape::circle) outline.stretch_cosine = outline.stretch_sine = 0;
         const double reach =
@@ -363,7 +363,7 @@ EdgeFit fit_edge(const FramePixels& pixels, const Outline& start, double sign, d
         const Window window{std::min(reach, 0.85 * outline.semi_minor()), fringes ? std::min(outside, reach) : reach};
         if (stage != Stage::polish)
             count = static_cast<std::size_t>(
-                std::clamp(2 * std::numbers::pi * outline.mean_radius / arc_a_ray, 16.0, 240.0));
+                std::clamp(2 * std::numbers::pi * outline.mean_radius / arc_per_ray, 16.0, 240.0));
         const auto sectors = gathered(pixels, outline, count, window);
         fit.rays = fitted_rays(sectors, outline, width, sign, stage, fit.contrast, fit.noise);
         if (stage == Stage::polish)

@@ -15,7 +15,7 @@
 namespace setae::imaging {
 namespace {
 
-constexpr double least_width = 640;                                         // px of the picture
+constexpr double min_width = 640;                                           // px of the picture
 const cv::Scalar outline_colour(40, 160, 255), words_colour(80, 220, 255);  // blue, green, red
 
 /// The frame in 8 bits from its darkest to its brightest level, enlarged by a whole number.
@@ -62,7 +62,7 @@ void write_overlay(const std::string& path, const FrameSource& source, std::size
     const auto region = source.region();
     const FramePixels pixels = frame.fault.empty() ? frame.pixels : FramePixels::Zero(region.height, region.width);
     const int factor =
-        static_cast<int>(std::clamp(std::ceil(least_width / static_cast<double>(pixels.cols())), 1.0, 8.0));
+        static_cast<int>(std::clamp(std::ceil(min_width / static_cast<double>(pixels.cols())), 1.0, 8.0));
     auto picture = canvas(pixels, factor);
     const auto& contact = found.contact;
     if (contact.state == FrameState::measured) draw(picture, contact.ellipse, region, factor);

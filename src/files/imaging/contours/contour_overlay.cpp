@@ -14,7 +14,7 @@
 namespace setae::imaging {
 namespace {
 
-constexpr double least_side = 800;  // px: smaller pictures are enlarged
+constexpr double min_side = 800;  // px: smaller pictures are enlarged
 // blue, green, red; told apart by the colour-blind (Okabe, Ito 2008)
 const cv::Scalar first_colour(0, 159, 230), other_colour(233, 180, 86), anchor_colour(66, 228, 240),
     hidden_colour(167, 121, 204), bar_colour(115, 158, 0);
@@ -41,8 +41,8 @@ class Canvas {
 public:
     Canvas(const FramePixels& pixels, long longest_side) {
         const auto longest = static_cast<double>(std::max(pixels.rows(), pixels.cols()));
-        factor_ = longest < least_side ? std::ceil(least_side / longest)
-                                       : std::min(1.0, static_cast<double>(longest_side) / longest);
+        factor_ = longest < min_side ? std::ceil(min_side / longest)
+                                     : std::min(1.0, static_cast<double>(longest_side) / longest);
         const cv::Mat grey(static_cast<int>(pixels.rows()), static_cast<int>(pixels.cols()), CV_32F,
                            const_cast<float*>(pixels.data()));
         const auto range = shown_range(pixels);

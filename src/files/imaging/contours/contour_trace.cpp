@@ -18,13 +18,12 @@ namespace setae::imaging {
 namespace {
 
 constexpr long smallest_picture = 32;    // px a side
-constexpr double least_area = 400.0;     // px² of an island that counts
+constexpr double min_area = 400.0;       // px² of an island that counts
 constexpr double default_length = 50.0;  // px
-constexpr double least_gain =
-    0.05;                      // of ln likelihood a square of the coarse division, by which two phases explain more
-constexpr double faint = 1.0;  // contrast over noise
+constexpr double min_gain = 0.05;  // of ln likelihood a square of the coarse division, by which two phases explain more
+constexpr double faint = 1.0;      // contrast over noise
 constexpr double start_smoothing = 2.0;  // px: outlines of pixels are staircases
-constexpr double least_detour = 30.0;    // px on either side of a single anchor that are found anew
+constexpr double min_detour = 30.0;      // px on either side of a single anchor that are found anew
 
 void validate(const FramePixels& pixels, const TraceOptions& options) {
     if (pixels.rows() < smallest_picture || pixels.cols() < smallest_picture)
@@ -34,9 +33,9 @@ void validate(const FramePixels& pixels, const TraceOptions& options) {
         throw InvalidArgument(fmt::format("smoothing length {} px, expected 0 … 100", *options.smoothing_length));
     if (!(options.denoise >= 0 && options.denoise <= 20))
         throw InvalidArgument(fmt::format("denoise {} px, expected 0 … 20", options.denoise));
-    if (options.least_length && !(*options.least_length >= 0))
+    if (options.min_length && !(*options.min_length >= 0))
         throw InvalidArgument(
-            fmt::format("the smallest length of an edge is {} px, expected 0 or more", *options.least_length));
+            fmt::format("the smallest length of an edge is {} px, expected 0 or more", *options.min_length));
     for (std::size_t s = 0; s < options.anchors.size(); ++s)
         for (std::size_t i = 0; i < options.anchors[s].size(); ++i) {
             const auto& a = options.anchors[s][i];
@@ -79,7 +78,7 @@ std::vector<ContourSegment> binary_segments(const PixelMask& sample, const Trace
     }
     if (!options.anchors.empty()) return segments;
     for (const auto& outline : found)
-        if (outline.length() >= options.least_length.value_or(0.0)) segments.push_back(exact_segment(outline));
+        if (outline.length() >= options.min_length.value_or(0.0)) segments.push_back(exact_segment(outline));
     return segments;
 }
 
@@ -154,7 +153,7 @@ PlaneCurve led_through(const std::vector<PlaneCurve>& curves, const Anchor& anch
         throw UndefinedDataError(
             "a segment has one anchor, and no edge is found without anchors; give the segment at least two "
             "anchors, including its ends");
-    const auto detour = static_cast<Index>(std::max(least_detour, 2 * least));
+    const auto detour = static_cast<Index>(std::max(min_detour, 2 * least));
     auto curve = *best;
     if (curve.closed) {  // opened opposite to the anchor
         const Index n = curve.size(), shift = (nearest + n / 2) % n;
@@ -179,7 +178,7 @@ PlaneCurve led_through(const std::vector<PlaneCurve>& curves, const Anchor& anch
 std::vector<PlaneCurve> found_curves(const TwoPhases& phases, const TraceOptions& options) {
     std::vector<PlaneCurve> curves;
     for (const auto& outline : outlines(phases.sample))
-        if (outline.length() >= options.least_length.value_or(default_length))
+        if (outline.length() >= options.min_length.value_or(default_length))
             curves.push_back(smoothed(resampled(outline, 1.0, false), start_smoothing));
     return curves;
 }
@@ -242,12 +241,12 @@ ContourTrace trace_contour(const FramePixels& pixels, const TraceOptions& option
     auto phases = divide(picture.pixels, picture.hidden, options.vacuum);
     const bool helped =
         std::any_of(options.anchors.begin(), options.anchors.end(), [](const auto& list) { return !list.empty(); });
-    const bool divided = phases.sample.size() > 0 && phases.gain > least_gain * phases.cells;
+    const bool divided = phases.sample.size() > 0 && phases.gain > min_gain * phases.cells;
     if (!divided && !helped)
         throw UndefinedDataError(fmt::format(
             "no edge is found: two phases explain the picture no better than one (ln likelihood {:+.3g} per "
             "square, expected at least {:.2g}); give anchors along the visible edge",
-            phases.cells > 0 ? phases.gain / phases.cells : 0.0, least_gain));
+            phases.cells > 0 ? phases.gain / phases.cells : 0.0, min_gain));
     trace.vacuum = divided ? phases.vacuum : options.vacuum == Vacuum::dark ? Vacuum::dark : Vacuum::bright;
     trace.vacuum_level = phases.vacuum_level;
     trace.sample_level = phases.sample_level;
@@ -255,7 +254,7 @@ ContourTrace trace_contour(const FramePixels& pixels, const TraceOptions& option
     trace.sample_noise = phases.sample_noise;
     std::vector<PlaneCurve> curves;
     if (divided) {
-        remove_islands(phases.sample, least_area);
+        remove_islands(phases.sample, min_area);
         curves = found_curves(phases, options);
     }
     EdgeBand band(picture.pixels, picture.hidden);
@@ -280,7 +279,7 @@ ContourTrace trace_contour(const FramePixels& pixels, const TraceOptions& option
             "the edge");
     if (trace.segments.empty())
         throw UndefinedDataError(
-            fmt::format("no edge has the least length of {} px", options.least_length.value_or(default_length)));
+            fmt::format("no edge has the least length of {} px", options.min_length.value_or(default_length)));
     add_alerts(trace, phases, helped);
     return trace;
 }

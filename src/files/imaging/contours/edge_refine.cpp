@@ -14,16 +14,16 @@
 namespace setae::imaging {
 namespace {
 
-constexpr int most_rounds = 30, rounds_of_search = 4, rounds_of_full_steps = 12, rounds_before_choice = 3,
-              most_choices = 4;
+constexpr int max_rounds = 30, rounds_of_search = 4, rounds_of_full_steps = 12, rounds_before_choice = 3,
+              max_choices = 4;
 constexpr double search_reach = 10.0;    // px
 constexpr double first_smoothing = 3.0;  // px
 constexpr double at_rest = 0.02;         // px
-constexpr Index least_pixels = 2;        // near each point of a curve that is not lost
-constexpr double most_move = 1.5;        // px a round
+constexpr Index min_pixels = 2;          // near each point of a curve that is not lost
+constexpr double max_move = 1.5;         // px a round
 constexpr double level_stretch =
-    30.0;                             // px along the curve over which level and contrast are taken (standard deviation)
-constexpr double least_error = 0.02;  // px: what pixels of a picture without noise leave
+    30.0;                           // px along the curve over which level and contrast are taken (standard deviation)
+constexpr double min_error = 0.02;  // px: what pixels of a picture without noise leave
 constexpr double narrowest = 0.29, widest = 4.0;  // px
 constexpr double anchor_weight = 1e7;             // over the information of one point
 
@@ -96,23 +96,23 @@ public:
 
     RefinedEdge run(std::optional<double> given) {
         smoothing_ = given.value_or(first_smoothing);
-        int choices = given ? most_choices : 0, last_choice = rounds_of_search;
+        int choices = given ? max_choices : 0, last_choice = rounds_of_search;
         int quiet = 0;
-        for (int round = 0; round < most_rounds; ++round) {
+        for (int round = 0; round < max_rounds; ++round) {
             look(round);
             if (lost_) return lost_edge();
-            if (choices < most_choices &&
+            if (choices < max_choices &&
                 (round >= last_choice + rounds_before_choice || (round > last_choice && last_move_ < 0.1))) {
                 choose_smoothing();
                 ++choices;
                 last_choice = round;
             }
             move(round);
-            if (choices == most_choices && last_move_ < at_rest) ++quiet;
+            if (choices == max_choices && last_move_ < at_rest) ++quiet;
             else quiet = 0;
             if (quiet == 2) break;
         }
-        look(most_rounds);
+        look(max_rounds);
         if (lost_) return lost_edge();
         if (given) measure_error();
         return result(quiet > 0);
@@ -124,7 +124,7 @@ private:
         const bool searching = round < rounds_of_search;
         reach_ = searching ? search_reach : std::clamp(away() + reach_of_slope(), 8.0, 18.0);
         pixels_ = band_.near(curve_, reach_);
-        lost_ = static_cast<Index>(pixels_.size()) < least_pixels * curve_.size();
+        lost_ = static_cast<Index>(pixels_.size()) < min_pixels * curve_.size();
         if (lost_) return;
         const auto profile = edge_profile(pixels_, reach_);
         shape_ = round == 0 ? fitted_shape(profile) : fitted_shape(profile, shape_);
@@ -253,16 +253,16 @@ private:
         matrix.setFromTriplets(entries.begin(), entries.end());
         const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
         const Array1D wish = solver.solve(right.matrix()).array();
-        const Array1D delta = (round < rounds_of_full_steps ? 1.0 : 0.5) * wish.max(-most_move).min(most_move);
+        const Array1D delta = (round < rounds_of_full_steps ? 1.0 : 0.5) * wish.max(-max_move).min(max_move);
         curve_.x += delta * normals_.x;
         curve_.y += delta * normals_.y;
         moved_ = delta.abs();
-        last_move_ = most_of(moved_);
+        last_move_ = largest_of(moved_);
         even_out();
     }
 
     /// The move that nineteen points in twenty do not exceed.
-    [[nodiscard]] static double most_of(const Array1D& moves) {
+    [[nodiscard]] static double largest_of(const Array1D& moves) {
         return upper_quantile(std::vector<double>(moves.begin(), moves.end()), 0.95);
     }
 
@@ -389,7 +389,7 @@ private:
         RefinedEdge edge;
         const Array1D information = local_information();
         edge.standard_error =
-            (error_squares_ * information.mean() / information + least_error * least_error + moved_.square()).sqrt();
+            (error_squares_ * information.mean() / information + min_error * min_error + moved_.square()).sqrt();
         edge.blur = shape_.width;
         edge.curve = samples_of_edge();
         edge.shape = shape_;

@@ -13,13 +13,13 @@ namespace {
 
 constexpr double narrowest_edge = 0.29, widest_edge = 4.0;  // px; a pixel's own area makes 0.29
 constexpr double narrowest_fringe = 0.8, widest_fringe = 10.0;
-constexpr double least_fringe_gain = 30.0;  // of χ² by which a fringe stands out
-constexpr double farthest = 3.0;            // px between the place a fit begins at and the edge
-constexpr double least_scatter = 1e-3;      // of a profile's range: pixels are squares
-constexpr double least_fringe = 0.05;       // of the step
-constexpr double least_spread = 1.7;        // of the fringe over the step's width
-constexpr double bin = 0.25;                // px
-constexpr int most_steps = 60;
+constexpr double min_fringe_gain = 30.0;  // of χ² by which a fringe stands out
+constexpr double farthest = 3.0;          // px between the place a fit begins at and the edge
+constexpr double min_scatter = 1e-3;      // of a profile's range: pixels are squares
+constexpr double min_fringe = 0.05;       // of the step
+constexpr double min_spread = 1.7;        // of the fringe over the step's width
+constexpr double bin = 0.25;              // px
+constexpr int max_steps = 60;
 
 using Parameters = Eigen::Matrix<double, 6, 1>;  // level, step, place, ln width, fringe, ln fringe width
 
@@ -62,7 +62,7 @@ Fit least_squares(const EdgeProfile& profile, const std::vector<double>& weights
     double damping = 1e-3;
     using Normal = Eigen::Matrix<double, 6, 6>;
     Normal normal = Normal::Identity();
-    for (int step = 0; step < most_steps; ++step) {
+    for (int step = 0; step < max_steps; ++step) {
         normal = Normal::Zero();
         Parameters right = Parameters::Zero();
         const auto shape = shape_of(fit.parameters);
@@ -94,7 +94,7 @@ Fit least_squares(const EdgeProfile& profile, const std::vector<double>& weights
                 fit.parameters = next;
                 fit.squares = squares;
                 damping = std::max(1e-9, 0.2 * damping);
-                if (rests) step = most_steps;
+                if (rests) step = max_steps;
                 better = true;
             } else {
                 damping *= 5;
@@ -118,7 +118,7 @@ std::vector<double> weights_of(const EdgeProfile& profile) {
             high = std::max(high, profile.mean[i]);
         }
     const double typical =
-        std::max(variance / std::max(1.0, count), least_scatter * least_scatter * (high - low) * (high - low));
+        std::max(variance / std::max(1.0, count), min_scatter * min_scatter * (high - low) * (high - low));
     std::vector<double> weights;
     for (std::size_t i = 0; i < profile.mean.size(); ++i)
         weights.push_back(profile.count[i] / std::max(0.25 * typical, profile.variance[i]));
@@ -136,8 +136,8 @@ bool same_edge(const EdgeShape& shape, const EdgeShape& start) {
 
 /// A narrow one would only be a step of another width: the derivative of a step by its width is such a wave.
 bool is_fringe(const EdgeShape& shape) {
-    return shape.fringe_rules() || (std::abs(shape.fringe) > least_fringe * std::abs(shape.step) &&
-                                    shape.fringe_width > least_spread * shape.width);
+    return shape.fringe_rules() || (std::abs(shape.fringe) > min_fringe * std::abs(shape.step) &&
+                                    shape.fringe_width > min_spread * shape.width);
 }
 
 EdgeShape best_shape(const EdgeProfile& profile, const EdgeShape& start) {
@@ -155,7 +155,7 @@ EdgeShape best_shape(const EdgeProfile& profile, const EdgeShape& start) {
         from[5] = std::log(width);
         from[4] = 0.01 * std::abs(from[1]);
         auto with_fringe = least_squares(profile, weights, from, 6);
-        if (with_fringe.squares < best.squares - least_fringe_gain && is_fringe(shape_of(with_fringe.parameters)) &&
+        if (with_fringe.squares < best.squares - min_fringe_gain && is_fringe(shape_of(with_fringe.parameters)) &&
             same_edge(shape_of(with_fringe.parameters), start))
             best = with_fringe;
     }

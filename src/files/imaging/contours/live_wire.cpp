@@ -13,9 +13,9 @@
 namespace setae::imaging {
 namespace {
 
-constexpr double scale = 1.5;          // px
-constexpr double least_edge = 0.02;    // of the strongest
-constexpr double least_margin = 40.0;  // px around two anchors that a path may use
+constexpr double scale = 1.5;        // px
+constexpr double min_edge = 0.02;    // of the strongest
+constexpr double min_margin = 40.0;  // px around two anchors that a path may use
 constexpr std::array<long, 8> step_x{1, 1, 0, -1, -1, -1, 0, 1}, step_y{0, 1, 1, 1, 0, -1, -1, -1};
 
 }  // namespace
@@ -39,7 +39,7 @@ LiveWire::LiveWire(const FramePixels& pixels, Vacuum vacuum)
 }
 
 LiveWire::Path LiveWire::between(const Anchor& from, const Anchor& to) const {
-    const double margin = std::max(least_margin, 0.5 * std::hypot(to.x - from.x, to.y - from.y));
+    const double margin = std::max(min_margin, 0.5 * std::hypot(to.x - from.x, to.y - from.y));
     const auto bound = [](double value, long most) { return std::clamp(std::lround(value), 0L, most); };
     const long left = bound(std::min(from.x, to.x) - margin, rise_x_.cols() - 1),
                right = bound(std::max(from.x, to.x) + margin, rise_x_.cols() - 1);
@@ -71,7 +71,7 @@ LiveWire::Path LiveWire::between(const Anchor& from, const Anchor& to) const {
                          across_y = -static_cast<double>(step_x[d]) / length;
             const double rise = static_cast<double>(rise_x_(top + y, left + x)) * across_x +
                                 static_cast<double>(rise_y_(top + y, left + x)) * across_y;
-            const double next = so_far + length / (least_edge + std::clamp(rise, 0.0, 1.0));
+            const double next = so_far + length / (min_edge + std::clamp(rise, 0.0, 1.0));
             const auto place = static_cast<std::size_t>(y * columns + x);
             if (next >= cost[place]) continue;
             cost[place] = next;

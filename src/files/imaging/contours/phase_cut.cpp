@@ -15,9 +15,9 @@
 namespace setae::imaging {
 namespace {
 
-constexpr long surroundings = 12;        // squares around one whose levels count
-constexpr double most_difference = 6.0;  // of one square
-constexpr long tile_side = 128;          // squares
+constexpr long surroundings = 12;       // squares around one whose levels count
+constexpr double max_difference = 6.0;  // of one square
+constexpr long tile_side = 128;         // squares
 
 cv::Mat view(PixelMask& mask) {
     return {static_cast<int>(mask.rows()), static_cast<int>(mask.cols()), CV_8U, mask.data()};
@@ -139,8 +139,8 @@ void weigh(std::vector<double>& difference, const Vertices& vertex, const Tile& 
             if (at < 0 || cells.weight(y, x) == 0 || vacuum.count(y, x) < 10 || sample.count(y, x) < 10) continue;
             const double v = vacuum.variance(y, x) + floor, s = sample.variance(y, x) + floor;
             const double dv = cells.mean(y, x) - vacuum.mean(y, x), ds = cells.mean(y, x) - sample.mean(y, x);
-            difference[static_cast<std::size_t>(at)] = std::clamp(
-                0.5 * (ds * ds / s - dv * dv / v) + 0.5 * std::log(s / v), -most_difference, most_difference);
+            difference[static_cast<std::size_t>(at)] =
+                std::clamp(0.5 * (ds * ds / s - dv * dv / v) + 0.5 * std::log(s / v), -max_difference, max_difference);
         }
 }
 
@@ -199,7 +199,7 @@ PixelMask cut_in_band(const FramePixels& pixels, const PixelMask& hidden, long s
     return cut_of(vertex, std::move(difference), border_cost, labels);
 }
 
-void remove_islands(PixelMask& sample, double least_area) {
+void remove_islands(PixelMask& sample, double min_area) {
     for (const int label : {1, 0}) {
         PixelMask own = (sample == static_cast<std::uint8_t>(label)).cast<std::uint8_t>();
         cv::Mat parts, statistics, centres;
@@ -212,7 +212,7 @@ void remove_islands(PixelMask& sample, double least_area) {
         for (long row = 0; row < sample.rows(); ++row)
             for (long column = 0; column < sample.cols(); ++column) {
                 const int part = parts.at<int>(static_cast<int>(row), static_cast<int>(column));
-                if (part > 0 && part != largest && statistics.at<int>(part, cv::CC_STAT_AREA) < least_area)
+                if (part > 0 && part != largest && statistics.at<int>(part, cv::CC_STAT_AREA) < min_area)
                     sample(row, column) = static_cast<std::uint8_t>(1 - label);
             }
     }

@@ -12,8 +12,8 @@ namespace {
 constexpr int bins = 24, modes = 12;
 constexpr double lowest = 0.08;                                            // 1/px
 constexpr double shortest_length = 0.2, longest_length = 12, pace = 1.07;  // px
-constexpr Index most_lags = 8;
-constexpr double least_share = 0.05;  // of the variance: sums over lags may come out negative
+constexpr Index max_lags = 8;
+constexpr double min_share = 0.05;  // of the variance: sums over lags may come out negative
 
 /// |Σ h exp(−iqk)|²/n.
 double power(const Array1D& heights, double q) {
@@ -85,14 +85,14 @@ double best_smoothing(const PlaceSpectrum& places, double noise) {
 }
 
 double long_run_variance(const Array1D& series) {
-    const Index n = series.size(), lags = std::min(most_lags, n / 4);
+    const Index n = series.size(), lags = std::min(max_lags, n / 4);
     const Array1D centred = series - series.mean();
     const double variance = centred.square().mean();
     double sum = variance;
     for (Index lag = 1; lag <= lags; ++lag)
         sum += 2 * (1 - static_cast<double>(lag) / static_cast<double>(lags + 1)) *
                (centred.head(n - lag) * centred.tail(n - lag)).sum() / static_cast<double>(n);
-    return std::max(sum, least_share * variance);
+    return std::max(sum, min_share * variance);
 }
 
 }  // namespace setae::imaging

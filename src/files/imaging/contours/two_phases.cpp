@@ -19,16 +19,16 @@ using Map = CellMap;
 
 constexpr long coarse_cells = 48;    // across the shorter side, where levels are found
 constexpr double border_cost = 2.0;  // of a side of a square, in units of ln likelihood
-constexpr double most_cost =
+constexpr double max_cost =
     8.0;  // of a level or structure far from a phase's: squares on the border, glare and dust belong to neither
-constexpr double least_phase_share =
+constexpr double min_phase_share =
     1e-3;  // of the range of levels: what is less is rounding and the tails of blur, not structure
 constexpr double least_squares_of_a_phase = 20;
-constexpr int first_turns = 2, most_turns = 10;  // cut and levels in turns: of every start, and of the best ones
+constexpr int first_turns = 2, max_turns = 10;  // cut and levels in turns: of every start, and of the best ones
 constexpr std::size_t best_starts = 3;
-constexpr double told_structure = 1.3;    // ratio of noise by which one phase has more of it
-constexpr long most_samples = 1'000'000;  // of pixels for a median
-constexpr long band = 3;                  // squares on either side of a border cut anew
+constexpr double told_structure = 1.3;   // ratio of noise by which one phase has more of it
+constexpr long max_samples = 1'000'000;  // of pixels for a median
+constexpr long band = 3;                 // squares on either side of a border cut anew
 
 /// 1, x, y, x², xy, y² of the illumination, then 1, x, y of the sample on it; x, y in −1 … 1.
 constexpr int terms = 9;
@@ -49,8 +49,8 @@ double place(long i, long n) { return n > 1 ? 2.0 * static_cast<double>(i) / sta
 
 /// Levels and scatter of a division, by squares away from its border, which hold some of both; false where a phase has
 /// too few.
-bool fit(PhaseModel& model, const Cells& cells, const PixelMask& labels, double least_scatter,
-         double least_structure_scatter) {
+bool fit(PhaseModel& model, const Cells& cells, const PixelMask& labels, double min_scatter,
+         double min_structure_scatter) {
     const long rows = labels.rows(), columns = labels.cols();
     const CellMap weight = cells.weight * away_from_border(labels, 1).cast<double>();
     std::array<double, 2> count{};
@@ -87,10 +87,10 @@ bool fit(PhaseModel& model, const Cells& cells, const PixelMask& labels, double 
                 }
             }
     for (int label : {0, 1}) {
-        model.scatter[label] = std::max(least_scatter, std::sqrt(squares[label] / count[label]));
+        model.scatter[label] = std::max(min_scatter, std::sqrt(squares[label] / count[label]));
         model.structure[label] = sum[label] / count[label];
         model.structure_scatter[label] =
-            std::max(least_structure_scatter, std::sqrt(structure_squares[label] / count[label]));
+            std::max(min_structure_scatter, std::sqrt(structure_squares[label] / count[label]));
     }
     return true;
 }
@@ -99,8 +99,8 @@ double cost(const PhaseModel& model, const Cells& cells, long row, long column, 
     const double level = (cells.mean(row, column) - model.levels.dot(t)) / model.scatter[label];
     const double structure =
         (cells.log_variance(row, column) - model.structure[label]) / model.structure_scatter[label];
-    return std::min(0.5 * level * level, most_cost) + std::log(model.scatter[label]) +
-           std::min(0.5 * structure * structure, most_cost) + std::log(model.structure_scatter[label]);
+    return std::min(0.5 * level * level, max_cost) + std::log(model.scatter[label]) +
+           std::min(0.5 * structure * structure, max_cost) + std::log(model.structure_scatter[label]);
 }
 
 /// How much rather vacuum than sample; and the energy of the division given.
@@ -210,7 +210,7 @@ Division best_division(const Cells& cells, const LeastScatter& least) {
     Division best;
     for (std::size_t i = 0; i < std::min(best_starts, tried.size()); ++i) {
         if (tried[i].labels.size() == 0) continue;
-        auto found = settled(cells, std::move(tried[i].labels), least, most_turns);
+        auto found = settled(cells, std::move(tried[i].labels), least, max_turns);
         if (found.energy < best.energy) best = std::move(found);
     }
     return best;
@@ -266,7 +266,7 @@ void name_phases(TwoPhases& result, const FramePixels& pixels, const PixelMask& 
                  long side, Vacuum vacuum) {
     std::array<std::vector<double>, 2> levels;
     const auto inner = away_from_border(result.sample, std::max(4L, side / 2));
-    const long stride = std::max(1L, pixels.size() / most_samples);
+    const long stride = std::max(1L, pixels.size() / max_samples);
     for (long i = 0; i < pixels.size(); i += stride)
         if (inner.data()[i] != 0 && hidden.data()[i] == 0)
             levels[result.sample.data()[i]].push_back(static_cast<double>(pixels.data()[i]));
@@ -300,10 +300,10 @@ TwoPhases divide(const FramePixels& pixels, const PixelMask& hidden, Vacuum vacu
     long side = 1;
     while (std::min(pixels.rows(), pixels.cols()) / (2 * side) >= coarse_cells) side *= 2;
     auto coarse = cells_of(pixels, hidden, side, 0, 0, pixels.rows() / side, pixels.cols() / side);
-    const double least_level = std::max(std::numeric_limits<double>::min(),
-                                        least_phase_share * (coarse.mean.maxCoeff() - coarse.mean.minCoeff()));
-    coarse.log_variance = coarse.log_variance.max(2 * std::log(least_level));
-    const LeastScatter least{least_level, side > 1 ? 0.7 * std::sqrt(2.0 / static_cast<double>(side * side - 1)) : 1.0};
+    const double min_level = std::max(std::numeric_limits<double>::min(),
+                                      min_phase_share * (coarse.mean.maxCoeff() - coarse.mean.minCoeff()));
+    coarse.log_variance = coarse.log_variance.max(2 * std::log(min_level));
+    const LeastScatter least{min_level, side > 1 ? 0.7 * std::sqrt(2.0 / static_cast<double>(side * side - 1)) : 1.0};
     const auto best = best_division(coarse, least);
     TwoPhases result;
     result.cells = static_cast<double>(coarse.mean.size());

@@ -43,7 +43,7 @@ struct TwoPhases {
 /// `vacuum` says.
 [[nodiscard]] TwoPhases divide_binary(const FramePixels& pixels, const PixelMask& hidden, Vacuum vacuum);
 
-/// Parts smaller than `least_area` [px], but the largest of either phase, become what surrounds them.
-void remove_islands(PixelMask& sample, double least_area);
+/// Parts smaller than `min_area` [px], but the largest of either phase, become what surrounds them.
+void remove_islands(PixelMask& sample, double min_area);
 
 }  // namespace setae::imaging

@@ -117,9 +117,9 @@ void AviFile::require_known_codec(const std::string& codec) {
 }
 
 FrameRead AviFile::uncompressed(const std::string& bytes) const {
-    const long bytes_a_pixel = layout_ == Layout::rgb ? bits_ / 8 : layout_ == Layout::planar_luminance ? 1 : 2;
+    const long bytes_per_pixel = layout_ == Layout::rgb ? bits_ / 8 : layout_ == Layout::planar_luminance ? 1 : 2;
     const long stride =
-        layout_ == Layout::rgb ? (size_.width * bytes_a_pixel + 3) / 4 * 4 : size_.width * bytes_a_pixel;
+        layout_ == Layout::rgb ? (size_.width * bytes_per_pixel + 3) / 4 * 4 : size_.width * bytes_per_pixel;
     if (static_cast<long>(bytes.size()) < stride * size_.height)
         return {{}, fmt::format("truncated: {} of {} bytes of pixels", bytes.size(), stride * size_.height)};
     FramePixels pixels(size_.height, size_.width);
@@ -127,9 +127,9 @@ FrameRead AviFile::uncompressed(const std::string& bytes) const {
         const bool flipped = layout_ == Layout::rgb && !top_down_;
         const auto* at =
             reinterpret_cast<const unsigned char*>(bytes.data()) + (flipped ? size_.height - 1 - row : row) * stride;
-        for (long column = 0; column < size_.width; ++column, at += bytes_a_pixel) {
+        for (long column = 0; column < size_.width; ++column, at += bytes_per_pixel) {
             float grey = 0;
-            if (bytes_a_pixel >= 3) grey = 0.299f * at[2] + 0.587f * at[1] + 0.114f * at[0];
+            if (bytes_per_pixel >= 3) grey = 0.299f * at[2] + 0.587f * at[1] + 0.114f * at[0];
             else if (layout_ == Layout::rgb) grey = at[0] < palette_.size() ? palette_[at[0]] : at[0];
             else grey = at[layout_ == Layout::uyvy ? 1 : 0];
             pixels(row, column) = grey;

@@ -31,9 +31,9 @@ enum class DmType {
 };
 
 constexpr int deepest_group = 64;
-constexpr std::uint64_t most_tags = 200'000;      // real files have some thousands
-constexpr std::uint64_t longest_text = 16'384;    // characters; longer arrays of 16-bit numbers are data
-constexpr std::uint64_t most_type_words = 1'000;  // of the description of a structure
+constexpr std::uint64_t max_tags = 200'000;      // real files have some thousands
+constexpr std::uint64_t longest_text = 16'384;   // characters; longer arrays of 16-bit numbers are data
+constexpr std::uint64_t max_type_words = 1'000;  // of the description of a structure
 constexpr std::uint64_t window_bytes = 1 << 16;
 
 constexpr std::uint64_t kind_structure = 15, kind_string = 18, kind_array = 20;
@@ -109,8 +109,7 @@ private:
         DmTag tag;
         tag.offset = at_;
         for (std::uint64_t i = 0; i < count; ++i) {
-            if (++tags_ > most_tags)
-                throw damaged(at_, fmt::format("more than {} tags; the file is damaged", most_tags));
+            if (++tags_ > max_tags) throw damaged(at_, fmt::format("more than {} tags; the file is damaged", max_tags));
             const auto entry_at = at_;
             const auto kind = static_cast<int>(number(1));
             if (kind != entry_group && kind != entry_data)
@@ -129,7 +128,7 @@ private:
         const auto begin = at_;
         if (take(4) != "%%%%") throw damaged(begin, "the data of a tag lack the mark %%%%; the file is damaged");
         const auto words = number(word_);
-        if (words == 0 || words > most_type_words)
+        if (words == 0 || words > max_type_words)
             throw damaged(begin, fmt::format("a type described by {} numbers; the file is damaged", words));
         types_.clear();
         for (std::uint64_t i = 0; i < words; ++i) types_.push_back(number(word_));

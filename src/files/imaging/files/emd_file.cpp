@@ -20,9 +20,9 @@ namespace setae::imaging {
 namespace {
 
 constexpr int deepest_emd_group = 8;
-constexpr std::size_t most_members = 10'000;
-constexpr std::uint64_t most_metadata = 1 << 20, longest_emd_text = 1 << 12;
-constexpr std::uint64_t cache_bytes_a_pixel = 16;  // of a chunk, against most_pixels
+constexpr std::size_t max_members = 10'000;
+constexpr std::uint64_t max_metadata = 1 << 20, longest_emd_text = 1 << 12;
+constexpr std::uint64_t cache_bytes_per_pixel = 16;  // of a chunk, against max_pixels
 
 using Handle = bytes::Hdf5Handle;
 
@@ -79,7 +79,7 @@ std::vector<std::string> members_of(hid_t group) {
     std::vector<std::string> names;
     H5G_info_t info;
     if (H5Gget_info(group, &info) < 0) return names;
-    for (hsize_t i = 0; i < std::min<hsize_t>(info.nlinks, most_members); ++i) {
+    for (hsize_t i = 0; i < std::min<hsize_t>(info.nlinks, max_members); ++i) {
         const auto length = H5Lget_name_by_idx(group, ".", H5_INDEX_NAME, H5_ITER_INC, i, nullptr, 0, H5P_DEFAULT);
         if (length <= 0 || static_cast<std::uint64_t>(length) > longest_emd_text) continue;
         std::string name(static_cast<std::size_t>(length) + 1, '\0');
@@ -105,7 +105,7 @@ void find_ncem_images(hid_t group, const std::string& path, int depth, std::vect
     if (is_ncem_image(group)) found.push_back(path);
     if (depth > deepest_emd_group) return;
     for (const auto& name : members_of(group)) {
-        if (++visited > most_members) return;
+        if (++visited > max_members) return;
         if (!exists(group, name)) continue;
         const Handle member(H5Oopen(group, name.c_str(), H5P_DEFAULT), &H5Oclose);
         if (member && H5Iget_type(member) == H5I_GROUP)
@@ -134,7 +134,7 @@ FramePixels plane_of(const bytes::Source& file, hid_t data, const std::vector<hs
         H5Pget_chunk(properties, static_cast<int>(chunk.size()), chunk.data());
         double bytes = static_cast<double>(H5Tget_size(type));
         for (const auto side : chunk) bytes *= static_cast<double>(side);
-        if (bytes > static_cast<double>(cache_bytes_a_pixel) * static_cast<double>(options.most_pixels))
+        if (bytes > static_cast<double>(cache_bytes_per_pixel) * static_cast<double>(options.max_pixels))
             throw damaged(fmt::format(
                 "the pixels are packed in pieces of {:.3g} bytes; export the image as a separate file", bytes));
     } else if (H5Dget_storage_size(data) > file.size) {
@@ -202,7 +202,7 @@ nlohmann::json velox_metadata(hid_t image) {
     const Handle data(H5Dopen2(image, "Metadata", H5P_DEFAULT), &H5Dclose);
     if (!data) return nullptr;
     const auto sides = sides_of(data);
-    if (sides.size() != 2 || sides[0] == 0 || sides[1] == 0 || sides[0] > most_metadata) return nullptr;
+    if (sides.size() != 2 || sides[0] == 0 || sides[1] == 0 || sides[0] > max_metadata) return nullptr;
     const Handle space(H5Dget_space(data), &H5Sclose);
     const hsize_t start[] = {0, 0}, count[] = {sides[0], 1};
     const Handle memory(H5Screate_simple(1, count, nullptr), &H5Sclose);

@@ -135,10 +135,10 @@ struct FrameSource::Recording {
           numbers(numbers_in_store(store)) {
         require_positive(options.pixel_size, "pixel size");
         require_positive(options.frame_rate, "frame rate");
-        if (size.width > options.most_pixels / size.height)
+        if (size.width > options.max_pixels / size.height)
             throw InvalidArgument(
                 fmt::format("{}: frames of {} × {} pixels, more than the {} a frame may have; crop or bin them", where,
-                            size.width, size.height, options.most_pixels));
+                            size.width, size.height, options.max_pixels));
         choose_region();
         choose_frames();
         settle_scale();
@@ -234,17 +234,15 @@ FrameRead FrameSource::read(std::size_t index) const {
     const auto at = r.chosen[index];
     FrameRead frame;
     try {
-        frame = std::visit(Overloaded{[&](const Pictures& pictures) {
-                                          return read_picture(pictures.paths[at], r.options.most_pixels);
-                                      },
-                                      [&](const TiffStack& stack) {
-                                          const auto size = stack.size_of(at);
-                                          if (size.width > 0 && size != r.size)
-                                              return FrameRead{{}, other_size(size, r.size)};
-                                          return stack.read(at);
-                                      },
-                                      [&](const AviFile& avi) { return avi.read(at); }},
-                           r.store);
+        frame = std::visit(
+            Overloaded{[&](const Pictures& pictures) { return read_picture(pictures.paths[at], r.options.max_pixels); },
+                       [&](const TiffStack& stack) {
+                           const auto size = stack.size_of(at);
+                           if (size.width > 0 && size != r.size) return FrameRead{{}, other_size(size, r.size)};
+                           return stack.read(at);
+                       },
+                       [&](const AviFile& avi) { return avi.read(at); }},
+            r.store);
     } catch (const Error& error) {
         return {{}, error.what()};
     }

@@ -109,7 +109,7 @@ PictureSize picture_size(const bytes::Source& file, std::uint64_t offset, std::u
             file.name, {.offset = offset},
             fmt::format("{} × {} numbers: a spectrum or a line, not a picture; choose the file with the image", width,
                         height));
-    const auto most = static_cast<std::uint64_t>(std::max(0L, options.most_pixels));
+    const auto most = static_cast<std::uint64_t>(std::max(0L, options.max_pixels));
     if (width > most / height)
         throw FormatError(
             file.name, {.offset = offset},
@@ -123,14 +123,14 @@ namespace {
 
 /// "0 'HAADF', 1 'HAADF' (Fourier transform)"; of many the first ones.
 std::string listed_images(const std::vector<ImageEntry>& images) {
-    constexpr std::size_t most_listed = 12;
+    constexpr std::size_t max_listed = 12;
     std::string text;
-    for (std::size_t i = 0; i < std::min(images.size(), most_listed); ++i) {
+    for (std::size_t i = 0; i < std::min(images.size(), max_listed); ++i) {
         const auto& [title, kind] = images[i];
         text += fmt::format("{}{}{}{}", i == 0 ? "" : ", ", i, title.empty() ? "" : fmt::format(" '{}'", title),
                             images[i].is_picture() ? "" : fmt::format(" ({})", kind));
     }
-    return images.size() > most_listed ? fmt::format("{}, … {}", text, images.size() - 1) : text;
+    return images.size() > max_listed ? fmt::format("{}, … {}", text, images.size() - 1) : text;
 }
 
 }  // namespace
@@ -160,8 +160,8 @@ std::size_t choose_image(Micrograph& micrograph, std::vector<ImageEntry> images,
 }
 
 std::size_t choose_image(Micrograph& micrograph, std::uint64_t count, const MicrographOptions& options) {
-    constexpr std::uint64_t most_listed = 1 << 20;  // a damaged header may announce any number
-    return choose_image(micrograph, std::vector<ImageEntry>(std::min(count, most_listed)), options);
+    constexpr std::uint64_t max_listed = 1 << 20;  // a damaged header may announce any number
+    return choose_image(micrograph, std::vector<ImageEntry>(std::min(count, max_listed)), options);
 }
 
 std::optional<double> number_of(std::string_view text) {

@@ -23,7 +23,7 @@ constexpr std::size_t sides = 0, mode = 12, sampling = 28, cell = 40, extended_b
 }
 
 namespace fei {  // offsets in an entry of FEI's extended header
-constexpr std::size_t size = 0, voltage = 84, pixel_x = 156, pixel_y = 164, least_size = 172;
+constexpr std::size_t size = 0, voltage = 84, pixel_x = 156, pixel_y = 164, min_size = 172;
 }
 
 std::optional<SampleType> sample_type(std::uint64_t mode) {
@@ -45,12 +45,12 @@ bool sensible(double size) { return size > 1e-13 && size < 1e-6; }
 /// Pixel size [m] of FEI's extended header, entry by entry; true where one stands there. Its numbers are little endian
 /// in practice.
 bool read_fei_header(const bytes::Source& file, std::uint64_t section, Micrograph& micrograph) {
-    const auto first = file.up_to(header_bytes, fei::least_size);
-    if (first.size() < fei::least_size) return false;
+    const auto first = file.up_to(header_bytes, fei::min_size);
+    if (first.size() < fei::min_size) return false;
     const auto entry_bytes = bytes::number_in(first, fei::size, 4);
-    if (entry_bytes < fei::least_size || entry_bytes > 4096) return false;
-    const auto entry = file.up_to(header_bytes + section * entry_bytes, fei::least_size);
-    if (entry.size() < fei::least_size) return false;
+    if (entry_bytes < fei::min_size || entry_bytes > 4096) return false;
+    const auto entry = file.up_to(header_bytes + section * entry_bytes, fei::min_size);
+    if (entry.size() < fei::min_size) return false;
     const auto real = [&](std::size_t offset) { return std::bit_cast<double>(bytes::number_in(entry, offset, 8)); };
     if (!sensible(real(fei::pixel_x)) || !sensible(real(fei::pixel_y))) return false;
     set_pixel_size(micrograph, {real(fei::pixel_x), "m"}, {real(fei::pixel_y), "m"}, "MRC extended header of FEI");

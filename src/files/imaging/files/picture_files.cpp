@@ -33,11 +33,11 @@ DigitRun digits_from(std::string_view text, std::size_t at) {
     return run;
 }
 
-constexpr long most_missing = 100;  // times the number of files: beyond, numbers are dates or serial numbers
+constexpr long max_missing = 100;  // times the number of files: beyond, numbers are dates or serial numbers
 
-std::string too_large(PictureSize size, long most_pixels) {
+std::string too_large(PictureSize size, long max_pixels) {
     return fmt::format("{} × {} pixels, more than the {} that a frame may have; crop the frames", size.width,
-                       size.height, most_pixels);
+                       size.height, max_pixels);
 }
 
 }  // namespace
@@ -116,7 +116,7 @@ FrameNumbers numbers_of(const std::vector<std::string>& paths) {
         found.numbers.push_back(*number);
     }
     const long span = found.numbers.back() - found.numbers.front() + 1;
-    if (span / most_missing > static_cast<long>(paths.size()))
+    if (span / max_missing > static_cast<long>(paths.size()))
         return counted("the numbers in the names have too long gaps; frames are counted from 1");
     for (std::size_t i = 1; i < found.numbers.size(); ++i)
         for (long number = found.numbers[i - 1] + 1; number < found.numbers[i]; ++number)
@@ -141,10 +141,10 @@ std::optional<PictureSize> size_of_picture(const std::string& path) {
     }
 }
 
-FrameRead read_picture(const std::string& path, long most_pixels) {
+FrameRead read_picture(const std::string& path, long max_pixels) {
     try {
-        if (const auto size = size_of_picture(path); size && size->width > most_pixels / std::max(1L, size->height))
-            return {{}, too_large(*size, most_pixels)};
+        if (const auto size = size_of_picture(path); size && size->width > max_pixels / std::max(1L, size->height))
+            return {{}, too_large(*size, max_pixels)};
         const auto bytes = bytes::read_file(path);
         if (picture_kind(bytes) != PictureKind::tiff) return decoded_picture(bytes);
         const TiffStack stack(path);

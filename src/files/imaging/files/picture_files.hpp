@@ -33,8 +33,8 @@ struct FrameNumbers {
 /// The last number of each name where names differ by it alone, in rising order; else 1, 2, 3 …
 [[nodiscard]] FrameNumbers numbers_of(const std::vector<std::string>& paths);
 
-/// A picture of a file, or why there is none; a frame of more than `most_pixels` is not decoded.
-[[nodiscard]] FrameRead read_picture(const std::string& path, long most_pixels);
+/// A picture of a file, or why there is none; a frame of more than `max_pixels` is not decoded.
+[[nodiscard]] FrameRead read_picture(const std::string& path, long max_pixels);
 
 /// The size a file's header states. @throws FileError.
 [[nodiscard]] std::optional<PictureSize> size_of_picture(const std::string& path);

@@ -21,15 +21,15 @@ namespace {
 
 namespace stack_tag {
 constexpr std::uint16_t width = 256, height = 257, bits = 258, compression = 259, photometric = 262, description = 270,
-                        strip_offsets = 273, samples = 277, rows_a_strip = 278, strip_bytes = 279, x_resolution = 282,
+                        strip_offsets = 273, samples = 277, rows_per_strip = 278, strip_bytes = 279, x_resolution = 282,
                         y_resolution = 283, planar = 284, resolution_unit = 296, tile_width = 322, tile_height = 323,
                         tile_offsets = 324, tile_bytes = 325, sample_format = 339;
 }
 
-constexpr std::size_t most_pages = 1'000'000;
-constexpr std::uint64_t most_parts = 1U << 22;
+constexpr std::size_t max_pages = 1'000'000;
+constexpr std::uint64_t max_parts = 1U << 22;
 constexpr std::uint64_t longest_side = 1U << 30;
-constexpr std::uint64_t most_tile_pixels = 1U << 20;  // the decoder takes memory for a whole tile
+constexpr std::uint64_t max_tile_pixels = 1U << 20;  // the decoder takes memory for a whole tile
 
 std::optional<double> parsed(std::string_view text) {
     const auto value = leading<double>(text);
@@ -61,7 +61,7 @@ std::uint64_t memory_for(const bytes::TiffPieces& pieces, std::uint64_t file_byt
 }  // namespace
 
 TiffStack::TiffStack(const bytes::Source& source)
-    : file_(bytes::open_tiff(source, "TIFF", most_pages, bytes::Damage::noted)), pages_(file_.pages.size()) {
+    : file_(bytes::open_tiff(source, "TIFF", max_pages, bytes::Damage::noted)), pages_(file_.pages.size()) {
     if (auto text = file_.text(file_.pages.front(), stack_tag::description); text.starts_with("ImageJ="))
         description_ = "\n" + std::move(text);
     count_pages_without_directory();
@@ -78,7 +78,7 @@ std::uint64_t TiffStack::picture_bytes() const {
 void TiffStack::count_pages_without_directory() {
     const auto images = description("images");
     const auto count = images ? parsed(*images) : std::nullopt;
-    if (!count || *count <= static_cast<double>(pages_) || *count > static_cast<double>(most_pages)) return;
+    if (!count || *count <= static_cast<double>(pages_) || *count > static_cast<double>(max_pages)) return;
     const auto& first = file_.pages.front();
     if (pages_ == 1 && number(first, stack_tag::compression).value_or(1) == 1 && picture_bytes() > 0)
         first_pixel_ = file_.number(first, stack_tag::strip_offsets);
@@ -163,8 +163,8 @@ std::vector<TiffStack::Part> TiffStack::parts(std::size_t index, std::string& fa
         const auto& page = file_.pages[index];
         const bool tiled = page.find(stack_tag::tile_offsets) != nullptr;
         const auto offsets =
-                       file_.integers(page, tiled ? stack_tag::tile_offsets : stack_tag::strip_offsets, most_parts),
-                   counts = file_.integers(page, tiled ? stack_tag::tile_bytes : stack_tag::strip_bytes, most_parts);
+                       file_.integers(page, tiled ? stack_tag::tile_offsets : stack_tag::strip_offsets, max_parts),
+                   counts = file_.integers(page, tiled ? stack_tag::tile_bytes : stack_tag::strip_bytes, max_parts);
         if (offsets.empty() || counts.size() < offsets.size())
             fault = offsets.empty() || counts.empty() ? "its directory names no pixels; the file is damaged"
                                                       : "its directory is incomplete; the file is damaged";
@@ -222,9 +222,9 @@ FrameRead TiffStack::read(std::size_t index) const {
                                  .tiled = tiled};
         pieces.piece_nx = tiled ? number(page, stack_tag::tile_width).value_or(0) : pieces.nx;
         pieces.piece_ny = tiled ? number(page, stack_tag::tile_height).value_or(0)
-                                : std::min(number(page, stack_tag::rows_a_strip).value_or(pieces.ny), pieces.ny);
+                                : std::min(number(page, stack_tag::rows_per_strip).value_or(pieces.ny), pieces.ny);
         if (pieces.piece_nx == 0 || pieces.piece_ny == 0 ||
-            (tiled && (pieces.piece_nx > most_tile_pixels || pieces.piece_ny > most_tile_pixels / pieces.piece_nx)))
+            (tiled && (pieces.piece_nx > max_tile_pixels || pieces.piece_ny > max_tile_pixels / pieces.piece_nx)))
             return {{}, fmt::format("tiles of {} × {} pixels; the file is damaged", pieces.piece_nx, pieces.piece_ny)};
         if (bits <= 8) return colours(pieces);
         if (!type || !interleaved)

@@ -18,10 +18,10 @@ namespace {
 
 constexpr double same_level = 0.01;       // of scaled levels: drawn, not photographed
 constexpr double highest_data_bar = 0.3;  // of the picture's height
-constexpr int least_data_bar = 12;        // rows
+constexpr int min_data_bar = 12;          // rows
 constexpr int margin = 3;                 // px around letters
-constexpr int least_letter = 8;           // px of height, of text alone
-constexpr double most_ink = 0.03;         // share of a picture that letters cover
+constexpr int min_letter = 8;             // px of height, of text alone
+constexpr double max_ink = 0.03;          // share of a picture that letters cover
 
 double share_near(const cv::Mat1f& levels, int row, double level) {
     int count = 0;
@@ -67,7 +67,7 @@ int rows_of_data_bar(const cv::Mat1f& levels) {
         if (share_near(levels, row, level) < 0.4 && share_near(levels, row, common_level(levels, row)) < 0.9) break;
         ++rows;
     }
-    if (rows < least_data_bar || rows > most || share_near(levels, levels.rows - 1 - rows, level) > 0.3) return 0;
+    if (rows < min_data_bar || rows > most || share_near(levels, levels.rows - 1 - rows, level) > 0.3) return 0;
     const auto ink = mask_where(levels.rowRange(levels.rows - rows, levels.rows), level, 0.3, false);
     const auto lines = letter_lines(ink, {});
     return std::any_of(lines.begin(), lines.end(), [](const LetterLine& line) { return line.letters.size() >= 3; })
@@ -77,7 +77,7 @@ int rows_of_data_bar(const cv::Mat1f& levels) {
 
 /// Whether a line of letters is text: high enough, letters on one baseline.
 bool is_text(const LetterLine& line) {
-    if (line.letters.size() < 3 || line.box.height < least_letter) return false;
+    if (line.letters.size() < 3 || line.box.height < min_letter) return false;
     std::vector<int> bottoms;
     for (const auto& letter : line.letters) bottoms.push_back(letter.br().y);
     const int baseline = upper_median(bottoms);
@@ -94,7 +94,7 @@ std::vector<cv::Rect> text(const cv::Mat1f& levels) {
     cv::minMaxLoc(levels, &least, &most);
     for (const double level : {least, most}) {
         const auto mask = mask_where(levels, level, same_level, true);
-        if (cv::countNonZero(mask) > most_ink * static_cast<double>(levels.total()))
+        if (cv::countNonZero(mask) > max_ink * static_cast<double>(levels.total()))
             continue;  // a ground, a mask, a saturated picture
         const auto lines = letter_lines(mask, {});
         std::size_t letters = 0, of_text = 0;
@@ -116,7 +116,7 @@ std::vector<PictureRegion> annotations(const FramePixels& pixels) {
     const auto levels = scaled_levels(pixels);
     std::vector<PictureRegion> regions;
     for (const auto& found : found_bars(levels)) regions.push_back(found.bar.annotation);
-    if (levels.rows < 2 * least_data_bar || levels.cols < 2 * least_data_bar) return regions;
+    if (levels.rows < 2 * min_data_bar || levels.cols < 2 * min_data_bar) return regions;
     cv::Mat1f upside_down;
     cv::flip(levels, upside_down, 0);
     if (const long rows = rows_of_data_bar(levels); rows > 0)

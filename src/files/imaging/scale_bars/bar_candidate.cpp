@@ -9,8 +9,8 @@
 namespace setae::imaging {
 namespace {
 
-constexpr double least_aspect = 1.5;  // length over thickness
-constexpr int most_outline = 8;       // px
+constexpr double min_aspect = 1.5;  // length over thickness
+constexpr int max_outline = 8;      // px
 
 struct Moments {
     double mean = 0, deviation = 0;
@@ -30,7 +30,7 @@ Moments moments_of(const cv::Mat1f& levels, const cv::Rect& where) {
 
 class Measurement {
 public:
-    Measurement(const cv::Mat1f& levels, int least_length) : levels_(levels), least_length_(least_length) {}
+    Measurement(const cv::Mat1f& levels, int min_length) : levels_(levels), min_length_(min_length) {}
 
     /// A bar within `box`, the place of something long and thin that stands out by `height`; nothing where it is none.
     [[nodiscard]] std::optional<BarCandidate> operator()(const cv::Rect& box, double height, double sign) const {
@@ -80,8 +80,8 @@ private:
         bar.left = bar.right = box.x + box.width / 2;
         while (bar.left > 0 && belongs(bar.left - 1)) --bar.left;
         while (bar.right < levels_.cols - 1 && belongs(bar.right + 1)) ++bar.right;
-        if (bar.left < 2 || bar.right > levels_.cols - 3 || bar.length() < least_length_ ||
-            bar.length() < least_aspect * bar.thickness())
+        if (bar.left < 2 || bar.right > levels_.cols - 3 || bar.length() < min_length_ ||
+            bar.length() < min_aspect * bar.thickness())
             return false;
         std::vector<double> differences;
         for (int x = bar.left; x <= bar.right; ++x)
@@ -204,7 +204,7 @@ private:
         const double tolerance =
             std::clamp(3 * bar.deviation, 0.15 * std::abs(bar.contrast), 0.3 * std::abs(bar.contrast));
         double first = 0;
-        for (int k = 1; k <= most_outline + 1; ++k) {
+        for (int k = 1; k <= max_outline + 1; ++k) {
             const int left = bar.left - k, right = bar.right + k, top = bar.top - k, bottom = bar.bottom + k;
             if (left < 0 || top < 0 || right >= levels_.cols || bottom >= levels_.rows) return;
             std::vector<double> ring;  // ends of bars may cover parts of pixels, rows are whole
@@ -281,13 +281,13 @@ private:
     }
 
     const cv::Mat1f& levels_;
-    int least_length_;
+    int min_length_;
 };
 
 }  // namespace
 
-std::optional<BarCandidate> bar_within(const cv::Mat1f& levels, const LongRun& run, int least_length) {
-    return Measurement(levels, least_length)(run.box, run.height, run.sign);
+std::optional<BarCandidate> bar_within(const cv::Mat1f& levels, const LongRun& run, int min_length) {
+    return Measurement(levels, min_length)(run.box, run.height, run.sign);
 }
 
 }  // namespace setae::imaging

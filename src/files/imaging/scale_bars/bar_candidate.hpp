@@ -37,7 +37,7 @@ struct LongRun {
 };
 
 /// The bar within a run: of one level, with straight ends and nothing beyond, apart from what is above and below;
-/// nothing where it is none, touches the picture's border or is shorter than least_length [px].
-[[nodiscard]] std::optional<BarCandidate> bar_within(const cv::Mat1f& levels, const LongRun& run, int least_length);
+/// nothing where it is none, touches the picture's border or is shorter than min_length [px].
+[[nodiscard]] std::optional<BarCandidate> bar_within(const cv::Mat1f& levels, const LongRun& run, int min_length);
 
 }  // namespace setae::imaging

@@ -13,7 +13,7 @@ namespace setae::imaging {
 namespace {
 
 constexpr double shortest_share = 0.03;  // of the picture's width
-constexpr double least_quality = 0.5;
+constexpr double min_quality = 0.5;
 constexpr int shortest = 12;      // px
 constexpr double rounding = 0.3;  // px: standard error of a length that a program rounded to whole pixels
 
@@ -103,15 +103,15 @@ bool has_two_levels(const cv::Mat1f& levels) {
 }
 
 struct Search {
-    int least_length = 0;
+    int min_length = 0;
     double sign = 0;  // 1: brighter bars
     double byte = 0;  // a step of 8 bits, as scaled_levels
 };
 
 /// Candidates of one polarity: what a long opening along rows keeps and one across them removes.
 void collect(const cv::Mat1b& bytes, const cv::Mat1f& levels, const Search& search, std::vector<BarCandidate>& found) {
-    const int least_length = search.least_length;
-    const auto rows = opened(bytes, {least_length, 1});
+    const int min_length = search.min_length;
+    const auto rows = opened(bytes, {min_length, 1});
     cv::Mat1b raised;
     cv::subtract(rows, opened(rows, {1, thickest_bar + 3}), raised);
     double highest = 0;
@@ -119,8 +119,8 @@ void collect(const cv::Mat1b& bytes, const cv::Mat1f& levels, const Search& sear
     for (const int threshold : {12, 24, 40, 60, 85, 120, 160}) {
         if (threshold >= highest) break;
         for (const auto& where : boxes_above(raised, threshold)) {
-            if (where.height > thickest_bar + 3 || where.width < least_length) continue;
-            const auto bar = bar_within(levels, {where, threshold * search.byte, search.sign}, least_length);
+            if (where.height > thickest_bar + 3 || where.width < min_length) continue;
+            const auto bar = bar_within(levels, {where, threshold * search.byte, search.sign}, min_length);
             const auto same = [&](const BarCandidate& other) {
                 return other.left == bar->left && other.right == bar->right && other.top == bar->top &&
                        other.bottom == bar->bottom;
@@ -256,8 +256,8 @@ cv::Mat1f scaled_levels(const FramePixels& pixels) {
 }
 
 std::vector<DrawnBar> drawn_bars(const cv::Mat1f& levels) {
-    const int least_length = std::max(shortest, static_cast<int>(std::ceil(shortest_share * levels.cols)));
-    if (levels.rows < 8 || levels.cols < least_length + 6) return {};
+    const int min_length = std::max(shortest, static_cast<int>(std::ceil(shortest_share * levels.cols)));
+    if (levels.rows < 8 || levels.cols < min_length + 6) return {};
     // bars may be darker or brighter than all of the picture, single pixels far more so
     double low = 0, high = 0;
     cv::minMaxLoc(levels, &low, &high);
@@ -268,9 +268,9 @@ std::vector<DrawnBar> drawn_bars(const cv::Mat1f& levels) {
     cv::Mat1b bytes, inverse;
     levels.convertTo(bytes, CV_8U, 1 / byte, -low / byte);
     std::vector<BarCandidate> found;
-    collect(bytes, levels, {least_length, 1.0, byte}, found);
+    collect(bytes, levels, {min_length, 1.0, byte}, found);
     cv::bitwise_not(bytes, inverse);
-    collect(inverse, levels, {least_length, -1.0, byte}, found);
+    collect(inverse, levels, {min_length, -1.0, byte}, found);
 
     const int thinnest = has_two_levels(levels) ? 3 : 1;  // masks have streaks
     std::vector<BarCandidate> chosen;
@@ -289,7 +289,7 @@ std::vector<DrawnBar> drawn_bars(const cv::Mat1f& levels) {
                          [&](const DrawnBar& other) { return (other.box & near).area() > 0; }))
             bars.push_back(measured(levels, bar));
     }
-    std::erase_if(bars, [](const DrawnBar& bar) { return bar.quality < least_quality; });
+    std::erase_if(bars, [](const DrawnBar& bar) { return bar.quality < min_quality; });
     bars = joined(levels, std::move(bars));
     for (auto& bar : bars) settle_ticks(bar);
     std::stable_sort(bars.begin(), bars.end(),

@@ -11,7 +11,7 @@
 namespace setae::imaging {
 namespace {
 
-constexpr int least_height = 5;        // px of a letter
+constexpr int min_height = 5;          // px of a letter
 constexpr double small_letter = 0.45;  // of the highest: lower parts are points or specks
 
 struct Part {
@@ -74,14 +74,14 @@ std::vector<LetterLine> letter_lines(const cv::Mat1b& mask, const std::vector<cv
                         [&](const cv::Rect& other) { return (other & part.box).area() > 0; }))
             continue;
         parts.push_back(part);
-        const bool letter = part.box.height >= least_height && part.box.width <= 2 * part.box.height &&
+        const bool letter = part.box.height >= min_height && part.box.width <= 2 * part.box.height &&
                             part.box.height <= 0.8 * mask.rows;
         if (letter) letters.push_back(part);
     }
     for (auto& letter : letters) {
         const auto body = letter.box;
         for (const auto& part : parts)
-            if (part.box.height < least_height && part.area >= 3 && broken_off(part.box, body)) {
+            if (part.box.height < min_height && part.area >= 3 && broken_off(part.box, body)) {
                 letter.pieces.push_back(part.label);
                 letter.box |= part.box;
             }

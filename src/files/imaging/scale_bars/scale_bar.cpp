@@ -10,8 +10,8 @@
 namespace setae::imaging {
 namespace {
 
-constexpr std::size_t most_bars = 4;  // that are reported
-constexpr int margin = 3;             // px around bar and label: blur, and shadows of letters
+constexpr std::size_t max_bars = 4;  // that are reported
+constexpr int margin = 3;            // px around bar and label: blur, and shadows of letters
 
 PictureRegion region_of(const cv::Rect& box, const cv::Mat1f& levels) {
     const auto inside = cv::Rect(box.x - margin, box.y - margin, box.width + 2 * margin, box.height + 2 * margin) &
@@ -23,7 +23,7 @@ PictureRegion region_of(const cv::Rect& box, const cv::Mat1f& levels) {
 
 std::vector<FoundBar> found_bars(const cv::Mat1f& levels) {
     auto drawn = drawn_bars(levels);
-    if (drawn.size() > most_bars) drawn.resize(most_bars);
+    if (drawn.size() > max_bars) drawn.resize(max_bars);
     LabelRecogniser reader;
     std::vector<FoundBar> found;
     for (const auto& bar : drawn) {

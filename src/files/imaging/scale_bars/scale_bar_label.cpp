@@ -18,7 +18,7 @@ namespace setae::imaging {
 namespace {
 
 constexpr std::array<int, 2> magnified{36, 46};  // px of a line's height: what Tesseract reads well
-constexpr std::size_t most_lines = 2;            // looked at in each mask
+constexpr std::size_t max_lines = 2;             // looked at in each mask
 
 struct Ink {
     double level = 0, tolerance = 0;
@@ -191,7 +191,7 @@ BarLabel read_label(const cv::Mat1f& levels, const DrawnBar& bar, LabelRecognise
         std::stable_sort(lines.begin(), lines.end(), [&](const LetterLine& a, const LetterLine& b) {
             return distance_between(a.box, near) < distance_between(b.box, near);
         });
-        if (lines.size() > most_lines) lines.resize(most_lines);
+        if (lines.size() > max_lines) lines.resize(max_lines);
         for (const auto& line : lines) {
             const auto same = std::find_if(seen.begin(), seen.end(), [&](const LetterLine& other) {
                 return other.box == line.box && cv::countNonZero(other.ink != line.ink) == 0;

@@ -46,7 +46,7 @@ inline std::string tiff_picture(int compression) {
 inline std::string png_picture() { return encoded_picture(".png"); }
 
 /// A PNG with the chunk pHYs behind its header.
-inline std::string with_pixels_a_metre(std::string png, std::uint64_t x, std::uint64_t y) {
+inline std::string with_pixels_per_metre(std::string png, std::uint64_t x, std::uint64_t y) {
     const Bytes big{true};
     const auto chunk = "pHYs" + big.whole(x, 4) + big.whole(y, 4) + '\1';
     return png.insert(33, big.whole(9, 4) + chunk + big.whole(png_checksum(chunk), 4));
@@ -73,7 +73,7 @@ inline std::vector<Sample> micrograph_samples() {
         {"emd Velox", EmdFile{.velox = true, .unit_x = "m"}.bytes()},
         {"png", png_picture()},
         {"png colour 16 bit", encoded_picture(".png", CV_16U)},
-        {"png of a known scale", with_pixels_a_metre(png_picture(), 2'000'000'000, 2'000'000'000)},
+        {"png of a known scale", with_pixels_per_metre(png_picture(), 2'000'000'000, 2'000'000'000)},
         {"jpeg", encoded_picture(".jpg")},
         {"jpeg colour", encoded_picture(".jpg", CV_8UC3)},
         {"bmp", encoded_picture(".bmp")}};

@@ -118,11 +118,11 @@ inline std::string avi(const std::vector<std::string>& frames, long width, long 
 }
 
 /// Rows from the bottom up, padded to 4 bytes, each pixel as so many equal bytes.
-inline std::string bitmap_rows(const FramePixels& pixels, int bytes_a_pixel) {
+inline std::string bitmap_rows(const FramePixels& pixels, int bytes_per_pixel) {
     std::string text;
     for (long row = pixels.rows() - 1; row >= 0; --row) {
         for (long column = 0; column < pixels.cols(); ++column)
-            text += std::string(static_cast<std::size_t>(bytes_a_pixel),
+            text += std::string(static_cast<std::size_t>(bytes_per_pixel),
                                 static_cast<char>(static_cast<std::uint8_t>(pixels(row, column))));
         while (text.size() % 4 != 0) text += '\0';
     }

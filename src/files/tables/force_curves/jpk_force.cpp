@@ -91,13 +91,13 @@ std::optional<MapGrid> grid_of(const JpkArchive& archive) {
                        .x = value("xcenter"),
                        .y = value("ycenter"),
                        .angle = value("theta")};
-    if (!(columns >= 1.0 && rows >= 1.0 && columns * rows <= static_cast<double>(most_map_points)) ||
+    if (!(columns >= 1.0 && rows >= 1.0 && columns * rows <= static_cast<double>(max_map_points)) ||
         !(grid.width > 0.0 && grid.height > 0.0))
         throw FormatError(
             archive.source().name, {},
             fmt::format("member 'header.properties': a grid of {} × {} curves over {} m × {} m, expected at least one "
                         "and at most {} on a positive area; it is damaged",
-                        columns, rows, grid.width, grid.height, most_map_points));
+                        columns, rows, grid.width, grid.height, max_map_points));
     return grid;
 }
 

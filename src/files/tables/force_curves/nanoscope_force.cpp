@@ -149,7 +149,7 @@ std::optional<MapGrid> grid_of(const std::vector<NanoscopeSection>& sections, st
     grid.width = first->number * unit->factor;
     grid.height = second ? second->number * unit->factor
                          : grid.width * static_cast<double>(grid.rows) / static_cast<double>(grid.columns);
-    if (!(grid.width > 0.0) || !(grid.height > 0.0) || grid.columns * grid.rows > most_map_points) return std::nullopt;
+    if (!(grid.width > 0.0) || !(grid.height > 0.0) || grid.columns * grid.rows > max_map_points) return std::nullopt;
     return grid;
 }
 
@@ -286,7 +286,7 @@ bool is_nanoscope_force(const bytes::Source& source) {
 ForceCurveFile open_nanoscope_force(const bytes::Source& source) {
     const auto force = std::make_shared<const NanoscopeForce>(force_of(source));
     ForceCurveFile file{.grid = force->grid, .numbers = {}, .read = {}};
-    for (std::uint64_t k = 0; k < std::min<std::uint64_t>(force->deflection.curves, most_map_points); ++k)
+    for (std::uint64_t k = 0; k < std::min<std::uint64_t>(force->deflection.curves, max_map_points); ++k)
         file.numbers.push_back(static_cast<long>(k));
     file.read = [force, source](long number) { return curve_of(*force, static_cast<std::uint64_t>(number), source); };
     return file;

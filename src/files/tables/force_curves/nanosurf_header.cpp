@@ -17,7 +17,7 @@
 namespace setae::tables {
 namespace {
 
-constexpr std::size_t most_channels_of_nanosurf = 1000;
+constexpr std::size_t max_channels_of_nanosurf = 1000;
 
 std::optional<NanosurfChannel> channel_of_key(const std::string& key, const std::string& section) {
     if (!key.starts_with("Gr")) return std::nullopt;
@@ -65,10 +65,10 @@ std::vector<NanosurfChannel> nanosurf_channels(const TextSections& sections, con
     if (dataset == sections.end()) return found;
     for (const auto& [key, value] : dataset->second)
         if (const auto channel = channel_of_key(key, value)) found.push_back(*channel);
-    if (found.size() > most_channels_of_nanosurf)
+    if (found.size() > max_channels_of_nanosurf)
         throw FormatError(source.name, {.offset = 0},
                           fmt::format("Nanosurf: {} channels, expected at most {}; it is damaged", found.size(),
-                                      most_channels_of_nanosurf));
+                                      max_channels_of_nanosurf));
     std::sort(found.begin(), found.end(), [](const NanosurfChannel& a, const NanosurfChannel& b) {
         return std::pair{a.group, a.channel} < std::pair{b.group, b.channel};
     });

@@ -103,7 +103,7 @@ bool parse_reference(std::string_view text, std::size_t& row, std::size_t& colum
     for (; at < text.size() && text[at] >= 'A' && text[at] <= 'Z' && at < 4; ++at)
         letters = 26 * letters + static_cast<std::size_t>(text[at] - 'A' + 1);
     const auto number = spelled<std::size_t>(text.substr(at)).value_or(0);
-    if (letters < 1 || letters > most_sheet_columns || number < 1 || number > most_sheet_rows) return false;
+    if (letters < 1 || letters > max_sheet_columns || number < 1 || number > max_sheet_rows) return false;
     row = number - 1;
     column = letters - 1;
     return true;
@@ -163,7 +163,7 @@ SheetRows rows_of(const Shared& shared, const Sheet& sheet) {
     for (const auto& line : local_child(document.document_element(), "sheetData").children()) {
         std::size_t column = 0;
         row = line.attribute("r") ? line.attribute("r").as_ullong() - 1 : row;
-        if (row >= most_sheet_rows)
+        if (row >= max_sheet_rows)
             throw FormatError(
                 shared.source.name, {},
                 fmt::format("sheet '{}': '{:.20}' is not a row", sheet.name, line.attribute("r").value()));

@@ -63,8 +63,8 @@ std::vector<std::pair<std::size_t, std::string>> cells_of(const pugi::xml_node& 
         const auto count = repeats(cell, "number-columns-repeated");
         const auto text = is_named(cell, "table-cell") ? text_of_cell(cell) : std::string();
         if (!text.empty())
-            for (std::size_t k = 0; k < std::min(count, most_sheet_columns); ++k) cells.emplace_back(column + k, text);
-        column += std::min(count, most_sheet_columns);
+            for (std::size_t k = 0; k < std::min(count, max_sheet_columns); ++k) cells.emplace_back(column + k, text);
+        column += std::min(count, max_sheet_columns);
     }
     return cells;
 }
@@ -109,7 +109,7 @@ std::size_t add_rows(const pugi::xml_node& parent, std::size_t row, SheetRows& r
             continue;
         }
         if (!is_named(node, "table-row")) continue;
-        const auto count = std::min(repeats(node, "number-rows-repeated"), most_sheet_rows);
+        const auto count = std::min(repeats(node, "number-rows-repeated"), max_sheet_rows);
         const auto cells = cells_of(node);
         for (std::size_t k = 0; !cells.empty() && k < count; ++k)
             for (const auto& [column, text] : cells) put_cell(rows, row + k, column, text, bytes, sheet, source);

@@ -30,7 +30,7 @@ pugi::xml_document parsed_member(const bytes::Archive& archive, const std::strin
     if (const auto at = bytes::xml_too_deep(text))
         throw FormatError(
             source.name, {},
-            fmt::format("member '{}': XML of more than {} levels, at byte {}", member, bytes::most_levels, *at));
+            fmt::format("member '{}': XML of more than {} levels, at byte {}", member, bytes::max_levels, *at));
     const auto result =
         document.load_buffer(text.data(), text.size(), pugi::parse_default | pugi::parse_ws_pcdata_single);
     if (!result)
@@ -57,15 +57,15 @@ std::string date_text(double days) {
 
 void put_cell(SheetRows& rows, std::size_t row, std::size_t column, std::string text, std::size_t& bytes,
               const Sheet& sheet, const bytes::Source& source) {
-    if (row >= most_sheet_rows || column >= most_sheet_columns)
+    if (row >= max_sheet_rows || column >= max_sheet_columns)
         throw FormatError(source.name, {},
                           fmt::format("sheet '{}': a cell in row {}, column {}, beyond the {} × {} that sheets have",
-                                      sheet.name, row + 1, column + 1, most_sheet_rows, most_sheet_columns));
+                                      sheet.name, row + 1, column + 1, max_sheet_rows, max_sheet_columns));
     bytes += text.size();
-    if (bytes > most_sheet_text)
+    if (bytes > max_sheet_text)
         throw FormatError(source.name, {},
                           fmt::format("sheet '{}': more than {} MB of text in its cells, at {}", sheet.name,
-                                      most_sheet_text >> 20, cell_name(row, column)));
+                                      max_sheet_text >> 20, cell_name(row, column)));
     if (!text.empty()) rows[row].insert_or_assign(column, std::move(text));
 }
 

@@ -13,8 +13,8 @@
 
 namespace setae::tables {
 
-inline constexpr std::size_t most_sheet_rows = 1048576, most_sheet_columns = 16384;  // Excel's and LibreOffice's limits
-inline constexpr std::size_t most_sheet_text = std::size_t{256} << 20;  // of a sheet's cells: many may share one string
+inline constexpr std::size_t max_sheet_rows = 1048576, max_sheet_columns = 16384;  // Excel's and LibreOffice's limits
+inline constexpr std::size_t max_sheet_text = std::size_t{256} << 20;  // of a sheet's cells: many may share one string
 
 /// A workbook of one kind, opened.
 struct WorkbookContent {

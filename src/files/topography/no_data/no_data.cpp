@@ -15,7 +15,7 @@
 namespace setae::topography {
 namespace {
 
-constexpr std::size_t fewest_levels = 8;                                    ///< different values of what are heights
+constexpr std::size_t min_levels = 8;                                       ///< different values of what are heights
 constexpr double isolated_at = 8.0;                                         ///< spreads from the median
 constexpr double far_at = 20.0, single_far_at = 100.0, absurd_at = 1000.0;  ///< largest distances of the others
 constexpr double gap_share = 0.25;  ///< of the distance from the median that no height of others is in
@@ -41,14 +41,14 @@ std::vector<SampleLevel> levels_of(std::vector<double> sorted) {
 
 /// Values that the sample holds far more often than others.
 std::vector<double> dominant_values(const std::vector<SampleLevel>& levels) {
-    constexpr std::size_t most_marks = 4, fewest = 8, times = 10, fewest_among_unequal = 5;
-    if (levels.size() < fewest_levels + most_marks) return {};
+    constexpr std::size_t max_marks = 4, fewest = 8, times = 10, min_among_unequal = 5;
+    if (levels.size() < min_levels + max_marks) return {};
     std::vector<std::size_t> counts;
     for (const auto& level : levels) counts.push_back(level.count);
-    std::nth_element(counts.begin(), counts.begin() + most_marks, counts.end(), std::greater<>());
-    const auto usual = counts[most_marks];
+    std::nth_element(counts.begin(), counts.begin() + max_marks, counts.end(), std::greater<>());
+    const auto usual = counts[max_marks];
     std::vector<double> values;
-    const auto enough = usual == 1 ? fewest_among_unequal : std::max(fewest, times * usual);
+    const auto enough = usual == 1 ? min_among_unequal : std::max(fewest, times * usual);
     for (const auto& level : levels)
         if (level.count >= enough) values.push_back(level.value);
     return values;
@@ -76,7 +76,7 @@ std::optional<Others> others_in(const HeightSample& sample, const std::vector<do
     std::sort(heights.begin(), heights.end());
     std::size_t levels = heights.empty() ? 0 : 1;
     for (std::size_t i = 1; i < heights.size(); ++i) levels += heights[i] != heights[i - 1];
-    if (levels < fewest_levels) return std::nullopt;
+    if (levels < min_levels) return std::nullopt;
     Others others{quantile(heights, 0.5), 0.5 * (quantile(heights, 0.84) - quantile(heights, 0.16)), 0.0};
     if (!(others.spread > 0.0)) others.spread = 0.25 * (quantile(heights, 0.98) - quantile(heights, 0.02));
     if (!(others.spread > 0.0)) return std::nullopt;
@@ -89,12 +89,12 @@ std::optional<Others> others_in(const HeightSample& sample, const std::vector<do
 
 /// Whether lengths along scan lines are as chance makes them, and enough of them to tell; or few single points.
 bool irregular(const ValueFacts& facts, double share) {
-    constexpr Index fewest_runs = 6;
+    constexpr Index min_runs = 6;
     constexpr double single_points = 2.0, share_of_single_points = 0.05;
-    if (facts.runs.count() >= fewest_runs && facts.runs.mean() <= single_points && share <= share_of_single_points)
+    if (facts.runs.count() >= min_runs && facts.runs.mean() <= single_points && share <= share_of_single_points)
         return true;
     const auto scatter = [](const Scatter& lengths) {
-        return lengths.count() >= fewest_runs && lengths.standard_deviation() >= irregular_at * lengths.mean();
+        return lengths.count() >= min_runs && lengths.standard_deviation() >= irregular_at * lengths.mean();
     };
     return scatter(facts.runs) || scatter(facts.gaps);
 }
@@ -136,7 +136,7 @@ std::vector<double> far_extremes(double least, double greatest, const Others& ot
 }
 
 NoDataReport search(const HeightBands& bands, const NoDataHints& hints) {
-    constexpr int most_rounds = 6;
+    constexpr int max_rounds = 6;
     const auto sample = sampled(bands);
     NoDataReport report;
     report.least = sample.least;
@@ -148,7 +148,7 @@ NoDataReport search(const HeightBands& bands, const NoDataHints& hints) {
     auto others = others_in(sample, values);
     if (!others) return report;
     AllFacts all{{}, 0, sample.least, sample.greatest};
-    for (int round = 0; round < most_rounds; ++round) {
+    for (int round = 0; round < max_rounds; ++round) {
         auto further = far_extremes(all.least, all.greatest, *others);
         std::erase_if(further, [&](double v) { return std::find(values.begin(), values.end(), v) != values.end(); });
         if (further.empty() && (round > 0 || values.empty())) break;

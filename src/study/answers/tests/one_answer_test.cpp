@@ -65,8 +65,8 @@ double recommended_in(const output::Json& answers) {
 PatchSurveyRequest few_patches() {
     PatchSurveyRequest request;
     request.points = {32};
-    request.points_a_wave = {8.0};
-    request.waves_a_side = 2;
+    request.points_per_wave = {8.0};
+    request.waves_per_side = 2;
     request.squared_ratios = {1.0};
     request.seeds = 1;
     return request;

@@ -15,7 +15,7 @@
 namespace setae::figures {
 namespace {
 
-constexpr double millimetres_an_inch = 25.4;
+constexpr double millimetres_per_inch = 25.4;
 constexpr double text_points = 8.0, small_points = 7.0;
 
 /// A terminal, and what makes its text and symbols as large as the others'.
@@ -29,7 +29,7 @@ struct Terminal {
 
 Terminal terminal(const Figure& figure, const std::string& ending) {
     constexpr const char* font = "Liberation Sans";
-    const double width = figure.width_mm / millimetres_an_inch, height = figure.height_mm / millimetres_an_inch;
+    const double width = figure.width_mm / millimetres_per_inch, height = figure.height_mm / millimetres_per_inch;
     const bool pictures = std::any_of(figure.panels.begin(), figure.panels.end(),
                                       [](const Panel& panel) { return panel.map.has_value(); });
     if (ending == "svg")  // 96 pixels an inch; pictures within the file, not beside it

@@ -37,12 +37,12 @@ double room_mm(const LinearTicks& ticks, Direction direction, bool few) {
 
 LinearTicks linear_ticks(const Range& range, double length_mm, Direction direction) {
     constexpr std::size_t enough = 3;
-    constexpr double most_numbers = 200.0;
+    constexpr double max_numbers = 200.0;
     const double extent = range.to - range.from;
     LinearTicks closer;  // the largest step with enough numbers, none of which touch
-    for (double decade = std::pow(10.0, std::floor(std::log10(extent / most_numbers)));; decade *= 10.0)
+    for (double decade = std::pow(10.0, std::floor(std::log10(extent / max_numbers)));; decade *= 10.0)
         for (const double digit : {1.0, 2.0, 5.0}) {
-            if (extent / (digit * decade) > most_numbers) continue;
+            if (extent / (digit * decade) > max_numbers) continue;
             auto ticks = ticks_at(range, digit * decade);
             const double distance = length_mm * ticks.step / extent * (1.0 + 1e-9);
             if (distance >= room_mm(ticks, direction, true) && (ticks.places.size() >= enough || closer.places.empty()))
@@ -53,9 +53,9 @@ LinearTicks linear_ticks(const Range& range, double length_mm, Direction directi
 }
 
 std::string logarithmic_tick_lines(const Range& range, double length_mm, char name) {
-    constexpr double least_mm = 7.5;
+    constexpr double min_mm = 7.5;
     const double decades = std::log10(range.to / range.from);
-    const int step = std::max(1, static_cast<int>(std::ceil(least_mm * decades / length_mm)));
+    const int step = std::max(1, static_cast<int>(std::ceil(min_mm * decades / length_mm)));
     // within little more than a decade powers of ten alone would leave the axis bare
     const bool few = decades < 1.6;
     std::string ticks;

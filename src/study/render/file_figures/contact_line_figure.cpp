@@ -14,8 +14,8 @@ namespace {
 
 using figures::Mark;
 
-constexpr Index most_edges = 12;
-constexpr Index most_points = 400;  ///< of a distribution
+constexpr Index max_edges = 12;
+constexpr Index max_points = 400;  ///< of a distribution
 
 figures::Panel edges_panel(const contact_line::ContactLine& line) {
     const double largest = line.radius.maxCoeff();
@@ -24,7 +24,7 @@ figures::Panel edges_panel(const contact_line::ContactLine& line) {
     figures::Panel panel{.title = "A",
                          .x = {.quantity = "*x*", .unit = unit.name, .from = -end, .to = end},
                          .y = {.quantity = "*y*", .unit = unit.name, .from = -end, .to = end}};
-    const Index n = line.angles(), frames = line.frames(), edges = std::min(frames, most_edges);
+    const Index n = line.angles(), frames = line.frames(), edges = std::min(frames, max_edges);
     for (Index e = 0; e < edges; ++e) {
         const Index frame = edges > 1 ? e * (frames - 1) / (edges - 1) : 0;
         figures::Series series{
@@ -69,7 +69,7 @@ figures::Panel spectrum_panel(const contact_line::LineRoughness& found, double n
 /// The share of numbers that are no smaller than each of at most 400 of them; two numbers or more.
 figures::Series exceedance(const char* label, Array1D values, int colour) {
     std::sort(values.begin(), values.end());
-    const Index n = values.size(), points = std::min(n, most_points);
+    const Index n = values.size(), points = std::min(n, max_points);
     figures::Series series{.label = label,
                            .x = Array1D(points),
                            .y = Array1D(points),

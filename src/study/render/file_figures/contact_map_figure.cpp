@@ -14,12 +14,12 @@ namespace {
 
 using figures::Panel;
 
-constexpr Index most_cells = 256;
+constexpr Index max_cells = 256;
 
 /// What is drawn of a state.
 struct Field {
     const char *quantity, *unit;
-    double least_range;  ///< of colours, where all points are alike
+    double min_range;  ///< of colours, where all points are alike
 };
 constexpr Field pressure_field{"pressure *p*", "Pa", 1.0}, gap_field{"gap *g*", "m", 1e-9};
 
@@ -53,11 +53,11 @@ double quantile(Array1D values, double share) {
 
 Panel map_of(const Array2D& values, std::array<double, 2> size, const Field& shown) {
     constexpr double beyond = 0.005;
-    const auto preview = study::height_preview(topography::HeightMap{values, size, true, {}}, most_cells, most_cells);
+    const auto preview = study::height_preview(topography::HeightMap{values, size, true, {}}, max_cells, max_cells);
     const auto across = axis_unit(Array1D{{size[0], size[1]}}, "m");
     const Array1D cells = preview.map.reshaped();
     const double lowest = quantile(cells, beyond),
-                 highest = std::max(quantile(cells, 1.0 - beyond), lowest + shown.least_range);
+                 highest = std::max(quantile(cells, 1.0 - beyond), lowest + shown.min_range);
     const auto unit = axis_unit(Array1D{{lowest, highest}}, shown.unit);
     Panel panel{
         .x = {.quantity = "*x*", .unit = across.name}, .y = {.quantity = "*y*", .unit = across.name}, .legend = false};

@@ -15,7 +15,7 @@ namespace {
 using figures::Mark;
 using figures::Panel;
 
-constexpr Index points_a_line = 1000, cells_a_side = 256;
+constexpr Index points_per_line = 1000, cells_per_side = 256;
 
 /// Mean of the defined values; 0 where there is none.
 template <class Values>
@@ -37,7 +37,7 @@ std::string title_of(const char* when, const topography::Measurement& measuremen
 }
 
 Panel map_panel(const char* when, const topography::Measurement& measurement) {
-    const auto preview = study::height_preview(measurement, points_a_line, cells_a_side);
+    const auto preview = study::height_preview(measurement, points_per_line, cells_per_side);
     const Array2D heights = preview.map - mean_of(preview.map);
     const auto across = axis_unit(Array1D{{preview.size[0], preview.size[1]}}, "m");
     const auto height = axis_unit(heights.reshaped(), "m");
@@ -53,7 +53,7 @@ Panel map_panel(const char* when, const topography::Measurement& measurement) {
 }
 
 Panel line_panel(const char* when, const topography::Measurement& measurement) {
-    const auto preview = study::height_preview(measurement, points_a_line, cells_a_side);
+    const auto preview = study::height_preview(measurement, points_per_line, cells_per_side);
     const Array1D heights = preview.heights - mean_of(preview.heights), x = preview.positions - preview.positions[0];
     const auto across = axis_unit(x, "m"), height = axis_unit(heights, "m");
     Panel panel{.title = title_of(when, measurement),

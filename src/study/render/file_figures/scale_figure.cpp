@@ -14,7 +14,7 @@ namespace {
 using figures::Mark;
 using scales::FunctionOfScale;
 
-constexpr Index points_a_curve = 200;
+constexpr Index points_per_curve = 200;
 constexpr double rounding = 1e-9;  // as within_limit()
 
 struct Units {
@@ -28,7 +28,7 @@ struct Part {
 Part part_of(const FunctionOfScale& f, bool reliable, const Units& units) {
     std::vector<double> x, y;
     const double step =
-        std::log(f.distance[f.distance.size() - 1] / f.distance[0]) / static_cast<double>(points_a_curve);
+        std::log(f.distance[f.distance.size() - 1] / f.distance[0]) / static_cast<double>(points_per_curve);
     double next = 0.0;
     for (Index i = 0; i < f.distance.size(); ++i) {
         const double distance = f.distance[i];

@@ -46,9 +46,9 @@ void add_errors(const study::SurfaceResult& surface, const Table& table, StudyFi
 /// A table that was given, with its standard errors.
 StudyFigure of_table(const study::SurfaceResult& surface, const Table& table, const Look& look) {
     StudyFigure drawn{.identifier = "spectra:" + surface.name};
-    constexpr Index most_bars = 60;
+    constexpr Index max_bars = 60;
     const auto& C1D = table.at("C1D");
-    const bool shaded = C1D.size() > most_bars;
+    const bool shaded = C1D.size() > max_bars;
     figures::Series given{
         .label = "C1D", .x = table.at("wavevector"), .y = C1D, .mark = Mark::line, .colour = black, .dash = 0};
     given.in_legend = false;

@@ -49,7 +49,7 @@ const char* name_of(figures::Mark mark) {
 }
 
 /// Points of a series that a page holds, the fewer the more series a figure has.
-Index most_points(const figures::Figure& figure) {
+Index max_points(const figures::Figure& figure) {
     constexpr std::size_t of_a_figure = 20000, of_a_series = 1200, at_least = 9;
     std::size_t series = 1;
     for (const auto& panel : figure.panels) series += panel.series.size();
@@ -91,7 +91,7 @@ figures::Series thinned(const figures::Series& series, Index most) {
 }
 
 bool is_thinned(const study_figures::StudyFigure& figure) {
-    const auto most = most_points(figure.figure);
+    const auto most = max_points(figure.figure);
     return std::any_of(figure.figure.panels.begin(), figure.figure.panels.end(), [&](const figures::Panel& panel) {
         return std::any_of(panel.series.begin(), panel.series.end(), [&](const figures::Series& series) {
             return series.x.size() > most && series.y.size() == series.x.size();
@@ -172,7 +172,7 @@ Json figure_json(const study_figures::StudyFigure& figure) {
               {"height", figure.figure.height_mm},
               {"panels", Json::array()}};
     for (std::size_t p = 0; p < figure.figure.panels.size(); ++p)
-        json["panels"].push_back(panel_json(figure.figure, p, most_points(figure.figure)));
+        json["panels"].push_back(panel_json(figure.figure, p, max_points(figure.figure)));
     return json;
 }
 
@@ -250,13 +250,13 @@ std::size_t count_of(std::string_view family, const Figures& figures, const Figu
 
 /// One after the other, each folded.
 std::string folded_html(const Figures& figures, const FigurePage& page, int level) {
-    constexpr std::size_t most_bytes = 3'000'000;
+    constexpr std::size_t max_bytes = 3'000'000;
     std::string html;
     std::size_t shown = 0;
     const auto family = std::string(figures.empty() ? "" : family_of(*figures.front()));
     for (const auto* figure : figures) {
         // one for each surface or loop: of many the first
-        if (!family.empty() && (html.size() > most_bytes || shown == study_figures::max_of_a_kind_in_reports)) break;
+        if (!family.empty() && (html.size() > max_bytes || shown == study_figures::max_of_a_kind_in_reports)) break;
         ++shown;
         html += as_html(Fold{.identifier = anchor_of(*figure),
                              .kind = "figure",

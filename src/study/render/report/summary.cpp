@@ -119,8 +119,8 @@ std::string counted_measurements(const study::SurfaceResult& surface) {
 }
 
 std::string surface_sentences(const StudyResult& result, const Json& study) {
-    constexpr std::size_t most_sentences = 8;  // the table of surfaces has all
-    if (result.surfaces.size() > most_sentences) return "";
+    constexpr std::size_t max_sentences = 8;  // the table of surfaces has all
+    if (result.surfaces.size() > max_sentences) return "";
     std::string items;
     for (const auto& surface : result.surfaces) {
         if (surface.failed()) {

@@ -79,9 +79,9 @@ constexpr std::size_t frame = 4;
 
 /// Lines of each row: one, or more where rows are stacked.
 std::size_t lines_of_rows(const tables::TidyTable& table, std::size_t width) {
-    constexpr std::size_t most_heads = 2;
+    constexpr std::size_t max_heads = 2;
     const auto lines = lines_in(tables::as_text_within(table, width));
-    return std::max<std::size_t>((lines - std::min(lines, most_heads) + table.rows.size() - 1) / table.rows.size(), 1);
+    return std::max<std::size_t>((lines - std::min(lines, max_heads) + table.rows.size() - 1) / table.rows.size(), 1);
 }
 
 /// A table whose rows take no more than so many lines, and how many rows more there are.
@@ -136,13 +136,13 @@ private:
 }  // namespace
 
 std::string screen(const StudyResult& result, const Screen& size, std::size_t reserved) {
-    constexpr std::size_t most_kinds = 6, least_kinds = 2;
+    constexpr std::size_t max_kinds = 6, min_kinds = 2;
     constexpr std::size_t of_tables = 3 * (frame + 1);  // a row of each
     const auto said = verdict(result);
     const auto groups = grouped_alerts(result);
     // reservations state consequences of warnings: they replace as many of their lines
-    const auto reservations = reservation_lines(said, most_kinds - least_kinds, size.width);
-    const auto alerts = alert_lines(groups, most_kinds - lines_in(reservations), size.width);
+    const auto reservations = reservation_lines(said, max_kinds - min_kinds, size.width);
+    const auto alerts = alert_lines(groups, max_kinds - lines_in(reservations), size.width);
     const auto title = title_of(result, size.width);
     const auto others = lines_in(title) + lines_in(reservations) + 1 + of_tables + lines_in(alerts) + reserved;
     const auto head =

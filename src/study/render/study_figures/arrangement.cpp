@@ -8,8 +8,8 @@ namespace {
 
 using figures::Figure;
 
-constexpr double least_row_mm = 25.0, least_numbered_row_mm = 36.0, numbers_mm = 8.0;  ///< numbers and title below axes
-constexpr double one_panel_mm = 120.0;  ///< width of a panel alone on a page
+constexpr double min_row_mm = 25.0, min_numbered_row_mm = 36.0, numbers_mm = 8.0;  ///< numbers and title below axes
+constexpr double one_panel_mm = 120.0;                                             ///< width of a panel alone on a page
 
 bool share_x(const Figure& figure) {
     const auto& first = figure.panels.front().x;
@@ -45,8 +45,8 @@ void place(Figure& figure, std::size_t columns, double strip_mm, bool shared) {
 }
 
 /// Height of a column's figure: rows as high as wanted, within the limit where they can be.
-double column_height(double wanted_mm, double least_mm) {
-    return std::min(wanted_mm, std::max(highest_column_mm, least_mm));
+double column_height(double wanted_mm, double min_mm) {
+    return std::min(wanted_mm, std::max(highest_column_mm, min_mm));
 }
 
 void lay_out(Figure& figure, FigureWidth width, double row_mm, std::size_t page_columns) {
@@ -59,12 +59,12 @@ void lay_out(Figure& figure, FigureWidth width, double row_mm, std::size_t page_
     figure.width_mm = !page ? column_mm : columns > 1 ? page_mm : one_panel_mm;
     // a panel alone has room for its legend
     const double strip = n > 1 ? figures::legend_strip_mm(figure) : 0.0;
-    const double least = shared ? least_row_mm : least_numbered_row_mm, below = shared ? numbers_mm : 0.0;
-    const auto least_height = [&] { return strip + least * static_cast<double>(rows_of(figure, columns)) + below; };
-    constexpr std::size_t most_columns = 3;
-    while (!page && columns < std::min(most_columns, n) && least_height() > highest_column_mm) ++columns;
+    const double least = shared ? min_row_mm : min_numbered_row_mm, below = shared ? numbers_mm : 0.0;
+    const auto min_height = [&] { return strip + least * static_cast<double>(rows_of(figure, columns)) + below; };
+    constexpr std::size_t max_columns = 3;
+    while (!page && columns < std::min(max_columns, n) && min_height() > highest_column_mm) ++columns;
     const double wanted = strip + row_mm * static_cast<double>(rows_of(figure, columns));
-    figure.height_mm = page ? wanted : column_height(wanted, least_height());
+    figure.height_mm = page ? wanted : column_height(wanted, min_height());
     place(figure, columns, strip, shared && rows_of(figure, columns) > 1);
 }
 

@@ -105,14 +105,14 @@ void set_ranges(Comparison& drawn, const std::vector<Point>& points, bool square
         least = std::min({least, value, std::isfinite(lower) ? lower : value});
         most = std::max({most, value, std::isfinite(upper) ? upper : value});
     };
-    double x_least = HUGE_VAL, x_most = -HUGE_VAL, y_least = HUGE_VAL, y_most = -HUGE_VAL;
+    double x_min = HUGE_VAL, x_max = -HUGE_VAL, y_min = HUGE_VAL, y_max = -HUGE_VAL;
     for (const auto& p : points) {
-        ends(x_least, x_most, p.x, p.x_lower, p.x_upper);
-        ends(y_least, y_most, p.y, p.y - p.y_error, p.y + p.y_error);
+        ends(x_min, x_max, p.x, p.x_lower, p.x_upper);
+        ends(y_min, y_max, p.y, p.y - p.y_error, p.y + p.y_error);
     }
     if (square) {
-        x_least = y_least = std::min(x_least, y_least);
-        x_most = y_most = std::max(x_most, y_most);
+        x_min = y_min = std::min(x_min, y_min);
+        x_max = y_max = std::max(x_max, y_max);
     }
     const auto set = [&](figures::Axis& axis, double least, double most) {
         // lines through the origin begin there
@@ -122,8 +122,8 @@ void set_ranges(Comparison& drawn, const std::vector<Point>& points, bool square
         axis.from = !square && least == 0.0 ? 0.0 : least - margin;
         axis.to = most + margin;
     };
-    set(drawn.values.x, x_least, x_most);
-    set(drawn.values.y, y_least, y_most);
+    set(drawn.values.x, x_min, x_max);
+    set(drawn.values.y, y_min, y_max);
     drawn.residuals.x.from = drawn.values.x.from;
     drawn.residuals.x.to = drawn.values.x.to;
     drawn.values.x.bare = true;

@@ -22,7 +22,7 @@ using study::ExperimentResult;
 using study::StudyResult;
 
 constexpr double mN = 1e3, um = 1e6, nJ = 1e9;  ///< per SI unit
-constexpr Index few_symbols_a_branch = 24, few_points_a_loop = 400, few_points_a_fit = 120;
+constexpr Index few_symbols_per_branch = 24, few_points_per_loop = 400, few_points_per_fit = 120;
 constexpr std::size_t max_loops = 60;
 
 using Loops = std::vector<const ExperimentResult*>;
@@ -71,7 +71,7 @@ Series branch(const LoopAnalysis& loop, const loops::IndexRange& range, const Lo
     for (Index i = range.first; i <= range.last; ++i)
         if (std::isfinite(record.contact_radius[i])) frames.push_back(i);
     const Array1D force = taken(record.force, frames), radius = taken(record.contact_radius, frames);
-    for (const Index i : thinned(force, radius, 0, force.size() - 1, few_symbols_a_branch))
+    for (const Index i : thinned(force, radius, 0, force.size() - 1, few_symbols_per_branch))
         samples.push_back(frames[static_cast<std::size_t>(i)]);
     return {.label = look.label + (loading ? ", loading" : ", unloading"),
             .x = taken(record.force, samples) * mN,
@@ -89,7 +89,7 @@ DrawnCurve jkr_curve(double radius, double modulus, double work, double most) {
     const double least = contact::jkr::pull_off_at_fixed_load(contact).force;
     if (!(most > least)) return {};
     // even steps of the square root, because a(F) is vertical at pull-off
-    const Array1D root = Array1D::LinSpaced(few_points_a_fit, 0.0, std::sqrt(most - least));
+    const Array1D root = Array1D::LinSpaced(few_points_per_fit, 0.0, std::sqrt(most - least));
     const Array1D force = (least + root.square()).max(least);
     return {force * mN, contact::jkr::contact_radius_at_force(force, contact) * um};
 }
@@ -216,7 +216,8 @@ double zero_of_displacement(const LoopAnalysis& loop) {
 DrawnCurve closed_loop(const LoopAnalysis& loop) {
     const auto& record = loop.corrected;
     const auto& extent = loop.segments.contacts.front().extent;
-    const auto samples = thinned(record.displacement, record.force, extent.first, extent.last, few_points_a_loop - 100);
+    const auto samples =
+        thinned(record.displacement, record.force, extent.first, extent.last, few_points_per_loop - 100);
     return {(taken(record.displacement, samples) - zero_of_displacement(loop)) * um, taken(record.force, samples) * mN};
 }
 
@@ -333,7 +334,7 @@ void contact_of_one_elastomer(const FigureRequest& request, StudyFigure& drawn) 
                   " Shaded: the closed loop on {}, which loses {}; ± is one standard error (noise, drift, sampling).",
                   shaded->input.surface, with_error(shaded->analysis->loop->estimate(), nJ, "nJ"))
             : "",
-        few_symbols_a_branch, few_points_a_loop, left_out_loops(result));
+        few_symbols_per_branch, few_points_per_loop, left_out_loops(result));
 }
 
 void contact_radius_of_all(const FigureRequest& request, StudyFigure& drawn) {

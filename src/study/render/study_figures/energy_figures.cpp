@@ -16,7 +16,7 @@ namespace {
 using figures::Mark;
 using figures::Panel;
 
-constexpr Index points_a_curve = 400;
+constexpr Index points_per_curve = 400;
 
 /// µm², or mm² where there are more than a hundredth of one.
 DisplayUnit area_unit(double largest_area) {
@@ -24,7 +24,7 @@ DisplayUnit area_unit(double largest_area) {
 }
 
 figures::Series line(const std::string& label, const Array1D& x, const Array1D& y, int colour) {
-    const auto shown = thinned(x, y, 0, x.size() - 1, points_a_curve);
+    const auto shown = thinned(x, y, 0, x.size() - 1, points_per_curve);
     return {
         .label = label, .x = taken(x, shown), .y = taken(y, shown), .mark = Mark::line, .colour = colour, .dash = 0};
 }

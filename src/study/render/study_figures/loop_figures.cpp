@@ -25,7 +25,7 @@ using loops::IndexRange;
 using loops::JkrFit;
 using loops::LoopAnalysis;
 
-constexpr Index symbols_a_branch = 60, points_a_loop = 500, points_a_fit = 160;
+constexpr Index symbols_per_branch = 60, points_per_loop = 500, points_per_fit = 160;
 
 /// Units in which all panels of a loop show the same quantity.
 struct Units {
@@ -73,7 +73,7 @@ FittedCurve fitted_curve(const JkrFit& fit, double radius, double largest_force)
     const double least = contact::jkr::pull_off_at_fixed_load(contact).force;
     if (!(largest_force > least)) return {};
     // even steps of the square root, because a(F) is vertical at pull-off
-    const Array1D root = Array1D::LinSpaced(points_a_fit, 0.0, std::sqrt(largest_force - least));
+    const Array1D root = Array1D::LinSpaced(points_per_fit, 0.0, std::sqrt(largest_force - least));
     FittedCurve curve{.force = (least + root.square()).max(least)};
     curve.contact_radius = contact::jkr::contact_radius_at_force(curve.force, contact);
     curve.displacement =
@@ -106,7 +106,7 @@ Panel force_panel(const DrawnLoop& loop, const Units& units) {
     const double origin = first_touch(loop.analysis);
     const Array1D x = (record.displacement - origin) / units.displacement.factor, y = record.force / units.force.factor;
     const auto& extent = loop.analysis.segments.contacts.front().extent;
-    const auto samples = thinned(x, y, extent.first, extent.last, points_a_loop);
+    const auto samples = thinned(x, y, extent.first, extent.last, points_per_loop);
     if (loop.analysis.loop)
         panel.series.push_back({.label = "closed loop",
                                 .x = taken(x, samples),
@@ -157,7 +157,7 @@ Panel radius_panel(const DrawnLoop& loop, const Units& units) {
             if (record.contact_radius[i] > 0.0) frames.push_back(i);
         const Array1D force = taken(record.force, frames) / units.force.factor,
                       radius = taken(record.contact_radius, frames) / units.radius.factor;
-        const auto shown = thinned(force, radius, 0, force.size() - 1, symbols_a_branch);
+        const auto shown = thinned(force, radius, 0, force.size() - 1, symbols_per_branch);
         panel.series.push_back({.label = branch.name,
                                 .x = taken(force, shown),
                                 .y = taken(radius, shown),
@@ -179,7 +179,7 @@ Panel release_rate_panel(const DrawnLoop& loop, const Units& units) {
         const Array1D radius = rates.contact_radius / units.radius.factor,
                       rate = rates.energy_release_rate / units.release_rate.factor;
         if (radius.size() == 0) continue;
-        const auto shown = thinned(radius, rate, 0, radius.size() - 1, symbols_a_branch);
+        const auto shown = thinned(radius, rate, 0, radius.size() - 1, symbols_per_branch);
         panel.series.push_back({.label = branch.name,
                                 .x = taken(radius, shown),
                                 .y = taken(rate, shown),
@@ -211,7 +211,7 @@ Panel residual_panel(const BranchLook& branch, const char* title, const Units& u
         const int own = colour++;
         if (!fit || fit->residuals.size() != radius.size()) return;
         const Array1D residual = fit->residuals / fit->rms_residual;
-        const auto shown = thinned(radius, residual, 0, radius.size() - 1, points_a_loop);
+        const auto shown = thinned(radius, residual, 0, radius.size() - 1, points_per_loop);
         panel.series.push_back({.label = name,
                                 .x = taken(radius, shown),
                                 .y = taken(residual, shown),

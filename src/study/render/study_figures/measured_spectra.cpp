@@ -12,7 +12,7 @@ namespace {
 
 using figures::Mark;
 
-constexpr Index points_a_measurement = 120;
+constexpr Index points_per_measurement = 120;
 constexpr std::size_t max_measurements = 200;
 
 /// The part of a curve with from <= x <= to.
@@ -59,11 +59,11 @@ void measured_spectra(const FigureRequest& request, const study::SurfaceResult& 
         const int own = figures::instrument_look(instrument_of(m)).colour;
         const DrawnCurve whole{m.spectrum.wavevector, m.spectrum.density};
         const double lowest = whole.x[0], highest = whole.x[whole.x.size() - 1];
-        add(log_means(part(whole, lowest, std::nextafter(m.spectrum.band.lower, 0.0)), points_a_measurement),
+        add(log_means(part(whole, lowest, std::nextafter(m.spectrum.band.lower, 0.0)), points_per_measurement),
             m.name + ", cut", m.name, own, false);
-        add(log_means(part(whole, std::nextafter(m.spectrum.band.upper, HUGE_VAL), highest), points_a_measurement),
+        add(log_means(part(whole, std::nextafter(m.spectrum.band.upper, HUGE_VAL), highest), points_per_measurement),
             m.name + ", cut", m.name, own, false);
-        const auto kept = log_means(part(whole, m.spectrum.band.lower, m.spectrum.band.upper), points_a_measurement);
+        const auto kept = log_means(part(whole, m.spectrum.band.lower, m.spectrum.band.upper), points_per_measurement);
         add(kept, m.name, m.name, own, true);
         for (const double value : kept.y)
             if (value > 0.0) {
@@ -124,7 +124,7 @@ void measured_spectra(const FigureRequest& request, const study::SurfaceResult& 
             ? " Black: C1D fitted to all measurements together, shaded 95 %; the fit includes window, trend, aliases and tips."
             : " Black: the average of all measurements, shaded 95 % where two or more overlap.",
         shown == n ? "" : fmt::format(" The figure shows {} of them, at equal steps through the list.", shown),
-        failed == 0 ? "" : fmt::format(" {} failed.", counted(failed, "measurement")), points_a_measurement);
+        failed == 0 ? "" : fmt::format(" {} failed.", counted(failed, "measurement")), points_per_measurement);
 }
 
 }  // namespace setae::study_figures

@@ -113,7 +113,7 @@ constexpr double row_share = 0.075;  ///< of an axis' range: height of a row of 
 /// Measured minus predicted in standard errors, below the data; a second row for neighbours that would touch.
 void add_residuals(Panel& panel, const StudyResult& result, const std::vector<const PairResult*>& pairs,
                    double lowest) {
-    constexpr double least_distance = 0.14;  // of the width
+    constexpr double min_distance = 0.14;  // of the width
     const double whole = std::log(*panel.x.to / *panel.x.from);
     std::vector<std::pair<double, std::string>> texts;
     for (const auto* pair : pairs)
@@ -125,7 +125,7 @@ void add_residuals(Panel& panel, const StudyResult& result, const std::vector<co
     bool second = false;
     for (const auto& [modulus, text] : texts) {
         const double at = std::log(modulus) / whole;
-        second = at - last < least_distance && !second;
+        second = at - last < min_distance && !second;
         last = at;
         const double below = (second ? 2.0 : 1.0) * row_share * (*panel.y.to - *panel.y.from);
         panel.notes.push_back({.text = text, .x = modulus, .y = lowest - below});

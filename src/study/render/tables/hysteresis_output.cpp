@@ -66,18 +66,18 @@ std::string work(double value) { return fmt::format("{:.3g} mJ/m²", value / mil
 
 /// k and N of simulated fronts on both branches of the pairs of a ranking.
 std::string pinning_cell(const study::Hysteresis& h, const Ranking& ranking) {
-    double k_least = INFINITY, k_most = 0.0, least = INFINITY, most = 0.0;
+    double k_min = INFINITY, k_max = 0.0, least = INFINITY, most = 0.0;
     for (const auto& pair : h.pairs) {
         if (!pair.pinning || !pair.measured_retraction || (&ranking == &h.conforming && !pair.conforms)) continue;
         for (const auto* branch : {&pair.pinning->approach, &pair.pinning->retraction}) {
-            k_least = std::min(k_least, branch->coefficient.value);
-            k_most = std::max(k_most, branch->coefficient.value);
+            k_min = std::min(k_min, branch->coefficient.value);
+            k_max = std::max(k_max, branch->coefficient.value);
             least = std::min(least, branch->larkin_lengths);
             most = std::max(most, branch->larkin_lengths);
         }
     }
-    if (k_most == 0.0) return "";
-    return fmt::format("k {:.1f}…{:.1f}, N {:.0f}…{:.0f}", k_least, k_most, least, most);
+    if (k_max == 0.0) return "";
+    return fmt::format("k {:.1f}…{:.1f}, N {:.0f}…{:.0f}", k_min, k_max, least, most);
 }
 
 /// θ as columns have it, works in mJ/m².
@@ -366,8 +366,8 @@ std::vector<std::string> hysteresis_sentences(const study::Hysteresis& h) {
         sentences.push_back(fmt::format(
             "W_app and W_ret are measured for {}; a ranking of retraction models needs at least {} pairs on {} surfaces. The "
             "predictions below are a lower bound, W_ret = W_app",
-            counted(static_cast<std::size_t>(h.measured_pairs), "pair", "pairs"), hysteresis::fewest_ranked_pairs,
-            hysteresis::fewest_ranked_surfaces));
+            counted(static_cast<std::size_t>(h.measured_pairs), "pair", "pairs"), hysteresis::min_ranked_pairs,
+            hysteresis::min_ranked_surfaces));
     for (auto& sentence : smooth_limit_sentences(h)) sentences.push_back(std::move(sentence));
     if (h.deciding) sentences.push_back(deciding_sentence(*h.deciding));
     for (auto& sentence : sentences) sentence += ".";

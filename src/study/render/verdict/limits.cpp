@@ -244,11 +244,11 @@ private:
 std::vector<Limit> limits_of(const StudyResult& result) { return Limits(result).take(); }
 
 Verdict verdict(const StudyResult& result) {
-    constexpr std::size_t most_reservations = 2;
+    constexpr std::size_t max_reservations = 2;
     Verdict found{answer_of(result), findings_of(result), {}, {}};
     for (const auto& limit : limits_of(result)) {
         found.limits.push_back(limit.note.empty() ? limit.sentence : limit.sentence + " " + limit.note);
-        if (limit.reserves && found.reservations.size() < most_reservations)
+        if (limit.reserves && found.reservations.size() < max_reservations)
             found.reservations.push_back(limit.sentence);
     }
     return found;

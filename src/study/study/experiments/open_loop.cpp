@@ -192,8 +192,7 @@ void add_small_work(loops::LoopAnalysis& analysis, const loops::LensAndCounterBo
     const auto& fit = analysis.loading.primary();
     const auto& work = fit.work_of_adhesion;
     constexpr double usual = 0.05, errors = 3.0;
-    const bool small =
-        fit.converged && work.value < least_work_of_adhesion && work.value > errors * work.standard_error;
+    const bool small = fit.converged && work.value < min_work_of_adhesion && work.value > errors * work.standard_error;
     if (!small || !(work.value > 0.0) || std::any_of(analysis.alerts.begin(), analysis.alerts.end(), names_cause))
         return;
     const double power = 3.0 * std::round(std::log10(usual / work.value) / 3.0);
@@ -201,7 +200,7 @@ void add_small_work(loops::LoopAnalysis& analysis, const loops::LensAndCounterBo
         {"UNITS_IMPLAUSIBLE", file,
          fmt::format("W = {} is below {}: forces of {} are too small for a sphere radius of {}, and the likely "
                      "factor is 10^{:.0f}",
-                     format_value(work.value, "J/m2", 3), format_value(least_work_of_adhesion, "J/m2", 3),
+                     format_value(work.value, "J/m2", 3), format_value(min_work_of_adhesion, "J/m2", 3),
                      format_value(1.5 * pi * bodies.radius * work.value, "N", 3), format_value(bodies.radius, "m", 3),
                      power),
          "check the units of force and sphere radius"});

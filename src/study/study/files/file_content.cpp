@@ -166,8 +166,8 @@ FileContent content_of_spectrum(const std::string& file, const FileQuestions& qu
 }
 
 FileContent content_of_picture(const std::string& file, imaging::PictureContent picture) {
-    constexpr std::size_t fewest_frames = 3;  // two pages are a picture and its copy
-    const auto kind = picture.frames >= fewest_frames ? FileKind::recording : FileKind::micrograph;
+    constexpr std::size_t min_frames = 3;  // two pages are a picture and its copy
+    const auto kind = picture.frames >= min_frames ? FileKind::recording : FileKind::micrograph;
     FileContent content{.file = file, .kind = kind, .format = picture.format};
     content.picture = std::move(picture);
     return content;

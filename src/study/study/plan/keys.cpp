@@ -9,9 +9,9 @@ void remark_implausible(bytes::TomlReader& reader, const char* key, double value
                         const std::string& unit) {
     if (value == 0.0 || (value >= lower && value <= upper)) return;
     // no unit is off by so much: what follows from such a value is no number
-    constexpr double most_off = 1e12;
+    constexpr double max_factor_off = 1e12;
     const auto in_unit = [&](double number) { return format_value(number, unit.empty() ? "1" : unit, 3); };
-    if (value < lower / most_off || value > upper * most_off)
+    if (value < lower / max_factor_off || value > upper * max_factor_off)
         reader.fail(key, std::isinf(upper) ? fmt::format("{}, expected {} or above", in_unit(value), in_unit(lower))
                                            : fmt::format("{}, expected 0, or {} to {}", in_unit(value), in_unit(lower),
                                                          in_unit(upper)));

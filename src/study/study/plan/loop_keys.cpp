@@ -9,7 +9,7 @@ namespace {
 
 using bytes::TomlReader;
 
-constexpr std::int64_t most_samples = 1'000'000;
+constexpr std::int64_t max_samples = 1'000'000;
 
 /// A field of how a loop is analysed.
 template <class Field>
@@ -75,9 +75,9 @@ Keys<ExperimentInput> keys_of_loops() {
              "unit that the header lacks as in `\"Kraft[uN]\"`, or expressions over them such as `\"-1 * load\"`; "
              "also `contact_radius`, `time`"},
             read_columns)
-        .whole("samples_dropped", analysis(&Analysis::samples_dropped), 0, most_samples,
+        .whole("samples_dropped", analysis(&Analysis::samples_dropped), 0, max_samples,
                "samples left out after the jump-in")
-        .whole("retraction_points", analysis(&Analysis::retraction_points), 2, most_samples,
+        .whole("retraction_points", analysis(&Analysis::retraction_points), 2, max_samples,
                "samples before pull-off that (S2) rests on")
         .add("effective_variance", analysis(&Analysis::effective_variance),
              "fits allow for the errors of force too, where they are known")

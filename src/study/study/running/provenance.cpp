@@ -56,8 +56,8 @@ InputFile digested(const std::string& path) {
 /// The same once more where another program changed the file meanwhile.
 InputFile input_file(const std::string& path) {
     InputFile input{.path = path};
-    constexpr int most_tries = 3;
-    for (int i = 0; i < most_tries; ++i) {
+    constexpr int max_tries = 3;
+    for (int i = 0; i < max_tries; ++i) {
         const auto before = bytes::file_state(path);
         try {
             return digested(path);

@@ -22,14 +22,14 @@ namespace {
 
 /// What the heights of a surface may take in memory [bytes], from the sizes of its files.
 double memory_of(const SurfaceInput& surface) {
-    constexpr double bytes_a_byte = 4.0;  // heights of 16 bits become doubles
+    constexpr double bytes_per_byte = 4.0;  // heights of 16 bits become doubles
     std::set<std::string> files;
     for (const auto& m : surface.measurements) files.insert(m.file);
     double sum = 0.0;
     for (const auto& file : files) {
         std::error_code missing;
         const auto size = std::filesystem::file_size(file, missing);
-        if (!missing) sum += bytes_a_byte * static_cast<double>(size);
+        if (!missing) sum += bytes_per_byte * static_cast<double>(size);
     }
     return sum;
 }
@@ -37,14 +37,14 @@ double memory_of(const SurfaceInput& surface) {
 /// Surfaces beside each other, as many as there are threads for and memory for their heights; what threads are left go
 /// into each.
 std::vector<SurfaceResult> analyse_surfaces(const Study& study, Run& run, parallel::Threads threads) {
-    constexpr double most_memory = 2e9;  // [bytes]
+    constexpr double max_memory = 2e9;  // [bytes]
     std::vector<double> memory;
     for (const auto& surface : study.surfaces) memory.push_back(memory_of(surface));
     std::sort(memory.rbegin(), memory.rend());
     int at_once = 0;
     for (double sum = 0.0; at_once < std::min<int>(threads.resolved(), static_cast<int>(memory.size())); ++at_once) {
         sum += memory[static_cast<std::size_t>(at_once)];
-        if (at_once > 0 && sum > most_memory) break;
+        if (at_once > 0 && sum > max_memory) break;
     }
     std::vector<SurfaceResult> results(study.surfaces.size());
     const parallel::Threads inside{threads.resolved() / std::max(1, at_once)};
@@ -208,7 +208,7 @@ Outcome<Hysteresis> way_back_of(StudyResult& result, parallel::Threads threads) 
     using Missing = Outcome<Hysteresis>;
     const auto measured = std::ranges::count_if(
         result.pairs, [](const PairResult& pair) { return pair.approach && (pair.retraction || pair.pull_off); });
-    if (measured > most_ranked_by_studies)
+    if (measured > max_ranked_by_studies)
         return Missing::missing(
             fmt::format("ranking retraction models over {} pairs takes minutes; run setae predict {}", measured,
                         result.study.path));

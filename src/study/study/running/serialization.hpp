@@ -131,10 +131,10 @@ SETAE_KEEP(SurfaceStretch, wavevector, ratio, direction)
 /// The settings that decide a result: all but the threads.
 template <class Archive>
 void serialize(Archive& archive, LikelihoodOptions& of) {
-    auto& [shortest_wavelength, bend, tip_factor, tip_band, least_transfer, rounds, tip_points, tip_length, seed,
+    auto& [shortest_wavelength, bend, tip_factor, tip_band, min_transfer, rounds, tip_points, tip_length, seed,
            threads] = of;
     static_cast<void>(threads);
-    archive(shortest_wavelength, bend, tip_factor, tip_band, least_transfer, rounds, tip_points, tip_length, seed);
+    archive(shortest_wavelength, bend, tip_factor, tip_band, min_transfer, rounds, tip_points, tip_length, seed);
 }
 
 }  // namespace setae::spectral_fit
@@ -179,7 +179,7 @@ SETAE_KEEP(ContactPointChoice, mode, estimator, value)
 SETAE_KEEP(AlertLimits, contact_radius_per_sphere_radius, contact_radius_per_thickness,
            contact_radius_per_unknown_height, tabor_parameter, relative_residual, contact_point_share,
            loop_sampling_share, relative_misfit, work_deviations, drift_share, noise_share, stiffness_ratio,
-           pinned_modulus_ratio, frames_missing, contact_modulus_least, contact_modulus_most, work_of_adhesion_most,
+           pinned_modulus_ratio, frames_missing, contact_modulus_min, contact_modulus_max, work_of_adhesion_max,
            work_spread)
 SETAE_KEEP(AnalysisOptions, segments, samples_dropped, sensitivity_dropped, effective_variance, displacement_drift_rate,
            leave_pinned_out, contact_radius_noise, machine_stiffness, machine_stiffness_standard_error, contact_point,

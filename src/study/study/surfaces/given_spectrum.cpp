@@ -33,7 +33,7 @@ spectra::Spectrum spectrum_of(const spectra::SelfAffine& model) {
     return {q, spectra::isotropic_power_spectrum(model, q), {lower, model.short_wavevector}, spectra::Density::C_iso};
 }
 
-constexpr int least_replicas = 40;
+constexpr int min_replicas = 40;
 
 /// What the errors of moments leave open: the moment whose error has a name of its own moves by itself, since other
 /// surfaces may share it; the others are drawn together, as one spectrum has them.
@@ -73,7 +73,7 @@ void add_stated_errors(SurfaceResult& surface, const PublishedMoments& moments, 
     try {
         const auto drawn =
             spectra::admissible_spectra({own.rms_height, own.rms_slope, own.rms_curvature, own.short_wavevector},
-                                        std::max(options.bootstrap_resamples, least_replicas), options.seed);
+                                        std::max(options.bootstrap_resamples, min_replicas), options.seed);
         for (const auto& model : drawn.draws) spread.replicas.push_back(parameters_of(spectrum_of(model), options));
         spread.replica_method = "admissible spectra";
         spread.seed = options.seed;
@@ -114,14 +114,14 @@ namespace {
 /// Spectra as likely as the one given, by the standard error of each of its values.
 void add_given_errors(roughness::ParameterSpread& spread, const spectra::Spectrum& curve, const Array1D& errors,
                       const SurfaceAnalysisOptions& options) {
-    constexpr double most_freedom = 1e12;  // of a value without error
+    constexpr double max_freedom = 1e12;  // of a value without error
     const Array1D stated = errors.isNaN().select(0.0, errors);
-    const Array1D freedom = (curve.density / stated).square().min(most_freedom);
+    const Array1D freedom = (curve.density / stated).square().min(max_freedom);
     spectra::MeasuredSpectrum given;
     given.wavevector = curve.wavevector;
     given.density = curve.density;
     const Array2D drawn =
-        spectra::parametric_noise(given, freedom, std::max(options.bootstrap_resamples, least_replicas), options.seed);
+        spectra::parametric_noise(given, freedom, std::max(options.bootstrap_resamples, min_replicas), options.seed);
     auto replica = curve;
     for (Index r = 0; r < drawn.rows(); ++r) {
         replica.density = drawn.row(r).transpose();

@@ -12,16 +12,16 @@ namespace setae::study {
 namespace {
 
 /// Indices of what is kept of a line: every point, or the lowest and the highest of each stretch and both ends.
-std::vector<Index> kept_points(const Array1D& heights, Index most_points) {
+std::vector<Index> kept_points(const Array1D& heights, Index max_points) {
     const Index n = heights.size();
     std::vector<Index> kept;
-    if (n <= 2 * most_points) {
+    if (n <= 2 * max_points) {
         for (Index i = 0; i < n; ++i) kept.push_back(i);
         return kept;
     }
     kept.push_back(0);
-    for (Index stretch = 0; stretch < most_points; ++stretch) {
-        const Index first = stretch * n / most_points, end = (stretch + 1) * n / most_points;
+    for (Index stretch = 0; stretch < max_points; ++stretch) {
+        const Index first = stretch * n / max_points, end = (stretch + 1) * n / max_points;
         Index lowest = -1, highest = -1;
         for (Index i = first; i < end; ++i) {
             if (std::isnan(heights[i])) continue;
@@ -37,8 +37,8 @@ std::vector<Index> kept_points(const Array1D& heights, Index most_points) {
     return kept;
 }
 
-HeightPreview line_preview(const Array1D& positions, const Array1D& heights, double size, Index most_points) {
-    const auto kept = kept_points(heights, most_points);
+HeightPreview line_preview(const Array1D& positions, const Array1D& heights, double size, Index max_points) {
+    const auto kept = kept_points(heights, max_points);
     HeightPreview preview;
     preview.positions.resize(std::ssize(kept));
     preview.heights.resize(std::ssize(kept));
@@ -52,11 +52,11 @@ HeightPreview line_preview(const Array1D& positions, const Array1D& heights, dou
 
 }  // namespace
 
-MapPreview::MapPreview(Index nx, Index ny, std::array<double, 2> size, Index most_pixels)
+MapPreview::MapPreview(Index nx, Index ny, std::array<double, 2> size, Index max_pixels)
     : nx_(nx),
       ny_(ny),
       size_(size),
-      sum_(Array2D::Zero(std::min(nx, most_pixels), std::min(ny, most_pixels))),
+      sum_(Array2D::Zero(std::min(nx, max_pixels), std::min(ny, max_pixels))),
       count_(Array2D::Zero(sum_.rows(), sum_.cols())) {}
 
 void MapPreview::add(const ArrayView2D& band, Index first) {
@@ -81,20 +81,20 @@ HeightPreview MapPreview::result() const {
     return preview;
 }
 
-HeightPreview height_preview(const topography::Measurement& measurement, Index most_points, Index most_pixels) {
+HeightPreview height_preview(const topography::Measurement& measurement, Index max_points, Index max_pixels) {
     return std::visit(
         [&](const auto& m) {
             using Kind = std::decay_t<decltype(m)>;
             if constexpr (std::is_same_v<Kind, topography::HeightMap>) {
-                MapPreview preview(m.heights.rows(), m.heights.cols(), m.size, most_pixels);
+                MapPreview preview(m.heights.rows(), m.heights.cols(), m.size, max_pixels);
                 preview.add(m.heights, 0);
                 return preview.result();
             } else if constexpr (std::is_same_v<Kind, topography::LineScan>) {
                 const auto n = m.heights.size();
                 return line_preview(Array1D::LinSpaced(n, 0.0, static_cast<double>(n - 1)) * m.pixel_size(), m.heights,
-                                    m.size, most_points);
+                                    m.size, max_points);
             } else {
-                return line_preview(m.positions, m.heights, m.size(), most_points);
+                return line_preview(m.positions, m.heights, m.size(), max_points);
             }
         },
         measurement);

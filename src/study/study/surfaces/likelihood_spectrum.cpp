@@ -98,11 +98,11 @@ std::string without_tip(const SurfaceResult& surface) {
 /// @throws UndefinedDataError where a fit has not found its optimum, or knows the surface to no better than a factor.
 void require_numbers(const spectral_fit::LikelihoodSpectrum& spectrum, const SpectrumResult& result,
                      const SurfaceResult& surface) {
-    constexpr double most_ratio = 100.0;  // of the ends of a 95 % interval: a factor of ten either way
+    constexpr double max_ratio = 100.0;  // of the ends of a 95 % interval: a factor of ten either way
     const auto known = [&](const char* name, const roughness::ParameterSpread::Function& parameter, const char* unit) {
         const auto estimate = result.estimate(parameter);
         const auto interval = interval_of(estimate);
-        if (!interval || interval->upper <= most_ratio * std::max(interval->lower, 0.0)) return std::string();
+        if (!interval || interval->upper <= max_ratio * std::max(interval->lower, 0.0)) return std::string();
         return fmt::format("leaves {} between {} and {}", name, format_value(interval->lower, unit, 2),
                            format_value(interval->upper, unit, 2));
     };
@@ -140,7 +140,7 @@ void add_sources(SpectrumResult& result, const spectral_fit::LikelihoodSpectrum&
     }
 }
 
-constexpr Index least_points = 8;  ///< of a line whose periodogram tells something of a spectrum
+constexpr Index min_points = 8;  ///< of a line whose periodogram tells something of a spectrum
 
 Index points_in_lines(const topography::Measurement& measurement) {
     if (const auto* map = std::get_if<topography::HeightMap>(&measurement)) return map->heights.rows();
@@ -155,13 +155,13 @@ void estimate_by_likelihood(SurfaceResult& surface, std::vector<PreparedMeasurem
     for (std::size_t i = 0; i < prepared.size(); ++i) {
         if (surface.measurements[i].failed()) continue;
         auto& p = prepared[i];
-        if (const auto points = points_in_lines(p.measurement); points < least_points) {
+        if (const auto points = points_in_lines(p.measurement); points < min_points) {
             surface.alerts.push_back(
                 {"FEW_POINTS", surface.measurements[i].file,
                  fmt::format(
                      "{} points per line, fewer than {}: the measurement is used in the average, but not in the "
                      "fitted spectrum",
-                     points, least_points),
+                     points, min_points),
                  "measure with more points, or remove the measurement from the study"});
             continue;
         }

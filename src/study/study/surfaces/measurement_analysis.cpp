@@ -31,8 +31,8 @@ std::optional<std::array<Band, 2>> bands_of_uncertain_tip(topography::Instrument
         reliable.upper = std::max(reliable.lower, reliable.upper);
         return reliable;
     };
-    constexpr double least_share = 1e-3;  // a radius stays positive however large its ±
-    return std::array{band(radius + error), band(std::max(radius - error, least_share * radius))};
+    constexpr double min_share = 1e-3;  // a radius stays positive however large its ±
+    return std::array{band(radius + error), band(std::max(radius - error, min_share * radius))};
 }
 
 /// What a reader calls a measurement: a container's member has a name of its own, a file goes by its own rather than
@@ -130,7 +130,7 @@ double length_along_x(const topography::Measurement& measurement) {
 }
 
 /// No instrument distinguishes smaller heights [m].
-constexpr double least_height = 1e-15;
+constexpr double min_height = 1e-15;
 
 /// Heights that are one number, or are numbers in a wrong unit: nothing below looks wrong in a spectrum.
 void look_at_heights(MeasurementResult& result, const topography::Metadata& metadata, double extent, bool overhangs) {
@@ -142,7 +142,7 @@ void look_at_heights(MeasurementResult& result, const topography::Metadata& meta
             fmt::format("{}: the heights are too large for a computation (rms height {:g} m); they are not heights in "
                         "m, or they mark missing heights",
                         place, real.rms_height));
-    if (real.rms_height < least_height)
+    if (real.rms_height < min_height)
         result.alerts.push_back(
             {"CONSTANT", place,
              fmt::format("the {} heights differ by {:g} m (rms) after levelling, less than any instrument can "
@@ -159,7 +159,7 @@ void look_at_heights(MeasurementResult& result, const topography::Metadata& meta
 
 /// Where points of a polyline are missing, a straight line stands for the surface and lowers slopes.
 void look_for_gaps(MeasurementResult& result, const topography::Profile& profile) {
-    constexpr double many_steps = 20.0, least_share = 0.02;
+    constexpr double many_steps = 20.0, min_share = 0.02;
     const auto n = profile.positions.size();
     if (n < 3) return;
     const Array1D steps = (profile.positions.tail(n - 1) - profile.positions.head(n - 1)).abs();
@@ -174,7 +174,7 @@ void look_for_gaps(MeasurementResult& result, const topography::Profile& profile
             ++gaps;
             bridged += step;
         }
-    if (!(bridged > least_share * extent)) return;
+    if (!(bridged > min_share * extent)) return;
     result.alerts.push_back(
         {"GAP_BRIDGED", topography::label(profile.metadata),
          fmt::format("{:.0f} % of the length of the profile lie in {} step{} of more than {:g} times the usual {}: "

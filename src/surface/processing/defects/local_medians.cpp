@@ -44,7 +44,7 @@ template <int width>
 
 /// How many of `all` numbers, an even number, are kept at once: the smallest and the largest one of more than half of
 /// them are not in the middle.
-constexpr std::size_t most_of(std::size_t all) { return all / 2 + 2; }
+constexpr std::size_t largest_of(std::size_t all) { return all / 2 + 2; }
 
 /// The difference of heights to the point (a, b) places further.
 template <int width>
@@ -65,7 +65,7 @@ template <int width>
 template <int width>
 struct SquareOfDefault {
     static constexpr Index reach = 2, side = 2 * reach + 1;
-    static constexpr std::size_t all = side * side - 1, most = most_of(all);
+    static constexpr std::size_t all = side * side - 1, most = largest_of(all);
 
     std::array<Lanes<width>, most> kept;
 
@@ -122,8 +122,8 @@ Medians widest() {
 /// Any reach.
 void medians_of_rectangle(const double* here, Index row_length, const Tilt& tilt, const Reach& reach, double* median) {
     constexpr Index side = 2 * largest_reach + 1;
-    std::array<Lanes<2>, most_of(side * side - 1)> kept;
-    const auto most = most_of(static_cast<std::size_t>((2 * reach.rows + 1) * (2 * reach.columns + 1) - 1));
+    std::array<Lanes<2>, largest_of(side * side - 1)> kept;
+    const auto most = largest_of(static_cast<std::size_t>((2 * reach.rows + 1) * (2 * reach.columns + 1) - 1));
     for (Index k = 0; k < medians_together; k += 2) {
         std::size_t size = 0, limit = most;
         for (Index a = -reach.rows; a <= reach.rows; ++a)

@@ -13,7 +13,7 @@ namespace setae::processing {
 namespace {
 
 constexpr double converged = 1e-13;
-constexpr int most_steps = 400;
+constexpr int max_steps = 400;
 constexpr Index coarsest_points = 16;
 constexpr int coarsest_sweeps = 8;
 
@@ -262,10 +262,10 @@ Array1D solve_by_multigrid(const PatchGraph& graph, const PatchBoundary& boundar
         grids.cycle();
         const double gain = product(finest.right, finest.value);
         if (finest.value.abs().maxCoeff() <= converged * boundary.range || gain == 0.0) break;
-        if (step == most_steps)
+        if (step == max_steps)
             throw InternalError(fmt::format(
                 "filling {} undefined points: no solution was found within {} steps; please report this error",
-                graph.points, most_steps));
+                graph.points, max_steps));
         if (step == 0) direction = finest.value;
         else direction = finest.value + (gain / before) * direction;
         finest.multiply(direction, image);

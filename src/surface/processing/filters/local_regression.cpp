@@ -13,7 +13,7 @@ namespace setae::processing {
 namespace {
 
 constexpr Index regression_columns_per_block = 128;
-constexpr std::size_t most_terms = 6;
+constexpr std::size_t max_terms = 6;
 /// A pivot below this share of its diagonal: the points near lie on a curve on which the polynomial vanishes.
 constexpr double smallest_pivot = 1e-9;
 
@@ -66,9 +66,9 @@ struct Levers {
 /// Weighted least squares of a polynomial about a reference, valued at a point.
 class LocalFit {
 public:
-    LocalFit(Index order, Index most_x, Index most_y)
-        : terms_(powers_up_to(order, most_x, most_y)),
-          sums_(powers_up_to(2 * order, most_x > 0 ? 2 * order : 0, most_y > 0 ? 2 * order : 0)) {
+    LocalFit(Index order, Index max_x, Index max_y)
+        : terms_(powers_up_to(order, max_x, max_y)),
+          sums_(powers_up_to(2 * order, max_x > 0 ? 2 * order : 0, max_y > 0 ? 2 * order : 0)) {
         for (const Powers& a : terms_)
             for (const Powers& b : terms_)
                 products_.push_back(
@@ -82,7 +82,7 @@ public:
     /// `weight` and `height`: moment p at weight[p · stride].
     [[nodiscard]] double value(const double* weight, const double* height, Index stride, double x, double y) const {
         if (!(weight[0] > 0.0)) return std::numeric_limits<double>::quiet_NaN();
-        const std::array<double, most_terms> coefficients = solve(weight, height, stride);
+        const std::array<double, max_terms> coefficients = solve(weight, height, stride);
         double sum = 0.0;
         for (std::size_t a = 0; a < terms_.size(); ++a)
             sum += coefficients[a] * power(x, terms_[a].x) * power(y, terms_[a].y);
@@ -95,10 +95,10 @@ private:
     }
 
     /// Cholesky; a term that the points near cannot tell from those before it is left out.
-    std::array<double, most_terms> solve(const double* weight, const double* height, Index stride) const {
+    std::array<double, max_terms> solve(const double* weight, const double* height, Index stride) const {
         const std::size_t count = terms_.size();
-        std::array<std::array<double, most_terms>, most_terms> factor;
-        std::array<double, most_terms> solution{};
+        std::array<std::array<double, max_terms>, max_terms> factor;
+        std::array<double, max_terms> solution{};
         for (std::size_t a = 0; a < count; ++a) {
             for (std::size_t b = 0; b < a; ++b) {
                 double sum = weight[static_cast<Index>(products_[a * count + b]) * stride];

@@ -56,11 +56,10 @@ private:
 
 }  // namespace
 
-std::vector<Powers> powers_up_to(Index total, Index most_x, Index most_y) {
+std::vector<Powers> powers_up_to(Index total, Index max_x, Index max_y) {
     std::vector<Powers> powers;
     for (Index sum = 0; sum <= total; ++sum)
-        for (Index y = std::max<Index>(0, sum - most_x); y <= std::min(sum, most_y); ++y)
-            powers.push_back({sum - y, y});
+        for (Index y = std::max<Index>(0, sum - max_x); y <= std::min(sum, max_y); ++y) powers.push_back({sum - y, y});
     return powers;
 }
 
@@ -68,8 +67,8 @@ MomentField::MomentField(const GaussianAxis& along_x, const GaussianAxis& along_
                          const LoadValues& load, parallel::Threads threads)
     : along_x_(&along_x), along_y_(&along_y), powers_(std::move(powers)) {
     for (const Powers& power : powers_) {
-        most_x_ = std::max(most_x_, power.x);
-        most_y_ = std::max(most_y_, power.y);
+        max_x_ = std::max(max_x_, power.x);
+        max_y_ = std::max(max_y_, power.y);
         total_ = std::max(total_, power.x + power.y);
     }
     if (!along_x.direct) share_rows(load, threads);
@@ -79,7 +78,7 @@ MomentField::MomentField(const GaussianAxis& along_x, const GaussianAxis& along_
 void MomentField::share_rows(const LoadValues& load, parallel::Threads threads) {
     const GaussianAxis& axis = *along_x_;
     const Index ny = along_y_->points;
-    for (Index m = 0; m <= most_x_; ++m) shared_.emplace_back(axis.coarse, ny);
+    for (Index m = 0; m <= max_x_; ++m) shared_.emplace_back(axis.coarse, ny);
     parallel::for_each_index(
         extent((ny + moment_columns_per_block - 1) / moment_columns_per_block), threads, [&](std::size_t block) {
             const Index first = static_cast<Index>(block) * moment_columns_per_block,
@@ -95,7 +94,7 @@ void MomentField::share_rows(const LoadValues& load, parallel::Threads threads) 
                 for (Index number = axis.first_share[extent(i)]; number < last; ++number) {
                     const Index c = axis.place(number);
                     if (c < 0) continue;
-                    for (Index m = 0; m <= most_x_; ++m) {
+                    for (Index m = 0; m <= max_x_; ++m) {
                         std::array<double, rows_at_once> weights{};
                         for (Index r = 0; r < rows; ++r)
                             if (const Index s = number - axis.first_share[extent(i + r)]; s >= 0 && s < axis.shares)
@@ -109,10 +108,10 @@ void MomentField::share_rows(const LoadValues& load, parallel::Threads threads) 
 
 void MomentField::gather_columns(const LoadValues& load, parallel::Threads threads) {
     const GaussianAxis &axis = *along_y_, &rows_axis = *along_x_;
-    const Index ny = axis.points, sources = rows_axis.direct ? 0 : most_x_;
+    const Index ny = axis.points, sources = rows_axis.direct ? 0 : max_x_;
     partial_.resize(extent(sources + 1));
     for (Index m = 0; m <= sources; ++m)
-        for (Index l = 0; l <= std::min(most_y_, total_ - m); ++l)
+        for (Index l = 0; l <= std::min(max_y_, total_ - m); ++l)
             partial_[extent(m)].push_back(l == 0 && !rows_axis.direct ? std::move(shared_[extent(m)])
                                                                       : Array2D(rows_axis.coarse, ny));
     // coarse points beyond either end, so that outputs gather without asking
@@ -151,7 +150,7 @@ void MomentField::gather_columns(const LoadValues& load, parallel::Threads threa
         for (Index m = 0; m <= sources; ++m) {
             if (rows_axis.direct) load(c, 0, ny, row.data());
             else std::copy_n(&partial_[extent(m)][0](c, 0), ny, row.data());
-            const Index most = std::min(most_y_, total_ - m), held = axis.direct ? 0 : most;
+            const Index most = std::min(max_y_, total_ - m), held = axis.direct ? 0 : most;
             for (Index n = 0; n <= held; ++n) reduce(row.data(), n, coarse[extent(n)]);
             for (Index l = 0; l <= most; ++l) {
                 double* target = &partial_[extent(m)][extent(l)](c, 0);

@@ -15,9 +15,9 @@ struct Powers {
     Index y = 0;
 };
 
-/// Powers up to x^most_x, y^most_y whose sum is at most `total`, by total first, so that those of a lower total stand
+/// Powers up to x^max_x, y^max_y whose sum is at most `total`, by total first, so that those of a lower total stand
 /// in front.
-[[nodiscard]] std::vector<Powers> powers_up_to(Index total, Index most_x, Index most_y);
+[[nodiscard]] std::vector<Powers> powers_up_to(Index total, Index max_x, Index max_y);
 
 /// Writes the values of row i in columns first … first + count − 1.
 using LoadValues = std::function<void(Index i, Index first, Index count, double* values)>;
@@ -41,7 +41,7 @@ private:
     const GaussianAxis* along_x_;
     const GaussianAxis* along_y_;
     std::vector<Powers> powers_;
-    Index most_x_ = 0, most_y_ = 0, total_ = 0;
+    Index max_x_ = 0, max_y_ = 0, total_ = 0;
     std::vector<Array2D> shared_;  ///< [m](coarse x, y): before the sums along y
     std::vector<std::vector<Array2D>>
         partial_;  ///< [m][l](coarse x, y): x-moments about coarse points, y-moments about points

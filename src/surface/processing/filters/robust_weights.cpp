@@ -11,7 +11,7 @@ namespace {
 
 constexpr double scales_per_median = 4.4478;
 constexpr double settled = 1e-4;
-constexpr int most_updates = 50;
+constexpr int max_updates = 50;
 
 double median_size(const Array2D& residuals) {
     std::vector<double> sizes;
@@ -24,7 +24,7 @@ double median_size(const Array2D& residuals) {
 }  // namespace
 
 bool RobustScale::update(const ArrayView2D& heights, const ArrayView2D& smooth, Array2D& weights) {
-    if (updates_ == most_updates) return false;
+    if (updates_ == max_updates) return false;
     weights = heights - smooth;
     const double before = scale_;
     scale_ = scales_per_median * median_size(weights);

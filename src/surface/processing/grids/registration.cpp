@@ -23,11 +23,11 @@ using topography::HeightMap;
 using Spectrum = Eigen::Array<fourier::Complex, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// Points of the finer search; more cost time without telling more.
-constexpr Index most_points = 262144;
-constexpr int most_steps = 40;
+constexpr Index max_points = 262144;
+constexpr int max_steps = 40;
 /// Common points without which a shift is not looked at.
-constexpr Index fewest_points = 16;
-constexpr std::size_t most_peaks = 8;
+constexpr Index min_points = 16;
+constexpr std::size_t max_peaks = 8;
 /// A shift settled to this share of a pixel.
 constexpr double settled_shift = 1e-5;
 /// Standard deviation [pixels] of the Gaussian that keeps noise of single pixels out of the phase correlation.
@@ -110,7 +110,7 @@ std::vector<PixelShift> phase_peaks(const HeightMap& fixed, const HeightMap& mov
     fourier::inverse_transform_map([&](Index m, fourier::Complex* modes) { std::copy_n(&product(m, 0), nx, modes); },
                                    correlation, threads);
     std::vector<PixelShift> peaks;
-    for (const double highest = correlation.maxCoeff(); peaks.size() < most_peaks;) {
+    for (const double highest = correlation.maxCoeff(); peaks.size() < max_peaks;) {
         Index i = 0, j = 0;
         if (correlation.maxCoeff(&i, &j) < 0.7 * highest) break;
         peaks.push_back({static_cast<double>(2 * i > nx ? i - nx : i), static_cast<double>(2 * j > ny ? j - ny : j)});
@@ -133,7 +133,7 @@ Comparison compare(const HeightMap& fixed, const HeightMap& moved, const Bicubic
                    const PixelShift& shift) {
     const Index nx = fixed.heights.rows(), ny = fixed.heights.cols();
     const auto stride =
-        static_cast<Index>(std::ceil(std::sqrt(static_cast<double>(nx * ny) / static_cast<double>(most_points))));
+        static_cast<Index>(std::ceil(std::sqrt(static_cast<double>(nx * ny) / static_cast<double>(max_points))));
     const auto pixel = moved.pixel_size();
     using Vector = Eigen::Matrix<double, 5, 1>;  // shift along x and y; constant, slopes of the plane
     Eigen::Matrix<double, 5, 5> normal = Eigen::Matrix<double, 5, 5>::Zero();
@@ -158,7 +158,7 @@ Comparison compare(const HeightMap& fixed, const HeightMap& moved, const Bicubic
             heights_squared += here * here;
             ++result.points;
         }
-    if (result.points < fewest_points) return result;
+    if (result.points < min_points) return result;
     const auto n = static_cast<double>(result.points);
     const Eigen::Vector3d plane = normal.bottomRightCorner<3, 3>().ldlt().solve(right.tail<3>());
     result.square = (squares - plane.dot(right.tail<3>())) / n;
@@ -176,17 +176,17 @@ struct Refined {
 /// Gauss–Newton from a whole-pixel shift.
 Refined refined(const HeightMap& fixed, const HeightMap& moved, const BicubicInterpolator& height, PixelShift shift) {
     Comparison here = compare(fixed, moved, height, shift);
-    for (int step = 0; step < most_steps && here.points >= fewest_points && here.step.allFinite(); ++step) {
+    for (int step = 0; step < max_steps && here.points >= min_points && here.step.allFinite(); ++step) {
         // no step beyond half a pixel: the slopes tell nothing of what lies further off
         const double length = here.step.norm();
         Eigen::Vector2d next = length > 0.5 ? Eigen::Vector2d(here.step * (0.5 / length)) : here.step;
         Comparison there;
         for (;;) {
             there = compare(fixed, moved, height, {shift.x + next[0], shift.y + next[1]});
-            if ((there.points >= fewest_points && there.square <= here.square) || next.norm() < settled_shift) break;
+            if ((there.points >= min_points && there.square <= here.square) || next.norm() < settled_shift) break;
             next *= 0.5;
         }
-        if (there.points < fewest_points || there.square > here.square) break;
+        if (there.points < min_points || there.square > here.square) break;
         shift = {shift.x + next[0], shift.y + next[1]};
         here = there;
         if (next.norm() < settled_shift) break;

@@ -42,7 +42,7 @@ Step step_between(const Row& from, const Row& to) {
 /// row(i): heights of row i of n.
 template <class Rows>
 Seam seam_between(Index n, const Rows& row) {
-    constexpr double most_rms = 2.0, most_mean = 3.0, rounding = 1e-12;
+    constexpr double max_rms = 2.0, max_mean = 3.0, rounding = 1e-12;
     double square = 0.0, square_of_means = 0.0;
     for (Index i = 0; i + 1 < n; ++i) {
         const auto step = step_between(row(i), row(i + 1));
@@ -54,7 +54,7 @@ Seam seam_between(Index n, const Rows& row) {
     const double height_step = std::sqrt(seam.square), usual = std::sqrt(square / pairs);
     const double usual_mean = std::sqrt(square_of_means / pairs), slack = rounding * usual;
     return {height_step, usual,
-            height_step <= most_rms * usual + slack && std::abs(seam.mean) <= most_mean * usual_mean + slack};
+            height_step <= max_rms * usual + slack && std::abs(seam.mean) <= max_mean * usual_mean + slack};
 }
 
 /// w at each of n points.

@@ -26,7 +26,7 @@ using Slope = std::array<double, 2>;
 
 constexpr double sharpness = 20.0;  // Gwyddion's constant
 constexpr double settled_facet = 1e-6;
-constexpr int most_iterations = 100;
+constexpr int max_iterations = 100;
 
 /// Σ w, Σ w v and, with it, Σ |v − b|² over facets.
 struct FacetSums {
@@ -114,7 +114,7 @@ Dominant dominant_slope(const Facets& facets, const topography::Metadata& metada
     });
     Dominant found;
     found.slope = mean;
-    while (found.iterations < most_iterations && !found.converged) {
+    while (found.iterations < max_iterations && !found.converged) {
         const auto [bx, by] = found.slope;
         const double variance =
             spread.squares / start.weight + (bx - mean[0]) * (bx - mean[0]) + (by - mean[1]) * (by - mean[1]);

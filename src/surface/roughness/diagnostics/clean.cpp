@@ -13,7 +13,7 @@ namespace {
 using processing::NewHeight;
 
 /// The least number of points along x and in all that spikes and spectra are looked for in.
-constexpr Index fewest_points = 16;
+constexpr Index min_points = 16;
 
 /// Undefined points become the straight line between the defined ones beside them along x, and beyond the last of them
 /// its height. Lines without a defined point become 0.
@@ -122,7 +122,7 @@ void clean(Evidence& evidence, parallel::Threads threads) {
     auto& heights = evidence.heights.heights;
     const Index nx = heights.rows(), ny = heights.cols();
     if (evidence.scars) bridge_lines(heights, *evidence.scars);
-    if (nx >= fewest_points && (evidence.is_line || ny >= fewest_points)) take_out_spikes(evidence, threads);
+    if (nx >= min_points && (evidence.is_line || ny >= min_points)) take_out_spikes(evidence, threads);
     const auto undefined_at = [&](const NewHeight& spike) { return std::isnan(heights.data()[spike.point]); };
     if (evidence.defined < nx * ny || std::any_of(evidence.at_spikes.begin(), evidence.at_spikes.end(), undefined_at)) {
         fill_along_lines(heights, threads);
@@ -130,7 +130,7 @@ void clean(Evidence& evidence, parallel::Threads threads) {
     } else {
         evidence.level_is_clean = !evidence.scars && !evidence.spikes;
     }
-    if (nx >= fewest_points) evidence.scan_spectrum = scan_spectrum(evidence.heights, threads);
+    if (nx >= min_points) evidence.scan_spectrum = scan_spectrum(evidence.heights, threads);
 }
 
 double clean_rms_height(const Evidence& evidence) {

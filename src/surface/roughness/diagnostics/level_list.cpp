@@ -70,10 +70,10 @@ std::vector<double> defined_heights(const Array2D& heights, Index defined) {
 
 /// The heights that about a share of those between the two extremes lies below and above, from a sample of them.
 std::optional<std::array<double, 2>> outer_bounds(const Evidence& evidence, double share) {
-    constexpr Index least_step = 61, enough = Index{1} << 17;
+    constexpr Index min_step = 61, enough = Index{1} << 17;
     const auto& heights = evidence.map->heights;
     std::vector<double> sample;
-    for (Index k = 0; k < heights.size(); k += std::max(least_step, heights.size() / enough))
+    for (Index k = 0; k < heights.size(); k += std::max(min_step, heights.size() / enough))
         if (const double h = heights.data()[k]; h > evidence.lowest && h < evidence.highest) sample.push_back(h);
     if (sample.empty()) return {};
     const auto outer = static_cast<std::ptrdiff_t>(share * static_cast<double>(sample.size() - 1));

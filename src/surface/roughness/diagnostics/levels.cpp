@@ -90,8 +90,8 @@ std::vector<Finding> clipped(const Evidence& evidence, parallel::Threads threads
 std::optional<Digitised> digitised(const Evidence& evidence, parallel::Threads threads) {
     const double share = plateau_share(evidence.map->heights, threads);
     constexpr double many_plateaus = 0.05;
-    constexpr Index fewest_heights = 64;
-    if (evidence.defined < fewest_heights || !(share > many_plateaus)) return {};
+    constexpr Index min_heights = 64;
+    if (evidence.defined < min_heights || !(share > many_plateaus)) return {};
     const auto levels = all_levels(evidence);
     if (levels.size() < 3 || 2 * std::ssize(levels) > evidence.defined) return {};
     const auto step = common_step(levels);

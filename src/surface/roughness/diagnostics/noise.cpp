@@ -16,8 +16,8 @@ Found pixel_noise(const Evidence& evidence, const DiagnosisOptions& options) {
     const auto& map = evidence.heights;
     const Index points = map.heights.rows(), modes = (points - 1) / 2, lines = map.heights.cols();
     const Index first = std::max<Index>(4, points / 16), count = modes - first + 1;
-    constexpr Index fewest_modes = 12;
-    if (count < fewest_modes) return {};
+    constexpr Index min_modes = 12;
+    if (count < min_modes) return {};
     const auto& spectrum = *evidence.scan_spectrum;
     const double step = map.pixel_size()[0], nyquist = pi / step;
     const Array1D x = spectrum.wavevector.segment(first - 1, count) / nyquist,

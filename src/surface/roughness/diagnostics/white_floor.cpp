@@ -13,7 +13,7 @@
 namespace setae::diagnostics {
 namespace {
 
-constexpr double least_exponent = 1.05, largest_exponent = 8.0;
+constexpr double min_exponent = 1.05, largest_exponent = 8.0;
 
 constexpr int alias_terms = 6;
 
@@ -109,17 +109,17 @@ template <class Fit>
 double best_exponent(Fit fit) {
     // coarse steps, then golden section: the loss has one minimum for spectra that fall
     constexpr int steps = 15;
-    double best = least_exponent, loss = fit(best);
-    const double width = (largest_exponent - least_exponent) / steps;
+    double best = min_exponent, loss = fit(best);
+    const double width = (largest_exponent - min_exponent) / steps;
     for (int k = 1; k <= steps; ++k) {
-        const double candidate = least_exponent + k * width, at = fit(candidate);
+        const double candidate = min_exponent + k * width, at = fit(candidate);
         if (at < loss) {
             best = candidate;
             loss = at;
         }
     }
-    return numerics::golden_section(fit, std::max(least_exponent, best - width),
-                                    std::min(largest_exponent, best + width), 25);
+    return numerics::golden_section(fit, std::max(min_exponent, best - width), std::min(largest_exponent, best + width),
+                                    25);
 }
 
 struct Candidate {

@@ -133,9 +133,9 @@ double mean_of_defined(const Array2D& values) {
 FunctionOfScale autocorrelation_of_area(const topography::TiledMap& map, double longest, const spectra::LogGrid& grid,
                                         std::size_t band_bytes, const AutocorrelationOptions& options) {
     const auto pixel_size = map.pixel_size();
-    const Index most_x = map.periodic ? map.nx / 2 : map.nx - 1, most_y = map.periodic ? map.ny / 2 : map.ny - 1;
+    const Index max_x = map.periodic ? map.nx / 2 : map.nx - 1, max_y = map.periodic ? map.ny / 2 : map.ny - 1;
     const double most =
-        std::min(static_cast<double>(most_x) * pixel_size[0], static_cast<double>(most_y) * pixel_size[1]);
+        std::min(static_cast<double>(max_x) * pixel_size[0], static_cast<double>(max_y) * pixel_size[1]);
     if (!(longest >= std::max(pixel_size[0], pixel_size[1]) && longest <= most))
         throw InvalidArgument(fmt::format("{}: longest distance {} m; expected between one pixel, {} m, and {} m",
                                           topography::label(map.metadata), longest,

@@ -13,7 +13,7 @@
 namespace setae::scales {
 namespace {
 
-constexpr std::size_t most_taps = 6;
+constexpr std::size_t max_taps = 6;
 
 /// A height that enters a difference, relative to the point the difference belongs to.
 struct Tap {
@@ -47,8 +47,8 @@ Taps taps_of(int order, double step) {
     return taps;
 }
 
-using Sources = std::array<const double*, most_taps>;
-using Weights = std::array<double, most_taps>;
+using Sources = std::array<const double*, max_taps>;
+using Weights = std::array<double, max_taps>;
 
 template <std::size_t count>
 void add_up(const double* base, const Sources& sources, const Weights& weights, Index n, double* out) {
@@ -61,7 +61,7 @@ void add_up(const double* base, const Sources& sources, const Weights& weights, 
 }
 
 using Adder = void (*)(const double*, const Sources&, const Weights&, Index, double*);
-constexpr std::array<Adder, most_taps> adders{add_up<1>, add_up<2>, add_up<3>, add_up<4>, add_up<5>, add_up<6>};
+constexpr std::array<Adder, max_taps> adders{add_up<1>, add_up<2>, add_up<3>, add_up<4>, add_up<5>, add_up<6>};
 
 }  // namespace
 

@@ -16,8 +16,8 @@ namespace {
 using fourier::Buffer;
 using fourier::Complex;
 
-constexpr Index gathered = 16;    ///< lines taken out of a map at a time
-constexpr Index most_parts = 64;  ///< of a sum over lines, whatever the number of threads
+constexpr Index gathered = 16;   ///< lines taken out of a map at a time
+constexpr Index max_parts = 64;  ///< of a sum over lines, whatever the number of threads
 
 }  // namespace
 
@@ -99,8 +99,8 @@ void LinePairs::add_line(const double* heights, Part& part) const {
 
 void LinePairs::add(const ArrayView2D& lines, parallel::Threads threads) {
     const Index count = lines.cols(), groups = (count + gathered - 1) / gathered;
-    const Index groups_a_part = (groups + most_parts - 1) / most_parts;
-    const Index parts = (groups + groups_a_part - 1) / groups_a_part;
+    const Index groups_per_part = (groups + max_parts - 1) / max_parts;
+    const Index parts = (groups + groups_per_part - 1) / groups_per_part;
     std::vector<Part> sums;
     sums.reserve(extent(parts));
     for (Index p = 0; p < parts; ++p) sums.emplace_back(points_, padded_, transform_.modes());
@@ -108,8 +108,8 @@ void LinePairs::add(const ArrayView2D& lines, parallel::Threads threads) {
         auto& part = sums[index];
         const Index stride = points_ + 8;  // never a power of two apart
         Buffer<double> block(extent(gathered * stride));
-        const Index first_group = static_cast<Index>(index) * groups_a_part;
-        for (Index group = first_group; group < std::min(groups, first_group + groups_a_part); ++group) {
+        const Index first_group = static_cast<Index>(index) * groups_per_part;
+        for (Index group = first_group; group < std::min(groups, first_group + groups_per_part); ++group) {
             const Index first = group * gathered, taken = std::min(gathered, count - first);
             for (Index i = 0; i < points_; ++i) {
                 const double* row = lines.data() + i * lines.outerStride() + first;

@@ -109,11 +109,11 @@ Index levels_of(Index points, Index cells, Index fewest) {
 }
 
 void require_cells(Index levels, const VariableBandwidthOptions& options, const topography::Metadata& metadata) {
-    if (options.fewest_points < 2)
-        throw InvalidArgument(fmt::format("cells of at least {} points; expected 2 or more", options.fewest_points));
+    if (options.min_points < 2)
+        throw InvalidArgument(fmt::format("cells of at least {} points; expected 2 or more", options.min_points));
     if (levels < 1)
         throw InvalidArgument(fmt::format("{}: too few points for a cell of {}; use more points or smaller cells",
-                                          topography::label(metadata), options.fewest_points));
+                                          topography::label(metadata), options.min_points));
 }
 
 /// One value a level, finest first.
@@ -185,7 +185,7 @@ CellMoments visit(Pieces& pieces, double length, Index levels, Index level, Inde
 }  // namespace
 
 FunctionOfScale variable_bandwidth(const topography::LineScan& scan, const VariableBandwidthOptions& options) {
-    const Index n = scan.heights.size(), levels = levels_of(n, 1, std::max<Index>(2, options.fewest_points));
+    const Index n = scan.heights.size(), levels = levels_of(n, 1, std::max<Index>(2, options.min_points));
     require_cells(levels, options, scan.metadata);
     LevelSums sums(levels);
     visit(Grid{scan.heights.data(), n, 1, 1, {1, 1}, false, levels}, 0, 0, 0, sums);
@@ -196,7 +196,7 @@ FunctionOfScale variable_bandwidth(const topography::LineScan& scan, const Varia
 FunctionOfScale variable_bandwidth_of_lines(const topography::HeightMap& map, const VariableBandwidthOptions& options) {
     constexpr Index gathered = 16;
     const Index nx = map.heights.rows(), ny = map.heights.cols(),
-                levels = levels_of(nx, 1, std::max<Index>(2, options.fewest_points));
+                levels = levels_of(nx, 1, std::max<Index>(2, options.min_points));
     require_cells(levels, options, map.metadata);
     const Index blocks = (ny + gathered - 1) / gathered;
     std::vector<LevelSums> partial(extent(blocks), LevelSums(levels));
@@ -214,7 +214,7 @@ FunctionOfScale variable_bandwidth_of_lines(const topography::HeightMap& map, co
 
 FunctionOfScale variable_bandwidth_of_area(const topography::HeightMap& map, const VariableBandwidthOptions& options) {
     constexpr Index split = 3;  // cells of this level are shared out among threads
-    const Index nx = map.heights.rows(), ny = map.heights.cols(), fewest = std::max<Index>(2, options.fewest_points);
+    const Index nx = map.heights.rows(), ny = map.heights.cols(), fewest = std::max<Index>(2, options.min_points);
     const double shorter = std::min(map.size[0], map.size[1]);
     const std::array<Index, 2> cells{static_cast<Index>(std::lround(map.size[0] / shorter)),
                                      static_cast<Index>(std::lround(map.size[1] / shorter))};
@@ -248,7 +248,7 @@ FunctionOfScale variable_bandwidth_of_area(const topography::HeightMap& map, con
 
 FunctionOfScale variable_bandwidth(const topography::Profile& profile, const VariableBandwidthOptions& options) {
     require_polyline(profile);
-    const Index levels = levels_of(profile.positions.size(), 1, std::max<Index>(2, options.fewest_points));
+    const Index levels = levels_of(profile.positions.size(), 1, std::max<Index>(2, options.min_points));
     require_cells(levels, options, profile.metadata);
     LevelSums sums(levels);
     Pieces pieces(profile);

@@ -18,7 +18,7 @@ namespace setae::texture {
 namespace {
 
 /// Fewer independent patches than this tell little of a surface.
-constexpr double fewest_patches = 10.0;
+constexpr double min_patches = 10.0;
 
 /// Standard errors of Gaussian heights from the map's own autocorrelation.
 class HeightErrors {
@@ -112,7 +112,7 @@ std::vector<TextureParameter> areal_parameters(const MeasurementView& measuremen
     const double pixel = map.pixel_size()[0] * map.pixel_size()[1];
     const HeightErrors errors(spatial, pixel * static_cast<double>(heights.defined));
     std::vector<Alert> few;
-    if (correlated && errors.patches() < fewest_patches)
+    if (correlated && errors.patches() < min_patches)
         few.push_back({"FEW_PATCHES", topography::label(map.metadata),
                        fmt::format("the map contains {:.1f} independent patches", errors.patches()),
                        "measure a larger map, or remove long waves with an L-filter"});

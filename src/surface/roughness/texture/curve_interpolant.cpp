@@ -41,7 +41,7 @@ double squared(double x) { return x * x; }
 CurveInterpolant::CurveInterpolant(const Elements& elements, parallel::Threads threads) {
     const auto range = elements.range();
     const double span = range.highest - range.lowest;
-    constexpr int first_parts = 512, most_passes = 5;
+    constexpr int first_parts = 512, max_passes = 5;
     for (int k = 0; k < first_parts && span > 0.0; ++k) nodes_.push_back(range.lowest + span * k / first_parts);
     nodes_.push_back(range.highest);
     const auto sums_at = [&](const std::vector<double>& heights, Volumes volumes) {
@@ -51,7 +51,7 @@ CurveInterpolant::CurveInterpolant(const Elements& elements, parallel::Threads t
     };
     // the first pass as a rule serves to place nodes alone
     sums_ = sums_at(nodes_, Volumes::no);
-    for (int pass = 1; pass < most_passes; ++pass) {
+    for (int pass = 1; pass < max_passes; ++pass) {
         auto more = refined(nodes_, sums_, 1e-9 * span);
         if (more.size() == nodes_.size()) break;
         nodes_ = std::move(more);

@@ -8,7 +8,7 @@
 namespace setae::texture {
 
 Elements::Elements(const MeasurementView& measurement, Between between) : measurement_(measurement), between_(between) {
-    constexpr Index most_blocks = 64;
+    constexpr Index max_blocks = 64;
     if (const auto* profile = measurement.as<topography::Profile>()) {
         if (between == Between::nothing)
             throw InvalidArgument(
@@ -24,7 +24,7 @@ Elements::Elements(const MeasurementView& measurement, Between between) : measur
         count_ = map->periodic ? map->heights.rows() : map->heights.rows() - 1;
         least = 32;
     }
-    block_size_ = std::max(least, (count_ + most_blocks - 1) / most_blocks);
+    block_size_ = std::max(least, (count_ + max_blocks - 1) / max_blocks);
     blocks_ = static_cast<std::size_t>((count_ + block_size_ - 1) / block_size_);
 }
 

@@ -22,7 +22,7 @@ namespace {
 using fourier::Buffer;
 using fourier::Complex;
 
-constexpr Index grid_points_a_step = 4;
+constexpr Index grid_points_per_step = 4;
 
 /// The operator A of one contour.
 class Operator {
@@ -30,7 +30,7 @@ public:
     explicit Operator(const Array1D& positions)
         : positions_(positions - positions[0]),
           length_(positions_[positions_.size() - 1]),
-          grid_(grid_points_a_step * (positions.size() - 1)),
+          grid_(grid_points_per_step * (positions.size() - 1)),
           spline_(positions_, grid_positions()),
           transform_(grid_) {
         const Array1D x = grid_positions();

@@ -14,10 +14,10 @@
 namespace setae::spectral_fit {
 namespace {
 
-constexpr Index most_lines_kept = 64;
-constexpr Index fewest_simulated = 16, most_simulated = 256;
+constexpr Index max_lines_kept = 64;
+constexpr Index min_simulated = 16, max_simulated = 256;
 constexpr Index heights_simulated = Index{1} << 22;
-constexpr double least_defined = 0.5;
+constexpr double min_defined = 0.5;
 
 }  // namespace
 
@@ -25,13 +25,13 @@ BridgedLines bridged_lines(const Array2D& heights, const std::string& label) {
     std::vector<Index> used, gapped;
     for (Index j = 0; j < heights.cols(); ++j) {
         const auto undefined_points = static_cast<double>(heights.col(j).isNaN().count());
-        if (undefined_points > (1.0 - least_defined) * static_cast<double>(heights.rows())) continue;
+        if (undefined_points > (1.0 - min_defined) * static_cast<double>(heights.rows())) continue;
         used.push_back(j);
         if (undefined_points > 0.0) gapped.push_back(j);
     }
     if (used.empty())
         throw UndefinedDataError(fmt::format("{}: in no line along x are half of the heights defined", label));
-    const Index kept = std::min(most_lines_kept, std::ssize(gapped));
+    const Index kept = std::min(max_lines_kept, std::ssize(gapped));
     BridgedLines result{
         Array2D(heights.rows(), std::ssize(used)),
         {{heights.rows(), kept}, static_cast<double>(gapped.size()) / static_cast<double>(used.size())}};
@@ -50,7 +50,7 @@ Array1D gap_factor(const GappedLines& gaps, const ScanShape& shape, double pixel
                    const spectra::SpectralDensity& C1D, std::uint64_t seed, parallel::Threads threads) {
     const Index n = shape.points, masks = gaps.undefined.cols();
     if (masks == 0) return Array1D::Ones(ModeBins(n / 2).size());
-    const Index wanted = std::clamp(heights_simulated / n, fewest_simulated, most_simulated);
+    const Index wanted = std::clamp(heights_simulated / n, min_simulated, max_simulated);
     const Index repeats = (wanted + masks - 1) / masks, count = repeats * masks;
     Array2D whole(n, count), bridged(n, count);
     parallel::for_each_index(static_cast<std::size_t>(count), threads, [&](std::size_t index) {

@@ -34,16 +34,16 @@ namespace setae::spectral_fit {
 namespace {
 
 /// A patch as many times wide as its heights' median wavelength has their long waves.
-constexpr double waves_a_patch = 8.0;
+constexpr double waves_per_patch = 8.0;
 
 /// Log-normal heights beyond it are another kind of surface.
-constexpr double most_skewness = 1.5;
+constexpr double max_skewness = 1.5;
 
 /// rms change of ln T, weighted by freedoms, that ends the rounds.
 constexpr double small_change = 0.005;
 
 /// Longer curves are scans, of nearly equal steps.
-constexpr Index most_points_of_shares = 2048;
+constexpr Index max_points_of_shares = 2048;
 
 /// Fit and everything it is repeated with.
 class JointFit {
@@ -124,9 +124,9 @@ public:
 private:
     /// Whether a group of modes tells of the surface: inside the band, and the tip leaves enough of it.
     [[nodiscard]] bool inside(const ObservedGroup& g, Index k) const {
-        const bool seen = g.tip.log_transfer.size() == 0 || std::exp(g.tip.log_transfer[k]) >= options_.least_transfer;
+        const bool seen = g.tip.log_transfer.size() == 0 || std::exp(g.tip.log_transfer[k]) >= options_.min_transfer;
         const double end = std::min(g.band_end, (1.0 + 1e-9) * lines_end(stretch_, spline_.shortest(), g.direction));
-        if (g.optics && std::pow(g.optics->at(g.data.wavevector[k]), 2) < options_.least_transfer) return false;
+        if (g.optics && std::pow(g.optics->at(g.data.wavevector[k]), 2) < options_.min_transfer) return false;
         return g.data.wavevector[k] >= g.band_begin && g.data.wavevector[k] <= end && seen &&
                g.data.periodogram[k] > 0.0;
     }
@@ -198,7 +198,7 @@ private:
 
     void find_independent_shares() {
         for (auto& g : groups_) {
-            if (!g.contour || g.contour->positions.size() > most_points_of_shares) continue;
+            if (!g.contour || g.contour->positions.size() > max_points_of_shares) continue;
             g.independent_share = independent_share(*g.contour, g.data.nodes, C_iso_of(g), options_.threads);
         }
     }
@@ -345,7 +345,7 @@ private:
         });
         const double step = fine_step(probe, line_density);
         // what a tip adds to waves longer than heights are wide takes many of them
-        const bool has_long_waves = step * static_cast<double>(options_.tip_points) > waves_a_patch * wavelength_;
+        const bool has_long_waves = step * static_cast<double>(options_.tip_points) > waves_per_patch * wavelength_;
         TipSimulation simulation{.probe = probe,
                                  .step = step,
                                  .points = options_.tip_points,
@@ -375,13 +375,13 @@ private:
         constexpr double significant = 4.0;
         const Estimate gaussian{0.0, 0.0}, measured = measured_skewness(simulation.probe.name);
         if (!measured.uncertain() ||
-            simulation.step * static_cast<double>(simulation.points) < waves_a_patch * wavelength_)
+            simulation.step * static_cast<double>(simulation.points) < waves_per_patch * wavelength_)
             return gaussian;
         auto skewed = simulation;
         if (rounds_ > 0) skewed.skewness = skewness_.at(simulation.probe.name).value;
         const double excess = measured.value - added_skewness(C_iso(), skewed);
         if (std::abs(excess) < significant * measured.standard_error) return gaussian;
-        return {std::clamp(excess, -most_skewness, most_skewness), measured.standard_error};
+        return {std::clamp(excess, -max_skewness, max_skewness), measured.standard_error};
     }
 
     /// Of the heights as one tip has read them, over its measurements; no standard error for fewer than three.

@@ -12,7 +12,7 @@
 namespace setae::spectral_fit {
 namespace {
 
-constexpr Index most_nodes = 1000;
+constexpr Index max_nodes = 1000;
 
 /// Means of a node's C1D over the cell around 1, by how many nodes above that cell the node of height 1 stands: −1, 0,
 /// 1, …
@@ -20,7 +20,7 @@ class CellMeans {
 public:
     explicit CellMeans(hat_node::LineIntegrals (*integrals)(double)) {
         const double half = std::exp(0.5 * node_spacing), width = half - 1.0 / half;
-        for (Index lag = -1; lag <= most_nodes; ++lag) {
+        for (Index lag = -1; lag <= max_nodes; ++lag) {
             const double node = std::exp(node_spacing * static_cast<double>(lag));
             means_.push_back(node * node * (integrals(half / node).zeroth - integrals(1.0 / (half * node)).zeroth) /
                              width);
@@ -36,9 +36,9 @@ private:
 
 void require(const ArrayView1D& nodes, const ArrayView1D& C_iso) {
     const Index n = nodes.size();
-    if (n != C_iso.size() || n < 2 || n > most_nodes)
+    if (n != C_iso.size() || n < 2 || n > max_nodes)
         throw InvalidArgument(fmt::format("{} nodes and {} values of C_iso; expected as many of each, 2 to {}", n,
-                                          C_iso.size(), most_nodes));
+                                          C_iso.size(), max_nodes));
     for (Index i = 1; i < n; ++i)
         if (std::abs(std::log(nodes[i] / nodes[i - 1]) - node_spacing) > 1e-6)
             throw InvalidArgument(fmt::format("nodes {} and {} 1/m; expected a ratio of e^h = {}", nodes[i - 1],

@@ -139,7 +139,7 @@ void add_score(const Annulus& annulus, const Stretch& stretch, double share, Sco
 
 /// Of annuli together.
 ObservedStretch fitted(const std::vector<Annulus>& annuli) {
-    constexpr int most_rounds = 30;
+    constexpr int max_rounds = 30;
     constexpr double longest_step = 0.5, small_step = 1e-6;
     const double share = std::pow(spectra::share_under_hann, 2);
     ObservedStretch result;
@@ -147,7 +147,7 @@ ObservedStretch fitted(const std::vector<Annulus>& annuli) {
     for (const auto& annulus : annuli)
         log_wavevector += std::log(annulus.wavevector) / static_cast<double>(annuli.size());
     result.wavevector = std::exp(log_wavevector);
-    for (int round = 0; round < most_rounds; ++round) {
+    for (int round = 0; round < max_rounds; ++round) {
         Score sum;
         for (const auto& annulus : annuli) add_score(annulus, result.stretch, share, sum);
         if (!(sum.information.determinant() > 1e-12 * std::pow(sum.information.trace(), 2))) return result;
@@ -188,9 +188,9 @@ Mean mean_of(const std::vector<ObservedStretch>& observed) {
 
 /// Whether chance alone hardly makes such a stretch, and it matters.
 bool evident(const Mean& mean) {
-    constexpr double significant = 0.01, least_stretch = 1.05;
+    constexpr double significant = 0.01, min_stretch = 1.05;
     return chi_squared_exceedance(mean.vector.dot(mean.information * mean.vector), 2.0) < significant &&
-           Stretch{mean.vector}.ratio() > least_stretch;
+           Stretch{mean.vector}.ratio() > min_stretch;
 }
 
 /// A knot each decade that maps speak of; nothing where none is evidently stretched.
@@ -259,11 +259,11 @@ StretchLaw StretchLaw::with(const Eigen::VectorXd& values) const {
 
 std::vector<ObservedStretch> observed_stretch(const topography::HeightMap& map, const Band& band,
                                               parallel::Threads threads) {
-    constexpr double least_periods = 8.0, of_nyquist = 0.5;
-    constexpr Index least_points = 32;
-    if (std::min(map.heights.rows(), map.heights.cols()) < least_points || map.heights.isNaN().any()) return {};
+    constexpr double min_periods = 8.0, of_nyquist = 0.5;
+    constexpr Index min_points = 32;
+    if (std::min(map.heights.rows(), map.heights.cols()) < min_points || map.heights.isNaN().any()) return {};
     const auto pixel = map.pixel_size();
-    const Band used{std::max(band.lower, least_periods * 2.0 * pi / std::min(map.size[0], map.size[1])),
+    const Band used{std::max(band.lower, min_periods * 2.0 * pi / std::min(map.size[0], map.size[1])),
                     std::min(band.upper, of_nyquist * pi / std::max(pixel[0], pixel[1]))};
     if (!(used.upper > used.lower)) return {};
     std::map<int, std::vector<Annulus>> scales;

@@ -23,7 +23,7 @@
 namespace setae::spectral_fit {
 namespace {
 
-constexpr double bins_a_decade = 24.0;
+constexpr double bins_per_decade = 24.0;
 constexpr double amplitude_step = 1.2, size_step = 1.1, skewness_step = 0.2;
 
 /// Of ln C_added in a band, where one patch alone was simulated: measured on twelve patches.
@@ -94,7 +94,8 @@ Array2D read(const topography::HeightMap& surface, const Probe& probe, parallel:
 struct Bins {
     explicit Bins(Index modes) {
         for (Index k = 1; k <= modes; ++k) {
-            const auto bin = static_cast<Index>(std::floor(bins_a_decade * std::log10(static_cast<double>(k)) + 1e-9));
+            const auto bin =
+                static_cast<Index>(std::floor(bins_per_decade * std::log10(static_cast<double>(k)) + 1e-9));
             if (first.empty() || bin != last_bin) first.push_back(k);
             last_bin = bin;
         }
@@ -216,7 +217,7 @@ public:
         const double carrying = pi / simulation.correlation_length;  // 2π over the wavelength of the heights' median
         const Array1D lines = log_lines_.exp();
         const auto bends = [&](double longest) {
-            return Array1D(bend * (longest / carrying * lines).max(least_bend).min(1.0));
+            return Array1D(bend * (longest / carrying * lines).max(min_bend).min(1.0));
         };
         bends_of_followed_ = bends(3.0);
         bends_of_added_ = bends(10.0);
@@ -257,7 +258,7 @@ public:
         Transfer result{Array1D(wavevector_.size()), Array1D(wavevector_.size()), Array1D(wavevector_.size())};
         for (Index i = 0; i < wavevector_.size(); ++i) {
             const double a = followed[std::max<Index>(0, i - beyond_)];
-            result.log_followed[i] = std::log(std::max(a * a, least_followed));
+            result.log_followed[i] = std::log(std::max(a * a, min_followed));
             result.log_added[i] = Place(log_lines_, std::log(wavevector_[i])).of(log_added);
         }
         result.log_transfer = log_transfer(result.log_followed, result.log_added, scale);
@@ -289,18 +290,18 @@ public:
 private:
     static constexpr double band_step = 3.0;
     static constexpr double decades_beyond = 3.0;  ///< of waves longer than the patch
-    static constexpr double least_added = 1e-12;   ///< of C1D: a tip that fits everywhere adds rounding
+    static constexpr double min_added = 1e-12;     ///< of C1D: a tip that fits everywhere adds rounding
     static constexpr double nothing_added = 1e-300;
-    static constexpr double least_followed = 1e-8;  ///< a²: of waves that it cannot enter a tip follows nothing
-    static constexpr double bend = 0.05;            ///< what a and ln C_added may turn by, a bin, at short waves …
-    static constexpr double least_bend = 0.1;  ///< … and this much of it where they are flat: ever less at waves that
-                                               ///< are longer than those that carry heights, three and ten times
+    static constexpr double min_followed = 1e-8;  ///< a²: of waves that it cannot enter a tip follows nothing
+    static constexpr double bend = 0.05;          ///< what a and ln C_added may turn by, a bin, at short waves …
+    static constexpr double min_bend = 0.1;  ///< … and this much of it where they are flat: ever less at waves that
+                                             ///< are longer than those that carry heights, three and ten times
 
     /// Those that rings tell of, their mean of ln q, each wave weighed by its power as the regression does it; and
     /// longer ones.
     void set_wavevectors(const spectra::SpectralDensity& C_iso) {
         constexpr int pieces = 8;
-        beyond_ = static_cast<Index>(decades_beyond * bins_a_decade);
+        beyond_ = static_cast<Index>(decades_beyond * bins_per_decade);
         wavevector_.resize(beyond_ + bins_.size());
         for (Index b = 0; b < bins_.size(); ++b) {
             const auto [first, end] = bins_.ends(b);
@@ -315,14 +316,14 @@ private:
             wavevector_[beyond_ + b] = weights > 0.0 ? std::exp(sum / weights) : unit_x_ * std::sqrt(first * end);
         }
         for (Index i = 0; i < beyond_; ++i)
-            wavevector_[i] = wavevector_[beyond_] * std::pow(10.0, -static_cast<double>(beyond_ - i) / bins_a_decade);
+            wavevector_[i] = wavevector_[beyond_] * std::pow(10.0, -static_cast<double>(beyond_ - i) / bins_per_decade);
         log_lines_ = Array1D::NullaryExpr(bins_.size(), [&](Index b) { return std::log(unit_x_ * bins_.centre(b)); });
     }
 
     void set_density(const spectra::SpectralDensity& C_iso) {
-        constexpr double nodes_a_decade = 40.0;
+        constexpr double nodes_per_decade = 40.0;
         const double lowest = 0.5 * wavevector_[0], highest = pi / simulation_.step;
-        const auto count = static_cast<Index>(std::ceil(nodes_a_decade * std::log10(highest / lowest))) + 1;
+        const auto count = static_cast<Index>(std::ceil(nodes_per_decade * std::log10(highest / lowest))) + 1;
         nodes_ = Array1D::LinSpaced(count, std::log(lowest), std::log(highest)).exp();
         C_iso_ = nodes_.unaryExpr([&](double q) { return C_iso(q); });
         C_iso_ = C_iso_.max(1e-30 * C_iso_.maxCoeff());
@@ -347,7 +348,7 @@ private:
                 counts[b] += m > 0 ? 2.0 : 1.0;
             }
         const Array1D follows = together / surface;
-        left = (left - together * follows).max(least_added * surface);
+        left = (left - together * follows).max(min_added * surface);
         constexpr Limit of_endless_waves{1.0, 0.009};  // what is lifted or tilted as a whole is followed
         return smoothed(follows, counts * surface / left, bends_of_followed_, of_endless_waves);
     }
@@ -367,7 +368,7 @@ private:
         const Array1D modes = Array1D::NullaryExpr(bins_.size(), [&](Index b) { return bins_.modes(b); });
         const Array1D waves = independent_lines_ * repetitions * modes;
         const Array1D added =
-            (bins_.sums(line) / modes * (power_unit_ / repetitions)).max(least_added * scale * density_of_lines_);
+            (bins_.sums(line) / modes * (power_unit_ / repetitions)).max(min_added * scale * density_of_lines_);
         // the logarithm of a mean of n exponential variates lies 1/2n low
         return smoothed(added.log() + 0.5 / waves, waves, bends_of_added_);
     }
@@ -483,9 +484,9 @@ TipResponse simulated(const spectra::SpectralDensity& C_iso, const TipSimulation
 }  // namespace
 
 double simulation_step(const Probe& probe, double median_wavelength, double shortest_step, Index points) {
-    constexpr double foils_a_patch = 4.0, finer = 0.5;
+    constexpr double foils_per_patch = 4.0, finer = 0.5;
     if (probe.is_foil())
-        return std::max(finer * shortest_step, foils_a_patch * probe.size / static_cast<double>(points));
+        return std::max(finer * shortest_step, foils_per_patch * probe.size / static_cast<double>(points));
     return std::max(std::min(median_wavelength / 50.0, probe.size / 20.0), shortest_step);
 }
 

@@ -332,7 +332,7 @@ Array1D surface_factors(const PeriodogramClass& c) {
 
 WhittleFit fit_whittle(const std::vector<PeriodogramClass>& classes, const LogSpline& spline,
                        const Smoothness& smoothness, const Eigen::VectorXd& start) {
-    constexpr int most_iterations = 60;
+    constexpr int max_iterations = 60;
     constexpr double longest_step = 3.0, small_decrement = 1e-4;
     const Problem problem(classes, spline, smoothness);
     Eigen::VectorXd x = problem.start();
@@ -340,7 +340,7 @@ WhittleFit fit_whittle(const std::vector<PeriodogramClass>& classes, const LogSp
     WhittleFit fit;
     auto state = problem.state(x);
     double damping = 1e-3;
-    while (fit.iterations < most_iterations && !fit.converged) {
+    while (fit.iterations < max_iterations && !fit.converged) {
         ++fit.iterations;
         Eigen::MatrixXd matrix = state.with_response + problem.precision();
         matrix.diagonal() += damping * (state.information + problem.precision()).diagonal();

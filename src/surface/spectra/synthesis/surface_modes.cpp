@@ -15,10 +15,10 @@
 namespace setae::synthesis {
 namespace {
 
-constexpr Index most_points = Index{1} << 31;
+constexpr Index max_points = Index{1} << 31;
 
 void check(const SurfaceGrid& grid) {
-    const bool points = grid.nx >= 2 && grid.ny >= 2 && grid.nx < most_points && grid.ny < most_points;
+    const bool points = grid.nx >= 2 && grid.ny >= 2 && grid.nx < max_points && grid.ny < max_points;
     const bool extent = grid.size_x > 0.0 && grid.size_y > 0.0 && std::isfinite(grid.size_x * grid.size_y);
     if (!points || !extent)
         throw InvalidArgument(fmt::format(

@@ -17,7 +17,7 @@ struct RoughCurveOptions {
     double cutoff_wavelength = 10.0;  ///< shorter waves are left out
     double tilt = 0.0;                ///< [rad] about the picture's middle, clockwise as it is seen; |tilt| < 1
     int bulges = 0;                   ///< overhangs: a round cap on a narrower neck, two re-entrant stretches each
-    double least_depth = 5.0, largest_depth = 10.0;  ///< by which a bulge overhangs its neck on either side
+    double min_depth = 5.0, largest_depth = 10.0;  ///< by which a bulge overhangs its neck on either side
     numerics::RandomKey key;
 };
 

@@ -326,12 +326,12 @@ TEST(AdhesiveLoop, LosesMoreTheSofterItsStage) {
     }
     AdhesiveCell cell(sine(64, 0.3), {1, 64, 1.0, 64.0}, body, {1.0, 2.0});
     EXPECT_THROW((void)adhesive_loop(cell, {.stage_stiffness = 0.0}), InvalidArgument);
-    EXPECT_THROW((void)adhesive_loop(cell, {.most_pressure = 0.0}), InvalidArgument);
+    EXPECT_THROW((void)adhesive_loop(cell, {.max_pressure = 0.0}), InvalidArgument);
 }
 
 TEST(AdhesiveLoop, TurnsAtAPressure) {
     AdhesiveCell cell(sine(64, 0.6), {1, 64, 1.0, 64.0}, body, {1.0, 2.0});
-    const auto loop = adhesive_loop(cell, {.most_pressure = 0.01});
+    const auto loop = adhesive_loop(cell, {.max_pressure = 0.01});
     ASSERT_TRUE(loop.complete);
     double least = 0.0;
     for (const auto& step : loop.steps) least = std::min(least, step.state.tension);

@@ -49,7 +49,7 @@ double greatest_pull(Index points, double period, double lambda) {
     });
     AdhesiveCell cell(heights, {1, points, 1.0, period}, {.contact_modulus = 1.0},
                       {work, work / tension, AttractionLaw::dugdale});
-    const auto loop = adhesive_loop(cell, {.most_pressure = 0.5 * unit / period});
+    const auto loop = adhesive_loop(cell, {.max_pressure = 0.5 * unit / period});
     EXPECT_TRUE(loop.complete);
     double greatest = 0.0;
     for (const auto& step_of : loop.steps) greatest = std::max(greatest, step_of.state.tension);

@@ -36,18 +36,17 @@ double energy_release_rate(const AdhesiveState& state) {
 
 /// Opened and closed once more between two mean gaps.
 struct Cycle {
-    double loss = 0.0;               ///< W_open − W_close, an area that opens and closes
-    double opens = 0.0;              ///< the greatest G on opening
-    double closes = 1e300;           ///< the least on closing
-    double least_dissipation = 0.0;  ///< of a step
+    double loss = 0.0;             ///< W_open − W_close, an area that opens and closes
+    double opens = 0.0;            ///< the greatest G on opening
+    double closes = 1e300;         ///< the least on closing
+    double min_dissipation = 0.0;  ///< of a step
 };
 
 class Front {
 public:
     explicit Front(double squared_ratio)
         : cell_(Array2D::Zero(points, 1), {points, 1, period, 1.0}, {.contact_modulus = modulus, .layer = {}},
-                {work, std::sqrt(work / (modulus * squared_ratio))}, {.tolerance = 1e-7, .most_iterations = 2000},
-                {1}) {
+                {work, std::sqrt(work / (modulus * squared_ratio))}, {.tolerance = 1e-7, .max_iterations = 2000}, {1}) {
         const double c = 0.12 * period, tension = OpenStrip(c).tension;
         cell_.begin_with(Array2D::NullaryExpr(points, 1, [&](Index i, Index) {
             const double x = static_cast<double>(i) + 0.5 - 0.5 * period;
@@ -65,7 +64,7 @@ public:
         const double swept = state_.area_fraction - touched;
         dissipated += move_to(wide, [&](double G) { cycle.opens = std::max(cycle.opens, G); });
         cycle.loss = dissipated / swept;
-        cycle.least_dissipation = least_;
+        cycle.min_dissipation = least_;
         return cycle;
     }
 
@@ -104,7 +103,7 @@ TEST(StraightFront, MovesAtTheWorkOfAdhesion) {
     const auto fine = Front(0.25).cycle();
     EXPECT_NEAR(0.5 * (fine.opens + fine.closes) / work, 1.0, 1e-2);
     EXPECT_LT(fine.opens - fine.closes, 0.02 * work);
-    EXPECT_GT(fine.least_dissipation, -1e-6 * work);
+    EXPECT_GT(fine.min_dissipation, -1e-6 * work);
 }
 
 // (W_open − W_close)/w by another program: 0.042 ± 0.01 at μ² = 0.64, 0.165 ± 0.02 at 1

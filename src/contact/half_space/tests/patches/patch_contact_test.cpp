@@ -10,8 +10,8 @@ namespace {
 
 PatchDesign small(double energy_share, std::uint64_t seed = 1) {
     return {.points = 64,
-            .points_a_wave = 8.0,
-            .waves_a_side = 2.0,
+            .points_per_wave = 8.0,
+            .waves_per_side = 2.0,
             .energy_share = energy_share,
             .squared_ratio = 1.0,
             .seed = seed};
@@ -49,7 +49,7 @@ TEST(PatchContact, PressureThatClosesItClosesItAndLessDoesNot) {
     };
     EXPECT_GE(area_at(1.1 * *contact.closing_pressure), closed_area);
     EXPECT_LT(area_at(0.85 * *contact.closing_pressure), closed_area);
-    EXPECT_FALSE(bring_into_contact(patch, {.most_pressure = 0.5 * *contact.closing_pressure}).closing_pressure);
+    EXPECT_FALSE(bring_into_contact(patch, {.max_pressure = 0.5 * *contact.closing_pressure}).closing_pressure);
 }
 
 // p = σ + K h >= T everywhere: the first point opens where that fails, whatever came before
@@ -83,7 +83,7 @@ TEST(PatchContact, LoopKeepsItsLedger) {
 TEST(PatchContact, RefusesPressuresThatAreNone) {
     const Patch patch = make_patch(small(0.4));
     EXPECT_THROW(bring_into_contact(patch, {.preload = 0.0}), InvalidArgument);
-    EXPECT_THROW(bring_into_contact(patch, {.most_pressure = 0.0}), InvalidArgument);
+    EXPECT_THROW(bring_into_contact(patch, {.max_pressure = 0.0}), InvalidArgument);
 }
 
 }  // namespace

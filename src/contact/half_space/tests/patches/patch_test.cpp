@@ -11,7 +11,7 @@ namespace {
 
 TEST(Patch, HasTheEnergyItWasGiven) {
     for (const std::uint64_t seed : {1U, 2U}) {
-        const Patch patch = make_patch({.points = 64, .points_a_wave = 8.0, .energy_share = 0.3, .seed = seed});
+        const Patch patch = make_patch({.points = 64, .points_per_wave = 8.0, .energy_share = 0.3, .seed = seed});
         const half_space::AdhesiveCell cell(patch.heights, patch.grid, patch.body, patch.interaction);
         EXPECT_NEAR(cell.conformal_energy(), 0.3, 1e-12);
         EXPECT_NEAR(std::sqrt(patch.heights.square().mean()), patch.rms_height, 1e-12 * patch.rms_height);
@@ -21,19 +21,19 @@ TEST(Patch, HasTheEnergyItWasGiven) {
 
 // h_rms² = 2 e λ/(π …): a longer wave at the same energy is higher, and its range smaller beside it
 TEST(Patch, FinerGridsHaveShorterRanges) {
-    const auto ratio = [](Index points, double points_a_wave) {
-        return make_patch({.points = points, .points_a_wave = points_a_wave}).range_over_height();
+    const auto ratio = [](Index points, double points_per_wave) {
+        return make_patch({.points = points, .points_per_wave = points_per_wave}).range_over_height();
     };
     EXPECT_NEAR(ratio(128, 16.0) / ratio(64, 8.0), std::sqrt(0.5), 0.02);
 }
 
 TEST(Patch, RefusesWhatItCannotHold) {
-    EXPECT_THROW(make_patch({.points = 32, .points_a_wave = 16.0}), InvalidArgument);
+    EXPECT_THROW(make_patch({.points = 32, .points_per_wave = 16.0}), InvalidArgument);
     EXPECT_THROW(make_patch({.points = 1000000}), InvalidArgument);
     EXPECT_THROW(make_patch({.energy_share = 0.0}), InvalidArgument);
     EXPECT_THROW(make_patch({.squared_ratio = 1.5}), InvalidArgument);
-    EXPECT_THROW(make_patch({.points_a_wave = 2.0}), InvalidArgument);
-    EXPECT_THROW(make_patch({.points = 64, .points_a_wave = 8.0, .spectrum = [](double) { return 0.0; }}),
+    EXPECT_THROW(make_patch({.points_per_wave = 2.0}), InvalidArgument);
+    EXPECT_THROW(make_patch({.points = 64, .points_per_wave = 8.0, .spectrum = [](double) { return 0.0; }}),
                  InvalidArgument);
 }
 

@@ -11,7 +11,7 @@ namespace {
 SurveyDesign design(int threads) {
     SurveyDesign survey{.seeds = 3, .threads = {threads}};
     for (const double share : {0.1, 1.0})
-        survey.designs.push_back({.points = 32, .points_a_wave = 8.0, .waves_a_side = 2.0, .energy_share = share});
+        survey.designs.push_back({.points = 32, .points_per_wave = 8.0, .waves_per_side = 2.0, .energy_share = share});
     return survey;
 }
 

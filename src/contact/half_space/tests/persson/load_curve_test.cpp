@@ -33,7 +33,7 @@ TEST(LoadTable, KnowsTensionWhereThereIsAdhesion) {
     EXPECT_GT(table.at("adhesive_area_fraction")[0], 0.5);
     EXPECT_GT(table.at("effective_work")[0], 0.5 * work);
     // rounds that end before they converge leave no numbers
-    const auto stopped = scale_table(100.0, scales, {.work_of_adhesion = 0.1 * work, .adhesion = {.most_rounds = 1}});
+    const auto stopped = scale_table(100.0, scales, {.work_of_adhesion = 0.1 * work, .adhesion = {.max_rounds = 1}});
     EXPECT_TRUE(stopped.at("adhesive_area_fraction").isNaN().all());
 }
 

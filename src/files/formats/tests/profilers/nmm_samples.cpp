@@ -36,12 +36,12 @@ std::string rows(const Array2D& heights, Index line) {
 }
 
 FormatSample sample(const std::string& name, const std::vector<Array2D>& scans, std::size_t scan) {
-    constexpr std::size_t channels_a_scan = 5;
+    constexpr std::size_t channels_per_scan = 5;
     const auto& heights = scans[scan];
     FormatSample sample{.format = "nmm",
                         .name = name,
                         .content = zip_archive(nmm_members(scans)),
-                        .channel = channels_a_scan * scan,
+                        .channel = channels_per_scan * scan,
                         .shape = {heights.rows()},
                         .size = {0.5 * units::um * static_cast<double>(heights.rows())},
                         .heights = heights};

@@ -233,7 +233,7 @@ TEST(ContactFrame, StatesContrastAndWidthOfTheEdge) {
 TEST(ContactFrame, RefusesOptionsOutsideTheirDomain) {
     const auto pixels = at_snr_5(1).make();
     EXPECT_THROW((void)measure_contact_frame(pixels, {.smallest_radius = 1}), InvalidArgument);
-    EXPECT_THROW((void)measure_contact_frame(pixels, {.least_confidence = 1.5}), InvalidArgument);
+    EXPECT_THROW((void)measure_contact_frame(pixels, {.min_confidence = 1.5}), InvalidArgument);
     EXPECT_THROW((void)measure_contact_frame(FramePixels::Zero(10, 40)), InvalidArgument);
 }
 

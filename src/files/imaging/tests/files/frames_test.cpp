@@ -23,7 +23,7 @@ std::vector<FramePixels> patterns(int n) {
     return frames;
 }
 
-FrameOptions at_20_a_second() { return {.pixel_size = 1e-6, .frame_rate = 20}; }
+FrameOptions at_20_per_second() { return {.pixel_size = 1e-6, .frame_rate = 20}; }
 
 void expect_frames(const FrameSource& source, const std::vector<FramePixels>& frames, float tolerance = 0) {
     ASSERT_EQ(source.size(), frames.size());
@@ -52,7 +52,7 @@ void expect_holds(const std::string& text, const std::string& part) {
 TEST(FrameSource, ReadsAnUncompressedTiffStack) {
     const Folder folder;
     write_bytes(folder / "stack.tif", PlainTiff{}.bytes(patterns(4)));
-    expect_frames(FrameSource(folder / "stack.tif", at_20_a_second()), patterns(4));
+    expect_frames(FrameSource(folder / "stack.tif", at_20_per_second()), patterns(4));
 }
 
 TEST(FrameSource, ReadsCompressedSixteenBitAndFloatPages) {
@@ -66,7 +66,7 @@ TEST(FrameSource, ReadsCompressedSixteenBitAndFloatPages) {
                 .convertTo(pages.emplace_back(), type);
         }
         write_tiff(folder / "stack.tif", pages);  // LZW
-        expect_frames(FrameSource(folder / "stack.tif", at_20_a_second()), frames);
+        expect_frames(FrameSource(folder / "stack.tif", at_20_per_second()), frames);
     }
 }
 
@@ -89,7 +89,7 @@ TEST(FrameSource, FindsPagesOfImageJBeyondTheOnlyDirectory) {
     const Folder folder;
     write_bytes(folder / "large.tif",
                 PlainTiff{.description = "ImageJ=1.53\nimages=5\n", .first_directory_only = true}.bytes(patterns(5)));
-    expect_frames(FrameSource(folder / "large.tif", at_20_a_second()), patterns(5));
+    expect_frames(FrameSource(folder / "large.tif", at_20_per_second()), patterns(5));
 }
 
 TEST(FrameSource, PassesOverResolutionsMadeForPrint) {
@@ -134,7 +134,7 @@ TEST(FrameSource, TakesPicturesInNaturalOrderAndReportsMissingNumbers) {
     for (const int number : {2, 10, 1, 4})
         write_bytes(folder / ("frame_" + std::to_string(number) + ".png"), encoded(pattern(number), ".png"));
     write_bytes(folder / "notes.txt", "not a picture");
-    const FrameSource source(folder.path(), at_20_a_second());
+    const FrameSource source(folder.path(), at_20_per_second());
     ASSERT_EQ(source.size(), 4U);
     EXPECT_EQ(source.number(3), 10);
     EXPECT_DOUBLE_EQ(source.time(3), 9.0 / 20);
@@ -146,7 +146,7 @@ TEST(FrameSource, CountsPicturesWhoseNamesDifferByMoreThanANumber) {
     const Folder folder;
     write_bytes(folder / "a1.bmp", encoded(pattern(1), ".bmp"));
     write_bytes(folder / "b7.bmp", encoded(pattern(2), ".bmp"));
-    const FrameSource source(folder.path(), at_20_a_second());
+    const FrameSource source(folder.path(), at_20_per_second());
     EXPECT_EQ(source.number(1), 2);
     EXPECT_TRUE(source.missing().empty());
 }
@@ -154,7 +154,7 @@ TEST(FrameSource, CountsPicturesWhoseNamesDifferByMoreThanANumber) {
 TEST(FrameSource, GivesOnlyTheRegionAndFramesAskedFor) {
     const Folder folder;
     write_bytes(folder / "stack.tif", PlainTiff{}.bytes(patterns(6)));
-    auto options = at_20_a_second();
+    auto options = at_20_per_second();
     options.region = PictureRegion{5, 3, 20, 17};
     options.first = 3;
     options.last = 5;
@@ -175,7 +175,7 @@ TEST(FrameSource, FlagsBadFramesAndReadsTheRest) {
     frames[3] = pattern(3, 40, 23);
     const auto bytes = PlainTiff{}.bytes(frames);
     write_bytes(folder / "stack.tif", bytes.substr(0, bytes.size() - 300));
-    const FrameSource source(folder / "stack.tif", at_20_a_second());
+    const FrameSource source(folder / "stack.tif", at_20_per_second());
     ASSERT_EQ(source.size(), 5U);
     EXPECT_EQ(source.read(0).fault, "");
     EXPECT_EQ(source.read(1).fault, "all pixels have the grey level 77");
@@ -190,14 +190,14 @@ TEST(FrameSource, FlagsACutDirectoryAndCutPictures) {
     for (const auto& frame : patterns(3)) pages.push_back(as_bytes(frame));
     write_tiff(folder / "lzw.tif", pages);  // directories after pixels
     std::filesystem::resize_file(folder / "lzw.tif", std::filesystem::file_size(folder / "lzw.tif") - 40);
-    const FrameSource stack(folder / "lzw.tif", at_20_a_second());
+    const FrameSource stack(folder / "lzw.tif", at_20_per_second());
     EXPECT_EQ(stack.read(0).fault, "");
     expect_holds(stack.read(stack.size() - 1).fault, "truncated");
     for (const std::string ending : {".png", ".jpg", ".bmp"}) {
         const auto whole = encoded(pattern(1), ending);
         write_bytes(folder / ("cut_1" + ending), whole);
         write_bytes(folder / ("cut_2" + ending), whole.substr(0, whole.size() / 2));
-        const FrameSource pictures({folder / ("cut_1" + ending), folder / ("cut_2" + ending)}, at_20_a_second());
+        const FrameSource pictures({folder / ("cut_1" + ending), folder / ("cut_2" + ending)}, at_20_per_second());
         EXPECT_EQ(pictures.read(0).fault, "") << ending;
         expect_holds(pictures.read(1).fault, "truncated");
     }
@@ -214,18 +214,18 @@ TEST(FrameSource, RefusesFramesTooLargeBeforeReadingThem) {
     auto bytes = PlainTiff{}.bytes(patterns(1));
     bytes.replace(8 + 2 + 8, 4, number_bytes(30000, 4)).replace(8 + 2 + 12 + 8, 4, number_bytes(30000, 4));
     write_bytes(folder / "huge.tif", bytes);
-    expect_holds(message_of([&] { FrameSource(folder / "huge.tif", at_20_a_second()); }),
+    expect_holds(message_of([&] { FrameSource(folder / "huge.tif", at_20_per_second()); }),
                  "30000 × 30000 pixels, more than the 100000000 a frame may have");
     auto png = encoded(pattern(1), ".png");
     png.replace(16, 8, std::string("\0\0\x75\x30\0\0\x75\x30", 8));
     write_bytes(folder / "huge.png", png);
-    expect_holds(message_of([&] { FrameSource(folder / "huge.png", at_20_a_second()); }), "30000 × 30000");
+    expect_holds(message_of([&] { FrameSource(folder / "huge.png", at_20_per_second()); }), "30000 × 30000");
 }
 
 /// Opens and reads all; errors of setae are answers too.
 void read_all(const std::string& path) {
     try {
-        const FrameSource source(path, {.pixel_size = 1e-6, .frame_rate = 20, .most_pixels = 20000});
+        const FrameSource source(path, {.pixel_size = 1e-6, .frame_rate = 20, .max_pixels = 20000});
         for (std::size_t k = 0; k < source.size() && k < 20; ++k) (void)source.read(k);
     } catch (const Error&) {
     }
@@ -258,15 +258,15 @@ TEST(FrameSource, SurvivesDamagedFiles) {
 TEST(FrameSource, NamesWhatIsWrongWithItsFiles) {
     const Folder folder;
     write_bytes(folder / "text.tif", "no picture at all");
-    expect_holds(message_of([&] { FrameSource(folder / "text.tif", at_20_a_second()); }),
+    expect_holds(message_of([&] { FrameSource(folder / "text.tif", at_20_per_second()); }),
                  "expected a TIFF, an AVI, or pictures");
-    expect_holds(message_of([&] { FrameSource(folder / "missing.tif", at_20_a_second()); }), "no such file");
-    expect_holds(message_of([&] { FrameSource(folder.path(), at_20_a_second()); }), "no pictures");
-    expect_holds(message_of([&] { FrameSource(std::vector<std::string>{}, at_20_a_second()); }), "no frames");
+    expect_holds(message_of([&] { FrameSource(folder / "missing.tif", at_20_per_second()); }), "no such file");
+    expect_holds(message_of([&] { FrameSource(folder.path(), at_20_per_second()); }), "no pictures");
+    expect_holds(message_of([&] { FrameSource(std::vector<std::string>{}, at_20_per_second()); }), "no frames");
     write_bytes(folder / "one.png", encoded(pattern(1), ".png"));
     expect_holds(message_of([&] { FrameSource(folder / "one.png"); }), "no frame rate");
     write_bytes(folder / "broken.tif", std::string("II*\0\x08\0\0\0", 8));
-    expect_holds(message_of([&] { FrameSource(folder / "broken.tif", at_20_a_second()); }), "truncated");
+    expect_holds(message_of([&] { FrameSource(folder / "broken.tif", at_20_per_second()); }), "truncated");
 }
 
 }  // namespace

@@ -69,8 +69,8 @@ TEST(MicrographsIn, ListsPicturesOfAFolderInNaturalOrder) {
 }
 
 TEST(PlainPicture, TakesPixelSizesOfPngFinerThanPrint) {
-    expect_pixel_size(read_bytes(with_pixels_a_metre(png_picture(), 2'000'000'000, 4'000'000'000)), 0.5e-9, 0.25e-9);
-    EXPECT_FALSE(read_bytes(with_pixels_a_metre(png_picture(), 11811, 11811)).pixel_size);  // 300 dpi
+    expect_pixel_size(read_bytes(with_pixels_per_metre(png_picture(), 2'000'000'000, 4'000'000'000)), 0.5e-9, 0.25e-9);
+    EXPECT_FALSE(read_bytes(with_pixels_per_metre(png_picture(), 11811, 11811)).pixel_size);  // 300 dpi
     EXPECT_FALSE(read_bytes(png_picture()).pixel_size);
 }
 

@@ -187,7 +187,7 @@ TEST(VariableBandwidth, CellsWithTooFewPointsLeaveWhatTheirBestPlaneDoes) {
 TEST(VariableBandwidth, RefusesDataWithoutACell) {
     EXPECT_THROW((void)variable_bandwidth(LineScan{random_heights(3), 1.0, false, {}}), InvalidArgument);
     EXPECT_THROW((void)variable_bandwidth_of_area({random_map(1, 50), {1.0, 50.0}, false, {}}), InvalidArgument);
-    EXPECT_THROW((void)variable_bandwidth(LineScan{random_heights(30), 1.0, false, {}}, {.fewest_points = 1}),
+    EXPECT_THROW((void)variable_bandwidth(LineScan{random_heights(30), 1.0, false, {}}, {.min_points = 1}),
                  InvalidArgument);
     auto reentrant = random_profile(20);
     reentrant.positions[4] = reentrant.positions[6];

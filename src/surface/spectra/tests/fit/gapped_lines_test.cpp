@@ -83,8 +83,8 @@ LikelihoodSpectrum fit(const std::vector<ObservedSurface>& observed) {
 
 /// Of ln C_iso within the band of the first.
 struct Difference {
-    double most_errors = 0.0;  ///< in standard errors of the first
-    double mean = 0.0;         ///< weighted by their inverse squares
+    double max_errors = 0.0;  ///< in standard errors of the first
+    double mean = 0.0;        ///< weighted by their inverse squares
 };
 
 Difference difference(const LikelihoodSpectrum& a, const LikelihoodSpectrum& b) {
@@ -94,7 +94,7 @@ Difference difference(const LikelihoodSpectrum& a, const LikelihoodSpectrum& b) 
         const double q = a.C_iso.wavevector[i], error = a.log_standard_error[i];
         if (q < a.C_iso.band.lower || q > 0.95 * a.C_iso.band.upper) continue;
         const double change = std::log(b.C_iso.density[i] / a.C_iso.density[i]);
-        result.most_errors = std::max(result.most_errors, std::abs(change) / error);
+        result.max_errors = std::max(result.max_errors, std::abs(change) / error);
         result.mean += change / (error * error);
         weights += 1.0 / (error * error);
     }
@@ -117,7 +117,7 @@ TEST(LikelihoodSpectrum, UsesWhatIsDefinedOfMaps) {
     }
     const auto all = fit(whole), most = fit(gapped);
     const auto change = difference(all, most);
-    EXPECT_LT(change.most_errors, 1.0);  // a sixth of the data is not there
+    EXPECT_LT(change.max_errors, 1.0);  // a sixth of the data is not there
     EXPECT_LT(std::abs(change.mean), 0.025);
     // bridged lines taken for whole ones
     std::vector<ObservedSurface> filled;
@@ -190,7 +190,7 @@ TEST(LikelihoodSpectrum, OfAScanWithAGapHasItsTipAndItsNoise) {
     EXPECT_FALSE(gapped.tips.empty());
     EXPECT_NEAR(gapped.C_iso.band.upper / whole.C_iso.band.upper, 1.0, 0.02);
     const auto change = difference(whole, gapped);
-    EXPECT_LT(change.most_errors, 0.1);
+    EXPECT_LT(change.max_errors, 0.1);
     EXPECT_LT(std::abs(change.mean), 0.005);
 }
 
@@ -199,7 +199,7 @@ TEST(LikelihoodSpectrum, OfCurvesOfAStylusHasItsTipAndItsNoise) {
     EXPECT_FALSE(irregular.tips.empty());
     EXPECT_LT(irregular.C_iso.band.upper, 0.5 * pi / fine);
     const auto change = difference(regular, irregular);
-    EXPECT_LT(change.most_errors, 2.0);  // they hold points between the regular ones
+    EXPECT_LT(change.max_errors, 2.0);  // they hold points between the regular ones
     EXPECT_LT(std::abs(change.mean), 0.03);
 }
 

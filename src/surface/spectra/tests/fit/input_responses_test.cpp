@@ -118,7 +118,7 @@ std::vector<ObservedSurface> observed(double heights = 1.0, double lengths = 1.0
 LikelihoodOptions options() {
     return {.shortest_wavelength = 0.7 * shortest_wavelength,
             .tip_band = false,
-            .least_transfer = 0.0,
+            .min_transfer = 0.0,
             .tip_points = 512,
             .tip_length = 512,
             .threads = {2}};

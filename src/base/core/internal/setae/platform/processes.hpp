@@ -44,7 +44,7 @@ struct Command {
 
 /// Does `use` in a child of this process, silently, for so many seconds at most; what it throws is lost. @returns
 /// nothing where the child was lost.
-[[nodiscard]] std::optional<ProcessEnd> run_in_child(const std::function<void()>& use, unsigned most_seconds);
+[[nodiscard]] std::optional<ProcessEnd> run_in_child(const std::function<void()>& use, unsigned max_seconds);
 
 /// Called in each child of this process before anything else.
 void in_every_child(void (*function)());

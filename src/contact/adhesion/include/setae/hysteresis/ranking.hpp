@@ -96,7 +96,7 @@ struct Ranking {
 
 /// Pairs and surfaces below which no model is judged: of three surfaces two remain where one is left out, and their
 /// scatter hides anything.
-inline constexpr std::size_t fewest_ranked_pairs = 6, fewest_ranked_surfaces = 4;
+inline constexpr std::size_t min_ranked_pairs = 6, min_ranked_surfaces = 4;
 
 /// Both branches of every surface predicted by the others. W_int, the model's number and all inputs are fitted anew
 /// without the surface, scatter of pairs, surfaces and elastomers is integrated out with a half-Cauchy prior

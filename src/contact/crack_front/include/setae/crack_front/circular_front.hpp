@@ -51,8 +51,8 @@ struct FrontOptions {
     EquilibriumMethod method = EquilibriumMethod::trust_region;
     /// of the largest |residual| over W and the mean radius, or that before a smooth contact parts if it is larger
     double tolerance = 1e-9;
-    int most_iterations = 100000;  ///< of one equilibrium
-    double largest_move = 0.5;     ///< of a point in one step of the trust region, in spacings of the field
+    int max_iterations = 100000;  ///< of one equilibrium
+    double largest_move = 0.5;    ///< of a point in one step of the trust region, in spacings of the field
 };
 
 /// A contact in equilibrium, or parted: all 0 but the displacement then.

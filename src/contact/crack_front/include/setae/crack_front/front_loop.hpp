@@ -34,7 +34,7 @@ struct FrontStep {
     double dissipation = 0.0;
     double machine_work = 0.0;  ///< ½ (F_{n−1} + F_n) Δδ [J]
     /// On the way back the least any point has moved back since the turn [m].
-    double least_retreat = 0.0;
+    double min_retreat = 0.0;
     bool approaching = true;
 };
 

@@ -44,8 +44,8 @@ struct AdhesiveState {
 };
 
 struct AdhesiveOptions {
-    double tolerance = 1e-4;    ///< of the residual
-    int most_iterations = 300;  ///< of the outer loop
+    double tolerance = 1e-4;   ///< of the residual
+    int max_iterations = 300;  ///< of the outer loop
     /// Processes that share the cell, each with the rows of slab_of(): heights, gaps and pressures are its own, numbers
     /// of the whole map. They call everything together.
     const parallel::Ranks* ranks = nullptr;

@@ -36,12 +36,12 @@ struct LoopOptions {
     /// k_m [Pa/m] per area of the cell of a stage that is moved; absent: the mean gap is.
     std::optional<double> stage_stiffness;
     /// It turns earlier where the pressure reaches this [Pa].
-    double most_pressure = std::numeric_limits<double>::infinity();
+    double max_pressure = std::numeric_limits<double>::infinity();
     /// A step is halved while both its dissipation and ½|ΔT Δposition|, what the trapezoidal rule may miss, exceed this
     /// share of w: what is left in jumps is theirs.
     double jump_share = 1e-3;
     double largest_move = 1.0;  ///< of any gap by the tangent, over ρ
-    double least_step = 0.01;   ///< of the mean gap by the tangent, over ρ
+    double min_step = 0.01;     ///< of the mean gap by the tangent, over ρ
     /// Called after each step; false ends the loop.
     std::function<bool(const LoopStep&)> progress;
     /// Called every so many steps with what resumes the loop.

@@ -54,7 +54,7 @@ public:
     [[nodiscard]] MeanDisplacement mean_displacement() const;
 
     /// k(q_min) [Pa/m]: of the longest wave the map holds.
-    [[nodiscard]] double least_stiffness() const { return least_stiffness_; }
+    [[nodiscard]] double min_stiffness() const { return min_stiffness_; }
     /// k_max [Pa/m]: of the shortest wave, in the corner of the spectrum.
     [[nodiscard]] double greatest_stiffness() const { return greatest_stiffness_; }
 
@@ -97,7 +97,7 @@ private:
     Edges edges_;
     parallel::Slab slab_;
     fourier::MapFilter filter_;
-    double least_stiffness_, greatest_stiffness_;
+    double min_stiffness_, greatest_stiffness_;
     std::optional<fourier::Multiplier> compliance_, stiffness_;
 };
 

@@ -48,9 +48,9 @@ struct SolveProgress {
 };
 
 struct SolveOptions {
-    double tolerance = 1e-8;       ///< of the certificate's relative gap and level error
-    Index most_iterations = 2000;  ///< of the map's own grid
-    bool nested_grids = true;      ///< begin on coarser grids
+    double tolerance = 1e-8;      ///< of the certificate's relative gap and level error
+    Index max_iterations = 2000;  ///< of the map's own grid
+    bool nested_grids = true;     ///< begin on coarser grids
     Array2D start;  ///< pressures [Pa] to begin with, such as those of a load close by; empty: coarser grids find them
     parallel::Threads threads;
     const parallel::Ranks* ranks = nullptr;  ///< processes that solve it together, each with the rows of slab_of()

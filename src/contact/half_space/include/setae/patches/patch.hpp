@@ -15,12 +15,12 @@ namespace setae::patches {
 /// Three ratios decide what it does: e = U_el/(A w), how much of what contact gains full contact stores; ρ/h_rms; and
 /// its band, longest over shortest wave. Slopes do not count, they are small to first order.
 struct PatchDesign {
-    Index points = 256;           ///< n, along a side
-    double points_a_wave = 16.0;  ///< of the shortest wave, >= 4
-    double waves_a_side = 4.0;    ///< of the longest wave, >= 1
-    double hurst_exponent = 0.8;  ///< H of the band, 0 < H <= 1
-    double energy_share = 0.4;    ///< e > 0, exact
-    double squared_ratio = 0.5;   ///< μ² = w dx/(E*ρ²) of the grid, which sets ρ; at most 1, 1/2 for 1 %
+    Index points = 256;             ///< n, along a side
+    double points_per_wave = 16.0;  ///< of the shortest wave, >= 4
+    double waves_per_side = 4.0;    ///< of the longest wave, >= 1
+    double hurst_exponent = 0.8;    ///< H of the band, 0 < H <= 1
+    double energy_share = 0.4;      ///< e > 0, exact
+    double squared_ratio = 0.5;     ///< μ² = w dx/(E*ρ²) of the grid, which sets ρ; at most 1, 1/2 for 1 %
     half_space::AttractionLaw law = half_space::AttractionLaw::exponential;
     std::uint64_t seed = 1;
     /// C_iso of the band but for a factor, of the wavevector times a pixel's width; absent: self-affine with H.
@@ -29,7 +29,8 @@ struct PatchDesign {
     [[nodiscard]] double band() const;  ///< longest over shortest wave
     /// Whether points, shortest wave and μ² are the same: what tells kinds of patches in a survey apart.
     [[nodiscard]] bool like(const PatchDesign& other) const {
-        return points == other.points && points_a_wave == other.points_a_wave && squared_ratio == other.squared_ratio;
+        return points == other.points && points_per_wave == other.points_per_wave &&
+               squared_ratio == other.squared_ratio;
     }
 };
 

@@ -44,7 +44,7 @@ struct PatchContact {
     Unloaded after_preload;  ///< pressed at `preload` first
     double preload = 0.0;    ///< over h'_rms E*
     /// Mean pressure over h'_rms E* at which closed_area of the patch touch, pressed from afar; 0 where it closes by
-    /// itself, absent where most_pressure does not close it.
+    /// itself, absent where max_pressure does not close it.
     std::optional<double> closing_pressure;
     /// Mean tension over σ at which the first point of full contact opens; below 0 where it opens unless pressed.
     double opening_tension = 0.0;
@@ -54,8 +54,8 @@ struct PatchContact {
 inline constexpr double closed_area = 0.99;
 
 struct ContactProtocol {
-    double preload = 1.0;        ///< over h'_rms E*, > 0
-    double most_pressure = 8.0;  ///< over h'_rms E*
+    double preload = 1.0;       ///< over h'_rms E*, > 0
+    double max_pressure = 8.0;  ///< over h'_rms E*
     bool loop = false;
 };
 

@@ -9,7 +9,7 @@ struct AdhesiveOptions {
     /// α of σ_a² = 2α k(q) γ_eff, > 0: 1/2 is a penny-shaped crack as wide as the wave is long, G = 2σ² a/(πE*) with
     /// a = π/q. A factor of order one that the theory leaves open.
     double crack_factor = 0.5;
-    int most_rounds = 400;
+    int max_rounds = 400;
     double tolerance = 1e-6;  ///< change of γ_eff in a round, over w
 };
 

@@ -38,8 +38,8 @@ struct AlertLimits {
     double stiffness_ratio = 10.0;                    ///< STIFFNESS_UNRESOLVED: contact over machine stiffness
     double pinned_modulus_ratio = 1.5;                ///< of E* of a later press or release to that of first loading
     double frames_missing = 0.05;                     ///< FRAME_MISSING: share of the frames in contact
-    double contact_modulus_least = 1e3, contact_modulus_most = 1e12;  ///< UNITS_IMPLAUSIBLE outside [Pa]
-    double work_of_adhesion_most = 10.0;                              ///< UNITS_IMPLAUSIBLE above [J/m²]
+    double contact_modulus_min = 1e3, contact_modulus_max = 1e12;  ///< UNITS_IMPLAUSIBLE outside [Pa]
+    double work_of_adhesion_max = 10.0;                            ///< UNITS_IMPLAUSIBLE above [J/m²]
     double work_spread = 0.2;  ///< RANGE_SENSITIVE: spread of W over the fit ranges tried, over W
 };
 

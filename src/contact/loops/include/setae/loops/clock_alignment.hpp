@@ -17,7 +17,7 @@ struct CameraRecord {
 
 struct ClockOptions {
     std::optional<double> smallest_offset, largest_offset;  ///< searched [s]; else wherever half of the frames overlap
-    double least_overlap = 0.5;  ///< share of the frames that must lie within the force record
+    double min_overlap = 0.5;  ///< share of the frames that must lie within the force record
 };
 
 /// How far the camera's clock is behind the force's.

@@ -31,7 +31,7 @@ public:
     [[nodiscard]] std::uint64_t size(const std::string& name) const;
 
     /// A member's content; memory grows with what is really there, never with what the directory announces.
-    /// @throws FormatError for a missing, damaged or encrypted member, or one that expands more than most_expanded.
+    /// @throws FormatError for a missing, damaged or encrypted member, or one that expands more than max_expanded.
     [[nodiscard]] std::string read(const std::string& name) const;
     /// The first `count` bytes of a member, or all where there are fewer.
     [[nodiscard]] std::string head(const std::string& name, std::uint64_t count) const;

@@ -12,18 +12,18 @@ namespace setae::bytes {
 
 /// The most bytes that compressed ones may become: 8 MiB and a hundredfold. Measured surfaces compress less; what
 /// expands more is an attack, or a map of one value.
-[[nodiscard]] constexpr std::uint64_t most_expanded(std::uint64_t compressed) {
+[[nodiscard]] constexpr std::uint64_t max_expanded(std::uint64_t compressed) {
     return (std::uint64_t{8} << 20) + 100 * compressed;
 }
 
 /// The same of text, which compresses less: 32 MiB and thirty-twofold.
-[[nodiscard]] constexpr std::uint64_t most_expanded_text(std::uint64_t compressed) {
+[[nodiscard]] constexpr std::uint64_t max_expanded_text(std::uint64_t compressed) {
     return (std::uint64_t{32} << 20) + 32 * compressed;
 }
 
 /// The content of a zlib or gzip stream; bytes behind it are left alone.
 /// @throws FormatError "<format>: …" at `offset`, where the stream stands in its source, for one that is damaged, ends
-/// early or becomes more than most_expanded. Once `enough` bytes are there it stops, and nothing behind them is looked
+/// early or becomes more than max_expanded. Once `enough` bytes are there it stops, and nothing behind them is looked
 /// at.
 [[nodiscard]] std::string inflated(std::string_view stream, const Source& source, std::uint64_t offset,
                                    const std::string& format,

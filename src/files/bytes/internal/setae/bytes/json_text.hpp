@@ -11,13 +11,13 @@
 
 namespace setae::bytes {
 
-/// JSON of what `name` says, at most most_levels deep. @throws FormatError at the byte where it is none, "…:
+/// JSON of what `name` says, at most max_levels deep. @throws FormatError at the byte where it is none, "…:
 /// `complaint`".
 template <class Json = nlohmann::json>
 [[nodiscard]] Json parsed_json(std::string_view text, const std::string& name, const std::string& complaint) {
     if (const auto at = json_too_deep(text))
         throw FormatError(name, {.offset = *at},
-                          complaint + "; JSON of more than " + std::to_string(most_levels) + " levels is not read");
+                          complaint + "; JSON of more than " + std::to_string(max_levels) + " levels is not read");
     try {
         return Json::parse(text);
     } catch (const nlohmann::json::exception& error) {

@@ -10,9 +10,9 @@ namespace setae::bytes {
 
 /// Levels that texts of structure (JSON, XML, TOML, YAML) may have one inside another. What measures and describes
 /// surfaces has about ten; parsers and what walks through their results call themselves once a level.
-inline constexpr std::size_t most_levels = 64;
+inline constexpr std::size_t max_levels = 64;
 
-/// The byte at which JSON opens one level more than most_levels; nothing where it never does. Brackets inside texts do
+/// The byte at which JSON opens one level more than max_levels; nothing where it never does. Brackets inside texts do
 /// not count; text that is no JSON gives any answer.
 [[nodiscard]] std::optional<std::uint64_t> json_too_deep(std::string_view text);
 

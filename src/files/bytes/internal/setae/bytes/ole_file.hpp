@@ -52,7 +52,7 @@ private:
 
     Source source_;
     std::string format_;
-    std::uint64_t sector_bytes_ = 512, small_sector_bytes_ = 64, least_large_ = 4096;
+    std::uint64_t sector_bytes_ = 512, small_sector_bytes_ = 64, min_large_ = 4096;
     std::uint64_t sectors_ = 0;  ///< that the file has room for
     std::vector<std::uint32_t> table_, small_table_, small_stream_;
     std::vector<Stream> streams_;

@@ -23,14 +23,14 @@ struct TiffPieces {
     [[nodiscard]] std::uint64_t down() const { return (ny + piece_ny - 1) / piece_ny; }
 };
 
-/// All rows of a page, expanded by libtiff, in the byte order of this machine. It may take `most_memory` at once.
+/// All rows of a page, expanded by libtiff, in the byte order of this machine. It may take `max_memory` at once.
 /// @throws FormatError "<format>: …" at the directory or piece that cannot be expanded.
 [[nodiscard]] std::string expanded_tiff(const Source& source, const std::string& format, const TiffPieces& pieces,
-                                        std::uint64_t most_memory);
+                                        std::uint64_t max_memory);
 
 /// A page of 1 to 8 bits a sample in any colours libtiff knows, rows from the top: red in the lowest byte of a pixel,
 /// green, blue and opacity above it. @throws as expanded_tiff.
 [[nodiscard]] std::vector<std::uint32_t> tiff_colours(const Source& source, const std::string& format,
-                                                      const TiffPieces& pieces, std::uint64_t most_memory);
+                                                      const TiffPieces& pieces, std::uint64_t max_memory);
 
 }  // namespace setae::bytes

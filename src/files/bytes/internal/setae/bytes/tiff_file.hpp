@@ -60,11 +60,11 @@ struct TiffFile {
 /// page, where directories then end.
 enum class Damage { refused, noted };
 
-/// The directories, or the first `most_pages` of them.
+/// The directories, or the first `max_pages` of them.
 /// @throws FormatError "<format>: …" with offset where a directory or the values of a tag lie beyond the end of the
 /// file, or directories form a loop, or are more than the file has bytes for.
 [[nodiscard]] TiffFile open_tiff(const Source& source, const std::string& format,
-                                 std::size_t most_pages = std::numeric_limits<std::size_t>::max(),
+                                 std::size_t max_pages = std::numeric_limits<std::size_t>::max(),
                                  Damage damage = Damage::refused);
 
 }  // namespace setae::bytes

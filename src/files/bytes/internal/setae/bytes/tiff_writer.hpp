@@ -13,7 +13,7 @@ struct GreyPages {
     std::uint32_t width = 0, height = 0;  ///< [px], > 0
     int count = 0;                        ///< > 0
     std::string description;              ///< of the first page
-    double pixels_a_unit = 0.0;           ///< along both axes, in the unit that the description says
+    double pixels_per_unit = 0.0;         ///< along both axes, in the unit that the description says
 };
 
 /// Writes a TIFF of such pages, compressed without loss, as a whole (write_whole_file). page(k, pixels): writes the

@@ -7,7 +7,7 @@
 
 namespace setae::bytes {
 
-/// The first document of YAML, at most most_levels deep with what its aliases stand for.
+/// The first document of YAML, at most max_levels deep with what its aliases stand for.
 ///
 /// An alias stands for no node that it is part of, and all of them together for no more than two nodes and sixteen
 /// bytes for each byte of the text: what reads the document may follow every one.

@@ -16,8 +16,8 @@ struct ContactFrameOptions {
     Polarity polarity = Polarity::automatic;
     bool fringes = false;  ///< rings around the contact: its edge ends the uniform centre, and need not be the
                            ///< strongest; it is right to 0.5 px where the first bright ring lies within 2.5 px of it
-    double smallest_radius = 5.0;   ///< smaller contacts count as none
-    double least_confidence = 0.5;  ///< of a contact that is reported
+    double smallest_radius = 5.0;  ///< smaller contacts count as none
+    double min_confidence = 0.5;   ///< of a contact that is reported
 };
 
 /// What a frame gave.

@@ -31,8 +31,7 @@ struct TraceOptions {
         hidden;  ///< parts that show no sample, such as scale bars; the trace crosses them smoothly
     std::optional<double> smoothing_length;  ///< ℓ of the spline (0: none); unset: least expected error
     double denoise = 0.0;                    ///< standard deviation of a Gaussian that smooths the picture first
-    std::optional<double>
-        least_length;  ///< shorter segments are left out; unset: 50, of pictures with two grey levels 0
+    std::optional<double> min_length;  ///< shorter segments are left out; unset: 50, of pictures with two grey levels 0
 };
 
 /// One stretch of the boundary, vacuum on the left hand of who walks along it as the picture is seen: above a curve

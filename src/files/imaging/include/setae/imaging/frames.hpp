@@ -28,7 +28,7 @@ struct FrameOptions {
     bool ignore_stated_pixel_size = false;  ///< take pixel_size even where a file contradicts it
     std::optional<PictureRegion> region;    ///< what is looked at; coordinates of results stay those of the whole frame
     std::optional<long> first, last;        ///< numbers of frames, both included
-    long most_pixels = 100'000'000;         ///< a larger frame is refused
+    long max_pixels = 100'000'000;          ///< a larger frame is refused
 };
 
 /// A frame, or why there is none.

@@ -43,12 +43,12 @@ struct Micrograph {
 struct MicrographOptions {
     std::string image = {};  ///< its number, counted from 0, or its title or the beginning of it; empty: the first that
                              ///< is no spectrum and no Fourier transform
-    long most_pixels = 100'000'000;  ///< a larger picture is refused before its pixels are read
+    long max_pixels = 100'000'000;  ///< a larger picture is refused before its pixels are read
 };
 
 /// Reads a picture: DM3, DM4, TIFF, PNG, JPEG, BMP, SER (EMI beside it), EMD, MRC; told by content, never by name.
 /// @throws FileError; FormatError with the offset for content that breaks its format, for spectra (one row, or an axis
-/// that is no length) and for pictures above most_pixels, which says how to crop; InvalidArgument for an image the file
+/// that is no length) and for pictures above max_pixels, which says how to crop; InvalidArgument for an image the file
 /// has not.
 [[nodiscard]] Micrograph read_micrograph(const std::string& path, const MicrographOptions& options = {});
 

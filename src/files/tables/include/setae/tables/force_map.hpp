@@ -16,7 +16,7 @@
 namespace setae::tables {
 
 /// Most curves of a grid that is believed.
-inline constexpr Index most_map_points = Index{1} << 22;
+inline constexpr Index max_map_points = Index{1} << 22;
 
 /// The grid on which force curves were taken: pixels of width/columns × height/rows around a centre, turned by an
 /// angle.

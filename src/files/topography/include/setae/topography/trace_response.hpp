@@ -18,9 +18,9 @@ namespace setae::topography {
 [[nodiscard]] Array1D trace_transfer(const TraceResponse& response, const ArrayView1D& wavevectors);
 
 /// Share of the power of a wave that a trace must keep (T²) to be corrected: below, the smallest error of blur decides.
-inline constexpr double least_trace_power = 0.1;
+inline constexpr double min_trace_power = 0.1;
 /// The same of a profile with jumps, which stays as it is: C1D is low by less than a tenth.
-inline constexpr double least_trace_power_with_jumps = 0.9;
+inline constexpr double min_trace_power_with_jumps = 0.9;
 
 /// Wavevector beyond which K² exp(−(q blur)²) is less, at most π/step [1/m].
 [[nodiscard]] double trace_band_end(const TraceResponse& response);

@@ -20,7 +20,7 @@ struct RadiusRequest : CameraPictures {
     std::optional<long> first, last;
     std::vector<long> exclude;
     double smallest_radius = imaging::ContactFrameOptions{}.smallest_radius,
-           least_confidence = imaging::ContactFrameOptions{}.least_confidence;
+           min_confidence = imaging::ContactFrameOptions{}.min_confidence;
     bool ignore_stated_pixel_size = false;
 
     /// @throws InvalidArgument for a malformed text, and where the pixel's size is given twice.
@@ -50,7 +50,7 @@ struct setae::fields::Asked<setae::answers::RadiusRequest> {
             .one_of(polarities)
             .default_shown(),
         option<&R::smallest_radius>("smallest_radius", "smallest radius of a contact, in pixels").default_shown(),
-        option<&R::least_confidence>("least_confidence", "smallest confidence of a reported contact, from 0 to 1")
+        option<&R::min_confidence>("least_confidence", "smallest confidence of a reported contact, from 0 to 1")
             .default_shown(),
         option<&R::exclude>("exclude", "numbers of frames that are left out").such_as("12,17").separated_by(','),
         option<&R::reason>("reason", "reason why frames are left out").such_as("glare"),

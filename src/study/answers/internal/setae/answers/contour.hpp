@@ -23,7 +23,7 @@ struct ContourRequest {
     std::string vacuum = "automatic", shape = "envelope";
     std::string pixel, scale_bar, calibration, foil_thickness;
     std::vector<std::string> hidden;
-    std::optional<double> smoothing, least_length;
+    std::optional<double> smoothing, min_length;
     double denoise = 0;
     std::string image;
     bool ignore_stated = false, whole_picture = false;
@@ -68,7 +68,7 @@ struct setae::fields::Asked<setae::answers::ContourRequest> {
             .or_else("that of the smallest expected error"),
         option<&R::denoise>("denoise", "standard deviation in pixels of a Gaussian that smooths the picture first")
             .default_shown(),
-        option<&R::least_length>("least_length", "shortest length in pixels of a segment that is kept")
+        option<&R::min_length>("least_length", "shortest length in pixels of a segment that is kept")
             .or_else("50, of masks 0"),
         option<&R::image>("image", "image of a file that holds several: a number, counted from 0, or a title")
             .or_else("the first that is no spectrum and no Fourier transform"),

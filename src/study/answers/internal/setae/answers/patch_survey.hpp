@@ -23,9 +23,9 @@ namespace setae::answers {
 struct PatchSurveyRequest {
     std::vector<double> energy_shares{0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.7, 1.0, 1.2};
     std::vector<Index> points{256};
-    std::vector<double> points_a_wave{16.0};
+    std::vector<double> points_per_wave{16.0};
     std::vector<double> squared_ratios{0.5};
-    double waves_a_side = 4.0;
+    double waves_per_side = 4.0;
     double hurst_exponent = 0.8;
     std::string law = "exponential";
     int seeds = 8;
@@ -86,13 +86,13 @@ struct setae::fields::Asked<setae::answers::PatchSurveyRequest> {
             .default_shown()
             .in_python("energy_shares"),
         option<&R::points>("points", "number of points along each side of a patch").separated_by(',').default_shown(),
-        option<&R::points_a_wave>("shortest_wave", "number of points per shortest wavelength")
+        option<&R::points_per_wave>("shortest_wave", "number of points per shortest wavelength")
             .separated_by(',')
             .default_shown()
-            .in_python("points_a_wave"),
-        option<&R::waves_a_side>("waves", "number of longest wavelengths along each side of a patch")
+            .in_python("points_per_wave"),
+        option<&R::waves_per_side>("waves", "number of longest wavelengths along each side of a patch")
             .default_shown()
-            .in_python("waves_a_side"),
+            .in_python("waves_per_side"),
         option<&R::hurst_exponent>("hurst", "Hurst exponent of patches, where no study gives the spectrum")
             .default_shown()
             .in_python("hurst_exponent"),

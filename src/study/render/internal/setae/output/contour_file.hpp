@@ -12,7 +12,7 @@ namespace setae::output {
 /// A trace as JSON: what makes it again to the last bit, and what it gave.
 ///
 ///   {"format": "setae trace", "version": 1, "image": {file, sha256, width, height, format, image}, "calibration": {…},
-///    "options": {vacuum, smoothing_length, denoise, least_length, hidden, hide_annotations, shape, foil_thickness},
+///    "options": {vacuum, smoothing_length, denoise, min_length, hidden, hide_annotations, shape, foil_thickness},
 ///    "anchors": [[[x, y], …], …], "segments": [{…}], "alerts": […], "setae": version}
 ///
 /// Places in pixels, the centre of the first one (0, 0), x to the right, y downwards; lengths in options in pixels,

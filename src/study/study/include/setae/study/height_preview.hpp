@@ -19,7 +19,7 @@ struct HeightPreview {
 /// The preview of a map that is seen band by band of scan lines.
 class MapPreview {
 public:
-    MapPreview(Index nx, Index ny, std::array<double, 2> size, Index most_pixels = 128);
+    MapPreview(Index nx, Index ny, std::array<double, 2> size, Index max_pixels = 128);
     /// Scan lines first, first + 1, …; `band` has shape (nx, count).
     void add(const ArrayView2D& band, Index first);
     [[nodiscard]] HeightPreview result() const;
@@ -30,9 +30,9 @@ private:
     Array2D sum_, count_;
 };
 
-/// Lines of more than 2 · `most_points` points become the lowest and the highest point of each of `most_points`
-/// stretches, in order of x, so that no peak is lost; maps become at most `most_pixels` a side.
-[[nodiscard]] HeightPreview height_preview(const topography::Measurement& measurement, Index most_points = 1000,
-                                           Index most_pixels = 128);
+/// Lines of more than 2 · `max_points` points become the lowest and the highest point of each of `max_points`
+/// stretches, in order of x, so that no peak is lost; maps become at most `max_pixels` a side.
+[[nodiscard]] HeightPreview height_preview(const topography::Measurement& measurement, Index max_points = 1000,
+                                           Index max_pixels = 128);
 
 }  // namespace setae::study

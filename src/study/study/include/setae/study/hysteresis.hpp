@@ -143,7 +143,7 @@ struct Hysteresis {
 };
 
 /// Pairs with W_ret measured up to which run_study() ranks laws: the time goes as their cube.
-inline constexpr int most_ranked_by_studies = 48;
+inline constexpr int max_ranked_by_studies = 48;
 
 /// Every pair whose surface has a spectrum and whose elastomer a modulus; W_int is the study's.
 ///

@@ -57,7 +57,7 @@ struct StatedBodies {
 void apply(const loops::Calibration& factors, OpenedLoop& loop);
 
 /// W [J/m²] of adhesive contacts below which forces are likely too small for the radius.
-inline constexpr double least_work_of_adhesion = 3e-4;
+inline constexpr double min_work_of_adhesion = 3e-4;
 
 /// Whether an alert names what makes all numbers of a loop wrong: it comes before those that follow from it.
 [[nodiscard]] bool names_cause(const Alert& alert);

@@ -19,7 +19,7 @@ namespace setae::scales {
 /// over the heights for all magnifications, each cell centred on its own, so offsets cost no digits.
 /// Source: 10.1088/2051-672X/aa51f8 (definition).
 struct VariableBandwidthOptions {
-    Index fewest_points = 4;  ///< of a cell along each direction, >= 2
+    Index min_points = 4;  ///< of a cell along each direction, >= 2
     spectra::ReliabilityOptions reliability;
     parallel::Threads threads;
 };

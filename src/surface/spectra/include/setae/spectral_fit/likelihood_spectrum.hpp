@@ -40,13 +40,13 @@ struct ObservedSurface {
 
 struct LikelihoodOptions {
     double shortest_wavelength = 4e-10;  ///< 2π/q_s [m]: the surface has no shorter waves
-    double bend = 0.25;           ///< prior standard deviation of the second difference of ln C_iso per 0.1 decade
-    bool tip_factor = true;       ///< simulate tips; false: T = 1
-    bool tip_band = true;         ///< use tip-based data below 2π/l_c alone
-    double least_transfer = 0.4;  ///< use tip-based data where T is larger
-    int rounds = 5;               ///< most simulations of each tip; they end when T settles
-    Index tip_points = 1024;      ///< of the simulated patch across the lines that are read …
-    Index tip_length = 2048;      ///< … and along them
+    double bend = 0.25;         ///< prior standard deviation of the second difference of ln C_iso per 0.1 decade
+    bool tip_factor = true;     ///< simulate tips; false: T = 1
+    bool tip_band = true;       ///< use tip-based data below 2π/l_c alone
+    double min_transfer = 0.4;  ///< use tip-based data where T is larger
+    int rounds = 5;             ///< most simulations of each tip; they end when T settles
+    Index tip_points = 1024;    ///< of the simulated patch across the lines that are read …
+    Index tip_length = 2048;    ///< … and along them
     std::uint64_t seed = 1;
     parallel::Threads threads;
 };
