@@ -20,6 +20,7 @@ public:
     void value(const Row& row, double value) override { take(row, value); }
     void quantity(const Row& row, const Estimate& value) override { take(row, value.value, value.standard_error); }
     void quantity(const Row& row, const Quantity& value) override { quantity(row, value.estimate); }
+    void fields_of(const Quantity&) override {}
     void text(const Row& row, std::string_view value) override { take(row, std::string(value)); }
     void begin_list(const Row& row) override { begin(row); }
     void end_list(const Row& row) override { end(row); }

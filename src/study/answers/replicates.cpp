@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "setae/output/replicate_report.hpp"
+#include "setae/output/field_json.hpp"
 
 namespace setae::answers {
 namespace {
@@ -47,12 +47,6 @@ ReplicateSummary replicate_summary(const ReplicateRequest& request) {
     return summary;
 }
 
-output::Json to_json(const ReplicateSummary& summary) {
-    auto json = output::to_json(summary.tables.data, summary.model);
-    json["bad_rows"] = output::Json::array();
-    for (const auto& bad : summary.tables.bad_rows)
-        json["bad_rows"].push_back({{"place", bad.place}, {"reason", bad.reason}});
-    return json;
-}
+output::Json to_json(const ReplicateSummary& summary) { return output::described(summary); }
 
 }  // namespace setae::answers

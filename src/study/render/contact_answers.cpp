@@ -7,8 +7,10 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "json/pair_fields.hpp"
 #include "setae/core/uncertain_text.hpp"
 #include "setae/core/units.hpp"
+#include "setae/output/field_json.hpp"
 
 namespace setae::output {
 namespace {
@@ -30,22 +32,7 @@ Quantity recommended_quantity(const study::ContactAnswer& answer) {
     return work;
 }
 
-Json to_json(const study::ContactAnswers& answers) {
-    Json theories = Json::array();
-    for (const auto& answer : answers.answers) {
-        const auto text = study::text_of(answer.theory);
-        theories.push_back(
-            {{"theory", text.name},
-             {"title", text.title},
-             {"assumes", text.assumes},
-             {"recommended", answer.recommended},
-             {"work_of_adhesion", to_json(quantity("work_of_adhesion", "W_app", answer.work_of_adhesion, "J/m2"))},
-             {"area_fraction", to_json(quantity("area_fraction", "A/A0", answer.area_fraction, "1"))}});
-    }
-    return {{"recommended", study::text_of(answers.recommended().theory).name},
-            {"reason", answers.reason},
-            {"theories", std::move(theories)}};
-}
+Json to_json(const study::ContactAnswers& answers) { return described(answers); }
 
 tables::TidyTable theory_table(const study::ContactAnswers& answers) {
     tables::TidyTable table{"Contact without load, by theory", {"theory", "W_app [mJ/m²]", "area [%]", "assumes"}, {}};

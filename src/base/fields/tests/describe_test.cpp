@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "setae/core/errors.hpp"
+
 namespace setae::fields {
 
 /// As loops::Outcome.
@@ -115,6 +117,7 @@ public:
         add(row, shown(e.value) + "±" + shown(e.standard_error) + " " + std::string(row.unit));
     }
     void quantity(const Row& row, const Quantity& q) override { add(row, shown(q.estimate.value) + " " + q.unit); }
+    void fields_of(const Quantity& q) override { text_ += q.quantity + " " + shown(q.estimate.value) + ";"; }
     void text(const Row& row, std::string_view value) override { add(row, std::string(value)); }
     void begin_list(const Row& row) override { add(row, "["); }
     void end_list(const Row&) override { text_ += "]"; }
@@ -194,6 +197,62 @@ TEST(Fields, OfABaseStandAmongItsOwn) {
     const Whole whole{{4.0, "base"}, 2};
     put(&whole, Described<Whole>::description, sink);
     EXPECT_EQ(sink.text_, "x=4;name=base;more=2;");
+}
+
+/// What is held by name, quantities under their own names, and what is filled later.
+struct Held {
+    std::vector<std::pair<std::string, Point>> points{{"a", {1.0, "first"}}};
+    std::vector<std::pair<std::string, int>> counts{{"a", 2}};
+    std::vector<std::pair<std::string, std::string>> labels{{"a", "one"}};
+    std::vector<Quantity> list{{.quantity = "force", .estimate = {.value = 3.0}, .unit = "N"}};
+    Boxed<Point> boxed, no_box;
+};
+
+}  // namespace
+
+template <>
+struct Described<Held> {
+    using T = Held;
+    static constexpr std::array possible_rows{possible("force", "F", "N", "a force"),
+                                              possible("work", "W", "J", "a work")};
+    static constexpr Description possible_quantities{"", "quantities", possible_rows};
+    static constexpr std::array rows{
+        field<&T::points>("points", "points by name"),
+        field<&T::counts>("counts", "whole numbers by name"),
+        field<&T::labels>("labels", "texts by name"),
+        field<&T::list>("list", "quantities"),
+        quantities_among<T>(possible_quantities, [](const T& of) -> const auto& { return of.list; }),
+        quantity_fields<T>([](const T& of) -> const Quantity& { return of.list.front(); }),
+        list_filled_later<Point>("later", "a list"),
+        objects_filled_later<Point>("by_name_later", "objects"),
+        field<&T::boxed>("boxed", "a point elsewhere"),
+        field<&T::no_box>("no_box", "no point").or_null(),
+    };
+    static constexpr Description description{"", "what is held by name", rows};
+};
+static_assert(complete<Held>);
+
+namespace {
+
+TEST(Fields, HoldValuesByNameAndQuantitiesUnderTheirOwn) {
+    Recorded sink;
+    Held held;
+    held.boxed = Point{5.0, "boxed"};
+    put(&held, Described<Held>::description, sink);
+    EXPECT_EQ(sink.text_,
+              "points={;a:points={;x=1;name=first;}}counts={;a:counts=2;}labels={;a:labels=one;}list=[;list=3 N;]"
+              "force=3 N;force 3;later=[;]by_name_later={;}boxed={;x=5;name=boxed;}no_box=null();");
+    EXPECT_EQ(Described<Held>::rows[0].kind, Kind::objects_of);
+    EXPECT_EQ(Described<Held>::rows[1].kind, Kind::whole_of);
+    EXPECT_EQ(Described<Held>::rows[2].kind, Kind::text_of);
+    EXPECT_EQ(Described<Held>::rows[3].kind, Kind::quantities);
+}
+
+TEST(Fields, RefuseAQuantityThatNoRowAnnounces) {
+    Recorded sink;
+    Held held;
+    held.list.front().quantity = "speed";
+    EXPECT_THROW(put(&held, Described<Held>::description, sink), InternalError);
 }
 
 struct Grown {

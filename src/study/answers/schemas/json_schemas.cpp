@@ -9,13 +9,14 @@
 #include <nlohmann/json.hpp>
 
 #include "schemas/schema_texts.hpp"
+#include "setae/answers/replicates.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/loops/analysis.hpp"
 #include "setae/loops/crack_speed_fit.hpp"
 #include "setae/loops/global_fit.hpp"
 #include "setae/loops/model_fits.hpp"
 #include "setae/output/field_json.hpp"
-#include "setae/study/hysteresis.hpp"
+#include "setae/output/study_schemas.hpp"
 
 namespace setae::answers {
 namespace {
@@ -66,7 +67,8 @@ Json chosen(const Json& parts, const std::set<std::string>& names) {
 Json shared_json_parts() {
     auto parts = parsed(shared);
     std::map<std::string, Json> described;
-    output::add_named_schemas(fields::Described<study::Hysteresis>::description, described);
+    output::add_study_schemas(described);
+    output::add_named_schemas(fields::Described<ReplicateSummary>::description, described);
     output::add_named_schemas(fields::Described<loops::LoopAnalysis>::description, described);
     output::add_named_schemas(fields::Described<loops::ModelComparison>::description, described);
     output::add_named_schemas(fields::Described<loops::ModelFit>::description, described);

@@ -42,6 +42,7 @@ public:
         fill(whole.source, row.source);
         add(row, to_json(whole));
     }
+    void fields_of(const Quantity& value) override { open_.back()->update(to_json(value)); }
     void text(const Row& row, std::string_view value) override { add(row, value); }
     void begin_list(const Row& row) override {
         if (row.kind != Kind::values) return open(row, Json::array());
@@ -77,6 +78,7 @@ private:
 
 Json reference(std::string_view name) { return {{"$ref", "#/$defs/" + std::string(name)}}; }
 Json type(const char* name) { return {{"type", name}}; }
+Json by_name(Json held) { return {{"type", "object"}, {"additionalProperties", std::move(held)}}; }
 Json list_of(Json items) { return {{"type", "array"}, {"items", std::move(items)}}; }
 
 /// Names and which of them every result has.
@@ -101,8 +103,12 @@ Json type_of(const Row& row) {
         case Kind::wholes: return list_of(type("integer"));
         case Kind::object: return inner_type(row);
         case Kind::objects: return list_of(inner_type(row));
-        case Kind::quantity_of: return {{"type", "object"}, {"additionalProperties", reference("quantity")}};
-        case Kind::number_of: return {{"type", "object"}, {"additionalProperties", reference("number")}};
+        case Kind::quantities: return list_of(reference("quantity"));
+        case Kind::quantity_of: return by_name(reference("quantity"));
+        case Kind::number_of: return by_name(reference("number"));
+        case Kind::whole_of: return by_name(type("integer"));
+        case Kind::text_of: return by_name(type("string"));
+        case Kind::objects_of: return by_name(inner_type(row));
     }
     return {};
 }

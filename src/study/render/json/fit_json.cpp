@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "json_support.hpp"
+#include "loop_model_fields.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/output/field_json.hpp"
 #include "setae/study/study_result.hpp"
@@ -17,14 +18,6 @@ namespace {
 void add_estimate(Json& json, const char* name, const char* symbol, const study::Outcome<Estimate>& estimate,
                   const char* unit) {
     add_outcome(json, name, estimate, [&](const Estimate& e) { return to_json(quantity(name, symbol, e, unit)); });
-}
-
-Json json_of(const loops::ParameterProfile& profile, const char* name, const char* symbol, const char* unit) {
-    Json json = to_json(quantity(name, symbol, profile.estimate, unit));
-    json["values"] = numbers(profile.values);
-    json["chi_squared_rise"] = numbers(profile.chi2_rise);
-    json["threshold"] = number(profile.threshold);
-    return json;
 }
 
 Json json_of(const loops::RangeFit& range) {
@@ -88,24 +81,9 @@ Json to_json(const std::vector<loops::NamedCurveFit>& segments) {
     return json;
 }
 
-Json to_json(const loops::ProfileLikelihood& profile) {
-    return {{"method", profile.fit.method},
-            {"contact_modulus", json_of(profile.contact_modulus, "contact_modulus", "E*", "Pa")},
-            {"work_of_adhesion", json_of(profile.work_of_adhesion, "work_of_adhesion", "W", "J/m2")}};
-}
+Json to_json(const loops::ProfileLikelihood& profile) { return described(profile); }
 
-Json to_json(const study::LoopModels& models) {
-    Json json = Json::object();
-    if (!models.fits.empty()) {
-        json["fits"] = Json::array();
-        for (const auto& fit : models.fits) json["fits"].push_back(to_json(fit));
-    }
-    if (models.comparison) json["comparison"] = to_json(*models.comparison);
-    if (models.profile) json["profile_likelihood"] = to_json(*models.profile);
-    if (models.crack_speed) json["crack_speed"] = to_json(*models.crack_speed);
-    if (!models.failures.empty()) json["failures"] = models.failures;
-    return json;
-}
+Json to_json(const study::LoopModels& models) { return described(models); }
 
 Json to_json(const loops::RangeScan& scan) {
     Json json{{"by_start", Json::array()}, {"by_end", Json::array()}};

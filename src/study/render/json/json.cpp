@@ -2,7 +2,7 @@
 #include "json_support.hpp"
 #include "json_writer.hpp"
 #include "setae/output/field_json.hpp"
-#include "setae/processing/processed.hpp"
+#include "surface_fields.hpp"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -36,11 +36,7 @@ Json to_json(const std::vector<Alert>& alerts) {
 
 Json to_json(const std::vector<processing::StepRecord>& records) {
     Json list = Json::array();
-    for (const auto& record : records) {
-        Json numbers = Json::array();
-        for (const auto& number : record.numbers) numbers.push_back(to_json(number));
-        list.push_back({{"step", record.step}, {"numbers", numbers}, {"alerts", to_json(record.alerts)}});
-    }
+    for (const auto& record : records) list.push_back(described(record));
     return list;
 }
 

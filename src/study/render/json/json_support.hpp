@@ -6,7 +6,6 @@
 
 #include "setae/loops/analysis.hpp"
 #include "setae/output/json.hpp"
-#include "setae/statistics/replicate_data.hpp"
 #include "setae/study/study_result.hpp"
 
 namespace setae::output {
@@ -27,11 +26,5 @@ void add_outcome(Json& json, const std::string& key, const loops::Outcome<T>& ou
 
 /// Rows of numbers.
 [[nodiscard]] Json matrix(const Eigen::MatrixXd& values);
-
-/// "band", "rounds", "converged", "agreement", "tip_factors" and "spectrum", the curves in columns.
-[[nodiscard]] Json to_json(const study::FittedSpectrum& fitted);
-
-/// "rows" of replicates: name, groups, value, and the reason of those excluded.
-[[nodiscard]] Json rows_json(const statistics::ReplicateData& data);
 
 }  // namespace setae::output

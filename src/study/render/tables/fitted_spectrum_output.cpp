@@ -1,21 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a spectrum fitted to all measurements knows beside its parameters: tables, columns of curves, JSON.
+// What a spectrum fitted to all measurements knows beside its parameters: tables and columns of curves.
 #include <algorithm>
 #include <cmath>
 
-#include <nlohmann/json.hpp>
-
-#include "json/json_support.hpp"
+#include "json/surface_fields.hpp"
 #include "setae/core/constants.hpp"
-#include "setae/core/statistics.hpp"
+#include "setae/output/json.hpp"
 #include "setae/output/study_tables.hpp"
 #include "setae/study/study_result.hpp"
 #include "table_support.hpp"
 
 namespace setae::output {
 namespace {
-
-constexpr double level = 0.95;
 
 /// Visits every surface whose spectrum was fitted.
 template <class Visit>
@@ -30,47 +26,16 @@ Band decade_of(const spectral_fit::Agreement& row) {
 
 void add_curve(Table& table, const std::string& name, const std::string& unit, const Array1D& values,
                const Array1D& log_error) {
-    const Array1D factor = (normal_quantile(0.5 * (1.0 + level)) * log_error).exp();
+    const Array1D factor = FittedCurves::factor(log_error);
     table.columns.push_back({name, unit, values});
     table.columns.push_back({name + "_standard_error", unit, values * log_error});
     table.columns.push_back({name + "_low", unit, values / factor});
     table.columns.push_back({name + "_high", unit, values * factor});
 }
 
-Json agreement_json(const spectral_fit::Agreement& row) {
-    const auto decade = decade_of(row);
-    return {{"instrument", row.instrument},
-            {"band", {{"lower", decade.lower}, {"upper", decade.upper}, {"unit", "1/m"}}},
-            {"ratio", number(row.ratio)},
-            {"ratio_standard_error", number(row.standard_error)},
-            {"chi_squared", number(row.chi_squared)},
-            {"groups", row.groups},
-            {"probability", number(row.probability)}};
-}
-
 Estimate in_degrees(const Estimate& angle) {
     constexpr double degree = pi / 180.0;
     return {angle.value / degree, angle.standard_error / degree};
-}
-
-Json stretch_json(const spectral_fit::SurfaceStretch& stretch) {
-    const auto direction = in_degrees(stretch.direction);
-    return {
-        {"wavevector", {{"value", number(stretch.wavevector)}, {"unit", "1/m"}}},
-        {"stretch",
-         {{"value", number(stretch.ratio.value)},
-          {"standard_error", number(stretch.ratio.standard_error)},
-          {"unit", "1"}}},
-        {"direction",
-         {{"value", number(direction.value)}, {"standard_error", number(direction.standard_error)}, {"unit", "deg"}}}};
-}
-
-Json tip_json(const spectral_fit::TipFactor& tip) {
-    return {{"instrument", tip.instrument},
-            {"probe", tip.probe},
-            {"size", {{"value", number(tip.size)}, {"unit", "m"}}},
-            {"wavevector", {{"values", numbers(tip.wavevector)}, {"unit", "1/m"}}},
-            {"transfer", {{"values", numbers(tip.transfer)}, {"unit", "1"}}}};
 }
 
 }  // namespace
@@ -165,22 +130,6 @@ std::vector<Quantity> decade_quantities(const study::SurfaceResult& surface, con
         found.push_back(std::move(q));
     }
     return found;
-}
-
-Json to_json(const study::FittedSpectrum& fitted) {
-    Json json{{"band", {{"lower", number(fitted.band.lower)}, {"upper", number(fitted.band.upper)}, {"unit", "1/m"}}},
-              {"rounds", fitted.rounds},
-              {"converged", fitted.converged}};
-    json["agreement"] = Json::array();
-    for (const auto& row : fitted.agreement) json["agreement"].push_back(agreement_json(row));
-    json["tip_factors"] = Json::array();
-    for (const auto& tip : fitted.tips) json["tip_factors"].push_back(tip_json(tip));
-    json["stretch"] = Json::array();
-    for (const auto& stretch : fitted.stretch) json["stretch"].push_back(stretch_json(stretch));
-    for (const auto& column : fitted_spectrum_table(fitted).columns)
-        json["spectrum"][column.name] = {{"values", numbers(column.values)}, {"unit", column.unit}};
-    json["spectrum"]["level"] = level;
-    return json;
 }
 
 }  // namespace setae::output

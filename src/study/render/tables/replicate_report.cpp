@@ -8,9 +8,10 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "json/json_support.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/units.hpp"
+#include "setae/output/field_json.hpp"
+#include "setae/output/replicate_fields.hpp"
 #include "table_support.hpp"
 
 namespace setae::output {
@@ -19,77 +20,10 @@ namespace {
 using statistics::MixedModel;
 using statistics::ReplicateData;
 
-constexpr const char* source =
-    "linear mixed model, restricted likelihood, Satterthwaite's degrees of freedom; docs/guides/replicates.md";
-
 const statistics::Exclusion* exclusion_of(const ReplicateData& data, std::size_t row) {
     const auto found =
         std::find_if(data.exclusions.begin(), data.exclusions.end(), [row](const auto& e) { return e.row == row; });
     return found == data.exclusions.end() ? nullptr : &*found;
-}
-
-Json interval_json(const std::optional<Interval>& interval, const std::string& unit) {
-    if (!interval) return nullptr;
-    return {{"lower", number(interval->lower)},
-            {"upper", number(interval->upper)},
-            {"level", interval->level},
-            {"unit", unit}};
-}
-
-Json fit_json(const statistics::VarianceFit& fit, const std::string& unit) {
-    Json json{{"surfaces", fit.surfaces},           {"components", Json::array()},
-              {"not_estimable", fit.not_estimable}, {"n", fit.n},
-              {"converged", fit.converged},         {"log_likelihood", number(fit.log_likelihood)}};
-    for (const auto& c : fit.components) {
-        // of a root the error is that of the square over twice the root
-        const double deviation = std::sqrt(c.variance);
-        Json entry{{"level", c.level},
-                   {"includes", c.includes},
-                   {"degrees_of_freedom", c.degrees_of_freedom},
-                   {"at_bound", c.at_bound},
-                   {"variance", number(c.variance)},
-                   {"variance_standard_error", number(c.standard_error)}};
-        add(entry, quantity("standard_deviation", "s",
-                            {.value = deviation,
-                             .standard_error = deviation > 0.0 ? 0.5 * c.standard_error / deviation : undefined,
-                             .method = "delta"},
-                            unit));
-        json["components"].push_back(std::move(entry));
-    }
-    json["within_fits"] = to_json(quantity("standard_deviation_within_fits", "s", std::sqrt(fit.known_variance), unit));
-    return json;
-}
-
-Json surface_json(const ReplicateData& data, const statistics::SurfaceMean& surface) {
-    Json json{{"surface", surface.surface}};
-    auto mean = quantity("mean", data.quantity, surface.mean, data.unit);
-    mean.n = surface.n;
-    mean.source = source;
-    add(json, mean);
-    json["prediction_interval"] = interval_json(surface.prediction, data.unit);
-    json["with_excluded"] =
-        surface.with_excluded
-            ? to_json(quantity("mean_with_excluded", data.quantity, *surface.with_excluded, data.unit))
-            : Json(nullptr);
-    if (const auto& h = surface.heterogeneity)
-        json["heterogeneity"] = {{"Q", number(h->Q)},
-                                 {"degrees_of_freedom", h->degrees_of_freedom},
-                                 {"probability", number(h->probability)},
-                                 {"I2", number(h->I2)}};
-    else json["heterogeneity"] = nullptr;
-    for (std::size_t k = 1; k < data.levels.size(); ++k) json["groups"][data.levels[k]] = surface.groups[k - 1];
-    json["n"] = surface.n;
-    json["excluded"] = surface.excluded;
-    json["influence"] = Json::array();
-    for (const auto& i : surface.influence) {
-        Json entry{{"level", i.level}, {"group", i.group}};
-        entry["mean"] =
-            i.mean ? to_json(quantity("mean_without_it", data.quantity, *i.mean, data.unit)) : Json(nullptr);
-        add(entry, quantity("shift", "Δ" + data.quantity, i.shift, data.unit));
-        json["influence"].push_back(std::move(entry));
-    }
-    json["notes"] = surface.notes;
-    return json;
 }
 
 std::string between(const std::optional<Interval>& interval, const std::string& unit) {
@@ -98,42 +32,7 @@ std::string between(const std::optional<Interval>& interval, const std::string& 
 
 }  // namespace
 
-Json rows_json(const ReplicateData& data) {
-    Json rows = Json::array();
-    for (std::size_t i = 0; i < data.rows.size(); ++i) {
-        const auto& row = data.rows[i];
-        Json entry{{"name", row.name}};
-        for (std::size_t k = 0; k < data.levels.size(); ++k) entry["groups"][data.levels[k]] = row.groups[k];
-        add(entry, quantity("value", data.quantity,
-                            {.value = row.value, .standard_error = row.standard_error, .method = "fit"}, data.unit));
-        const auto* exclusion = exclusion_of(data, i);
-        entry["excluded"] = exclusion ? Json(exclusion->reason) : Json(nullptr);
-        rows.push_back(std::move(entry));
-    }
-    return rows;
-}
-
-Json to_json(const ReplicateData& data, const MixedModel& model) {
-    Json json{{"quantity", data.quantity},
-              {"unit", data.unit},
-              {"levels", data.levels},
-              {"pooling", model.pooling == statistics::Pooling::surfaces ? "surfaces" : "none"},
-              {"surfaces", Json::array()},
-              {"variances", Json::array()},
-              {"differences", Json::array()},
-              {"rows", Json::array()},
-              {"notes", model.notes}};
-    for (const auto& surface : model.surfaces) json["surfaces"].push_back(surface_json(data, surface));
-    for (const auto& fit : model.fits) json["variances"].push_back(fit_json(fit, data.unit));
-    for (const auto& d : model.differences) {
-        Json entry{{"later", d.later}, {"earlier", d.earlier}};
-        add(entry, quantity("difference", "Δ" + data.quantity, d.difference, data.unit));
-        entry["probability"] = number(d.probability);
-        json["differences"].push_back(std::move(entry));
-    }
-    json["rows"] = rows_json(data);
-    return json;
-}
+Json to_json(const ReplicateData& data, const MixedModel& model) { return described(ReplicateMeans{&data, &model}); }
 
 tables::TidyTable replicate_table(const ReplicateData& data) {
     tables::TidyTable table{"", {"name"}, {}};

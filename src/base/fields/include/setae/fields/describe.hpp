@@ -26,6 +26,7 @@
 #include <vector>
 
 #include "setae/core/arrays.hpp"
+#include "setae/core/boxed.hpp"
 #include "setae/core/quantity.hpp"
 #include "setae/core/traced_value.hpp"
 #include "setae/fields/member_of.hpp"
@@ -38,6 +39,10 @@ struct Described;
 
 template <>
 struct Described<Alert>;
+template <>
+struct Described<Interval>;
+template <>
+struct Described<Band>;
 
 template <class T>
 concept HasRows = requires { Described<T>::description; };
@@ -62,6 +67,8 @@ template <class T>
 inline constexpr bool is_optional = false;
 template <class T>
 inline constexpr bool is_optional<std::optional<T>> = true;
+template <class T>
+inline constexpr bool is_optional<Boxed<T>> = true;
 template <class T>
 inline constexpr bool is_map = false;
 template <class T>
@@ -89,6 +96,10 @@ template <class T>
 struct Bare<std::optional<T>> {
     using Type = typename Bare<T>::Type;
 };
+template <class T>
+struct Bare<Boxed<T>> {
+    using Type = typename Bare<T>::Type;
+};
 template <WithReason T>
 struct Bare<T> {
     using Type = std::remove_cvref_t<decltype(*std::declval<const T&>())>;
@@ -99,8 +110,20 @@ template <class T>
 inline constexpr Missing otherwise = Missing::never;
 template <class T>
 inline constexpr Missing otherwise<std::optional<T>> = WithReason<T> ? Missing::as_asked : Missing::left_out;
+template <class T>
+inline constexpr Missing otherwise<Boxed<T>> = otherwise<std::optional<T>>;
 template <WithReason T>
 inline constexpr Missing otherwise<T> = Missing::with_reason;
+
+/// What values of a type are that are held by name.
+template <class T>
+consteval Kind kind_by_name() {
+    if constexpr (holds_error<T>) return Kind::quantity_of;
+    else if constexpr (std::is_integral_v<T>) return Kind::whole_of;
+    else if constexpr (std::is_floating_point_v<T>) return Kind::number_of;
+    else if constexpr (std::is_convertible_v<T, std::string_view>) return Kind::text_of;
+    else return Kind::objects_of;
+}
 
 /// What a type is in outputs, without a unit.
 template <class T>
@@ -112,11 +135,11 @@ consteval Kind kind_of() {
     else if constexpr (std::is_convertible_v<T, std::string_view>) return Kind::text;
     else if constexpr (std::is_same_v<T, Eigen::MatrixXd>) return Kind::matrix;
     else if constexpr (is_column<T>) return Kind::numbers;
-    else if constexpr (is_map<T>)
-        return holds_error<typename T::value_type::second_type> ? Kind::quantity_of : Kind::number_of;
+    else if constexpr (is_map<T>) return kind_by_name<typename T::value_type::second_type>();
     else if constexpr (is_vector<T>) {
         using Element = typename T::value_type;
         if constexpr (std::is_same_v<Element, std::string>) return Kind::texts;
+        else if constexpr (holds_error<Element>) return Kind::quantities;
         else if constexpr (std::is_integral_v<Element>) return Kind::wholes;
         else return Kind::objects;
     } else return Kind::object;
@@ -126,10 +149,9 @@ consteval Kind kind_of() {
 template <class T>
 consteval const Description* inner_of() {
     if constexpr (HasRows<T>) return &Described<T>::description;
-    else if constexpr (is_vector<T>) {
-        if constexpr (HasRows<typename T::value_type>) return &Described<typename T::value_type>::description;
-        else return nullptr;
-    } else return nullptr;
+    else if constexpr (is_map<T>) return inner_of<typename T::value_type::second_type>();
+    else if constexpr (is_vector<T>) return inner_of<typename T::value_type>();
+    else return nullptr;
 }
 
 inline void put_number(double value, const Row& row, Sink& sink) {
@@ -329,6 +351,128 @@ consteval Row fields_of(From from) {
     return fields_of<T>(Described<typename detail::Bare<Other>::Type>::description, from);
 }
 
+template <>
+struct Described<Alert> {
+    using T = Alert;
+    static constexpr std::array rows{
+        field<&T::code>("code", "which alert: docs/reference/alerts.md"),
+        field<&T::subject>("subject", "what it is about"),
+        field<&T::message>("message", "what is the case"),
+        field<&T::action>("action", "what to do about it; empty where that is nothing"),
+    };
+    static constexpr Description description{"alert", "something the reader of a number must know", rows};
+};
+
+template <>
+struct Described<Interval> {
+    using T = Interval;
+    static constexpr std::array rows{
+        field<&T::lower>("lower", "lower end"),
+        field<&T::upper>("upper", "upper end"),
+        field<&T::level>("level", "probability that the interval covers the value"),
+    };
+    static constexpr Description description{"interval", "an interval and its probability", rows};
+};
+
+template <>
+struct Described<Band> {
+    using T = Band;
+    static constexpr std::array rows{
+        field<&T::lower>("lower", "smallest wavevector"),
+        field<&T::upper>("upper", "largest wavevector"),
+        made<T>("unit", "unit of both ends", [](const T&) { return std::string_view("1/m"); }),
+    };
+    static constexpr Description description{"band", "a range of wavevectors", rows};
+};
+
+namespace detail {
+consteval Row of_kind(Kind kind, std::string_view name, std::string_view meaning, Missing otherwise = Missing::left_out,
+                      const Description* inner = nullptr) {
+    return {.name = name, .meaning = meaning, .kind = kind, .if_missing = otherwise, .inner = inner};
+}
+inline constexpr std::array rows_of_quantity{
+    of_kind(Kind::text, "quantity", "name of the quantity", Missing::never),
+    of_kind(Kind::text, "symbol", "symbol of the quantity in formulas", Missing::never),
+    of_kind(Kind::number, "value", "value in SI units", Missing::never),
+    of_kind(Kind::text, "unit", "unit of value, standard error and interval", Missing::never),
+    of_kind(Kind::number, "standard_error", "one standard deviation"),
+    of_kind(Kind::object, "interval", "interval that covers the value with the probability `level`", Missing::left_out,
+            &Described<Interval>::description),
+    of_kind(Kind::text, "method", "method that gave standard error and interval"),
+    of_kind(Kind::whole, "seed", "seed of the random numbers"),
+    of_kind(Kind::object, "band", "wavevectors that the value depends on", Missing::left_out,
+            &Described<Band>::description),
+    of_kind(Kind::whole, "n", "number of points, measurements or pairs"),
+    of_kind(Kind::number, "degrees_of_freedom", "degrees of freedom of Student's t or of χ²"),
+    of_kind(Kind::text, "source", "formula and its source"),
+    of_kind(Kind::objects, "alerts", "warnings on the value", Missing::left_out, &Described<Alert>::description),
+};
+}  // namespace detail
+
+/// Fields of every quantity, which a Sink writes.
+inline constexpr Description quantity_description{"quantity", "a number with symbol, unit and error",
+                                                  detail::rows_of_quantity};
+
+/// The fields of a quantity that `from` has from a result, among its own.
+template <class T, class From>
+consteval Row quantity_fields(From) {
+    return {.kind = Kind::object,
+            .inner = &quantity_description,
+            .among = true,
+            .put = [](const void* result, const Row&, Sink& sink) {
+                sink.fields_of(From{}(*static_cast<const T*>(result)));
+            }};
+}
+
+/// A quantity that a result may have: for quantities_among().
+consteval Row possible(std::string_view name, std::string_view symbol, std::string_view unit,
+                       std::string_view meaning) {
+    return {.name = name,
+            .symbol = symbol,
+            .unit = unit,
+            .meaning = meaning,
+            .kind = Kind::quantity,
+            .if_missing = Missing::left_out};
+}
+
+/// Quantities that `from` has from a result, each a field under its own name, which is one of `possible`.
+template <class T, class From>
+consteval Row quantities_among(const Description& possible, From) {
+    return {.kind = Kind::object,
+            .if_missing = Missing::left_out,
+            .inner = &possible,
+            .among = true,
+            .put = [](const void* result, const Row& row, Sink& sink) {
+                for (const Quantity& value : From{}(*static_cast<const T*>(result)))
+                    sink.quantity(row_named(*row.inner, value.quantity), value);
+            }};
+}
+
+/// A list whose elements other code adds: empty here.
+template <class Element>
+consteval Row list_filled_later(std::string_view name, std::string_view meaning) {
+    return {.name = name,
+            .meaning = meaning,
+            .kind = Kind::objects,
+            .inner = &Described<Element>::description,
+            .put = [](const void*, const Row& row, Sink& sink) {
+                sink.begin_list(row);
+                sink.end_list(row);
+            }};
+}
+/// Objects by name that other code adds.
+template <class Element>
+consteval Row objects_filled_later(std::string_view name, std::string_view meaning) {
+    return {.name = name,
+            .meaning = meaning,
+            .kind = Kind::objects_of,
+            .inner = &Described<Element>::description,
+            .put = [](const void*, const Row& row, Sink& sink) {
+                sink.begin(row);
+                sink.end(row);
+            }};
+}
+
 /// A field that other code writes: schemas know it.
 consteval Row written_apart(std::string_view name, std::string_view meaning) {
     return {.name = name, .meaning = meaning, .kind = Kind::text};
@@ -383,18 +527,6 @@ constexpr std::size_t distinct_members(std::span<const Row> rows) {
 }
 
 }  // namespace detail
-
-template <>
-struct Described<Alert> {
-    using T = Alert;
-    static constexpr std::array rows{
-        field<&T::code>("code", "which alert: docs/reference/alerts.md"),
-        field<&T::subject>("subject", "what it is about"),
-        field<&T::message>("message", "what is the case"),
-        field<&T::action>("action", "what to do about it; empty where that is nothing"),
-    };
-    static constexpr Description description{"alert", "something the reader of a number must know", rows};
-};
 
 /// Whether rows name every member of an aggregate; a base counts as one.
 template <class T>

@@ -24,8 +24,12 @@ enum class Kind {
     matrix,       ///< rows of numbers
     object,       ///< fields of its own, Row::inner
     objects,      ///< a list of those
+    quantities,   ///< a list of quantities
     quantity_of,  ///< quantities by name
     number_of,    ///< numbers by name
+    whole_of,     ///< whole numbers by name
+    text_of,      ///< texts by name
+    objects_of,   ///< objects by name, each with the fields of Row::inner
 };
 
 /// What stands where a result lacks the field.
@@ -61,6 +65,8 @@ public:
     virtual void quantity(const Row& row, const Estimate& value) = 0;
     /// The same with name, symbol and unit that the result itself has.
     virtual void quantity(const Row& row, const Quantity& value) = 0;
+    /// The fields of a quantity, among those of the open object.
+    virtual void fields_of(const Quantity& value) = 0;
     virtual void text(const Row& row, std::string_view value) = 0;
     /// Lists of numbers, words and objects: begin, each as above, end; rows of a matrix are lists within.
     virtual void begin_list(const Row& row) = 0;
@@ -119,6 +125,9 @@ struct Row {
         return row;
     }
 };
+
+/// The row of this name. @throws InternalError where there is none.
+[[nodiscard]] const Row& row_named(const Description& description, std::string_view name);
 
 /// Every field of a result, in order.
 void put(const void* result, const Description& description, Sink& sink);

@@ -5,8 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "setae/fields/describe.hpp"
 #include "setae/fields/option.hpp"
 #include "setae/output/json.hpp"
+#include "setae/output/replicate_fields.hpp"
 #include "setae/statistics/mixed_model.hpp"
 #include "setae/study/replicate_reader.hpp"
 
@@ -33,10 +35,32 @@ struct ReplicateSummary {
 /// @throws as study::read_replicates(), the readers of exclusions and statistics::mixed_model().
 [[nodiscard]] ReplicateSummary replicate_summary(const ReplicateRequest& request);
 
-/// As output::to_json() of replicates, and "bad_rows".
 [[nodiscard]] output::Json to_json(const ReplicateSummary& summary);
 
 }  // namespace setae::answers
+
+template <>
+struct setae::fields::Described<setae::study::BadRow> {
+    using T = study::BadRow;
+    static constexpr std::array rows{
+        field<&T::place>("place", "file and line"),
+        field<&T::reason>("reason", "the reason why the row was not read"),
+    };
+    static constexpr Description description{"", "a row that was not read", rows};
+};
+static_assert(setae::fields::complete<setae::study::BadRow>);
+
+template <>
+struct setae::fields::Described<setae::answers::ReplicateSummary> {
+    using T = answers::ReplicateSummary;
+    static constexpr std::array rows{
+        fields_of<T>([](const T& of) {
+            return output::ReplicateMeans{&of.tables.data, &of.model};
+        }),
+        made<T>("bad_rows", "rows that were not read", [](const T& of) -> const auto& { return of.tables.bad_rows; }),
+    };
+    static constexpr Description description{"replicate_summary", "means over repeated measurements", rows};
+};
 
 template <>
 struct setae::fields::Asked<setae::answers::ReplicateRequest> {

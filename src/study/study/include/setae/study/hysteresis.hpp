@@ -393,7 +393,6 @@ struct Described<study::Hysteresis> {
     };
     static constexpr Description rankings{"", "models of W_ret at pull-off", ranking_rows};
     static constexpr std::array rows{
-        written_apart("answer", "which model is likeliest, which are not excluded beside it, what would decide"),
         field<&T::measured_pairs>("measured_pairs", "with W_app and W_ret measured"),
         field<&T::conforming_pairs>("conforming_pairs", "of these, that come into full contact of themselves"),
         made<T>("conforming_pairs_range", "2.5 and 97.5 % of this number when inputs are drawn within their ±",
@@ -419,8 +418,7 @@ struct Described<study::Hysteresis> {
         field<&T::pairs>("pairs", "one entry a surface and elastomer"),
         field<&T::skipped>("skipped", "pairs of which nothing can be said"),
     };
-    static constexpr Description description{
-        "hysteresis", "hysteresis predicted from roughness, and the law that says the measured pairs", rows};
+    static constexpr Description description{"", "retraction models and predictions of all pairs", rows};
 };
 static_assert(complete<study::Hysteresis>);
 
