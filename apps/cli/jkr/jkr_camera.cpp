@@ -21,7 +21,7 @@ constexpr const char* explanation =
     "pixel size  |a| at the centre; with lines of both directions width and height: (a_x/w)^2 + (a_y/h)^2 = 1 for each\n"
     "distortion  d: by how much the corners are stretched; a radius of r pixels about the centre is wrong by d r^2/r_c^2\n"
     "errors      count lines, not places along them; with the ruling's own ± of --pitch\n"
-    "docs/guides/jkr-laboratory.md\n";
+    "docs/guides/calibration.md\n";
 
 struct Arguments {
     Common common;

@@ -23,7 +23,7 @@ constexpr const char* explanation =
     "conic       c r^2 - 2 s + (1 + k) c s^2 = 0, s the height below the apex, c = 1/R there: k = 0 a sphere, -1 a paraboloid\n"
     "range       --from and --to leave out the rim, where a lens is no sphere: R and its residual tell how far it is one\n"
     "pictures    of the side, against the light: the longest edge, to fractions of a pixel; x from the left, z upwards\n"
-    "docs/guides/jkr-laboratory.md\n";
+    "docs/guides/calibration.md\n";
 
 struct Arguments {
     Common common;
