@@ -167,7 +167,7 @@ struct Recipe {
 /// the machine where there are loops, lenses and batches of elastomers.
 [[nodiscard]] std::vector<StatedQuantity> named_inputs(const Recipe& recipe);
 
-/// Reads a recipe from TOML; docs/guides/laboratory.md describes every key.
+/// Reads a recipe from TOML; docs/reference/recipes.md describes every key.
 ///
 /// Where a number of a spectrum, a skewness, a modulus of an elastomer or the work of adhesion is a pair [from, to], it
 /// is
