@@ -24,9 +24,9 @@ MAP_SIZE, LINE_SIZE = (7.7e-6, 4e-6), (2.1e-5,)  # m
 ENDINGS = ("x3p", "sdf", "gwy", "nc", "npy", "txt", "csv")
 #: what a package cannot be asked, though setae writes it
 UNREAD = {
-    ("SurfaceTopography", "x3p", "line"): "reads surfaces alone",
-    ("SurfaceTopography", "csv", "map"): "reads matrices without commas alone",
-    ("surfalize", "x3p", "line"): "reads surfaces alone",
+    ("SurfaceTopography", "x3p", "line"): "reads only surfaces",
+    ("SurfaceTopography", "csv", "map"): "reads only matrices without commas",
+    ("surfalize", "x3p", "line"): "reads only surfaces",
 }
 
 
