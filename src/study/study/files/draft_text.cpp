@@ -78,7 +78,7 @@ std::string draft_question(const std::string& key, const std::string& remark) {
 std::string draft_heading(const std::string& title) {
     return "# Drafted by `setae study init` from the content of the files. A line with \"?\" asks for what "
            "no file contains: replace the \"?\"\n# by the answer and remove the \"# \" in front. `setae "
-           "study FILE --dry-run` lists what is missing;\n# docs/guides/study.md explains every key.\n" +
+           "study FILE --dry-run` lists what is missing;\n# docs/reference/study-keys.md explains every key.\n" +
            draft_line("title", title);
 }
 

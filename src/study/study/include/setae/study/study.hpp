@@ -216,8 +216,8 @@ struct Study {
     [[nodiscard]] const SurfaceInput* surface(const std::string& name) const;
 };
 
-/// Reads a study from TOML; docs/guides/study.md describes every key. A mapping that is no file beside the study goes
-/// by its name in `mapping_folder`.
+/// Reads a study from TOML; docs/reference/study-keys.md describes every key. A mapping that is no file beside the
+/// study goes by its name in `mapping_folder`.
 /// @throws FileError; FormatError with the line for text that is no TOML, an unknown key (with the nearest known one),
 /// a missing or wrong unit, a name that is not declared, a surface without data.
 [[nodiscard]] Study read_study(const std::string& path, const std::string& mapping_folder = {});
