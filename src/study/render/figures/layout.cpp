@@ -73,7 +73,7 @@ std::string_view title_quantity(const Axis& axis, double length_mm) {
 }
 
 std::size_t LegendSize::rows_within(double width) const {
-    const auto columns = static_cast<std::size_t>(std::max(1.0, width / width_mm()));
+    const auto columns = 1 + static_cast<std::size_t>(std::max(0.0, (width - width_mm()) / column_mm()));
     return (entries + columns - 1) / columns;
 }
 

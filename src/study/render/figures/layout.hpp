@@ -34,6 +34,8 @@ struct LegendSize {
     std::size_t entries = 0, letters = 0;
 
     [[nodiscard]] double width_mm() const { return 9.0 + 1.25 * static_cast<double>(letters); }
+    /// Distance of two columns: gnuplot's SVG has no font to measure and allows 0.7 of the letters' height for each.
+    [[nodiscard]] double column_mm() const { return 9.4 + 1.73 * static_cast<double>(letters); }
     [[nodiscard]] double height_mm() const { return height_mm(entries); }
     [[nodiscard]] static double height_mm(std::size_t rows) { return 1.5 + 3.4 * static_cast<double>(rows); }
     /// Rows where its columns fill a width.
