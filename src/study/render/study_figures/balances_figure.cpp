@@ -19,6 +19,8 @@ struct NamedBalance {
     const char* label;
 };
 
+constexpr std::size_t min_compared_pairs = 3;  // W_int is fitted to them, and one degree of freedom compares nothing
+
 constexpr std::array<NamedBalance, 7> balances{{{"modified", "Eq. 7"},
                                                 {"without_area_change", "Eq. 2"},
                                                 {"persson_tosatti", "Eq. S13"},
@@ -59,6 +61,12 @@ void comparison_of_balances(const FigureRequest& request, StudyFigure& drawn) {
     const auto& all = request.result.balances;
     if (all.empty()) {
         drawn.reason = "no pairs with a measured work of adhesion and a predictable surface";
+        return;
+    }
+    const auto pairs = static_cast<std::size_t>(all.front().score.n);
+    if (pairs < min_compared_pairs) {
+        drawn.reason = fmt::format("{} with a measured work of adhesion; a comparison of balances needs at least {}",
+                                   counted(pairs, "pair"), min_compared_pairs);
         return;
     }
     double best = all.front().score.log_likelihood, lowest = 0.0;
@@ -103,7 +111,7 @@ void comparison_of_balances(const FigureRequest& request, StudyFigure& drawn) {
         "B: logarithm of the likelihood minus that of the best balance, with γ1 of every elastomer scaled. A difference of 2 is within chance, and each additional fitted parameter gains about one half by chance. "
         "Eq. 7 is the full-contact balance, Eq. 2 the small-slope balance without stretching of the soft surface, and Eq. S13 the Persson–Tosatti balance. χ: the interface energy changes with stretch. "
         "U free: the stored energy of each surface is fitted, an upper limit for every spectrum.",
-        counted(static_cast<std::size_t>(all.front().score.n), "pair"));
+        counted(pairs, "pair"));
 }
 
 }  // namespace setae::study_figures

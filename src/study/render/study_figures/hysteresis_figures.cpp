@@ -2,6 +2,7 @@
 #include "setae/study_figures/hysteresis_figures.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -22,6 +23,7 @@ using hysteresis::EnergyShares;
 using study::PairHysteresis;
 
 constexpr double milli = 1e-3;
+constexpr std::size_t min_compared_pairs = 3;
 
 /// Place of a name in the order in which names come.
 int place_of(std::vector<std::string>& names, const std::string& name) {
@@ -72,7 +74,8 @@ std::vector<LossBar> bars_of(const study::Hysteresis& h, bool measured) {
     for (const auto& pair : h.pairs) {
         const auto label = fmt::format("{} {}", pair.surface, pair.elastomer);
         if (measured && pair.decomposition)
-            bars.push_back({label, pair.decomposition->shares, pair.decomposition->measured.estimate()});
+            bars.push_back({label, pair.decomposition->shares, pair.decomposition->measured.estimate(),
+                            pair.decomposition->of_works});
         if (!measured && pair.loop) bars.push_back({label, pair.loop->shares, std::nullopt});
     }
     return bars;
@@ -110,8 +113,11 @@ StudyFigure hysteresis_figure(const study::Hysteresis& h, FigureWidth width) {
         points.push_back(point_of(pair, symbol, colour));
         largest = std::max({largest, points.back().upper[0], points.back().right[0]});
     }
-    if (points.empty()) {
-        drawn.reason = "no pair has a measured W_ret at pull-off";
+    if (points.size() < min_compared_pairs) {
+        drawn.reason = points.empty()
+                           ? "no pair has a measured W_ret at pull-off"
+                           : fmt::format("{} with a measured W_ret at pull-off; a comparison needs at least {}",
+                                         setae::counted(points.size(), "pair", "pairs"), min_compared_pairs);
         return drawn;
     }
     panel.series.push_back({.label = "equal",
@@ -152,6 +158,7 @@ Panel losses_panel(const std::vector<LossBar>& bars) {
                 .y = {.from = -0.6, .to = count - 0.4}};
     panel.y.tick_labels.resize(bars.size());
     const auto& shares = EnergyShares::all();
+    std::array<bool, 2> in_legend{};  // losses of loops, losses computed from works
     const bool relaxes = std::ranges::any_of(bars, [](const LossBar& bar) { return bar.shares.bulk.value != 0.0; });
     for (std::size_t i = 0; i < bars.size(); ++i) {
         const auto& bar = bars[i];
@@ -167,15 +174,16 @@ Panel losses_panel(const std::vector<LossBar>& bars) {
         }
         if (!bar.measured) continue;
         const double error = std::isfinite(bar.measured->standard_error) ? bar.measured->standard_error : 0.0;
-        panel.series.push_back({.label = "measured",
+        panel.series.push_back({.label = bar.of_works ? "from *W*_app and *W*_ret" : "measured",
                                 .x = one(bar.measured->value / unit.factor),
                                 .y = one(place),
                                 .mark = Mark::points,
                                 .colour = colour::black,
                                 .symbol = 0,
+                                .hollow = bar.of_works,
                                 .left = one((bar.measured->value - error) / unit.factor),
                                 .right = one((bar.measured->value + error) / unit.factor),
-                                .in_legend = i == 0});
+                                .in_legend = !std::exchange(in_legend[bar.of_works], true)});
     }
     return panel;
 }
@@ -201,7 +209,8 @@ StudyFigure loss_shares_figure(const study::Hysteresis& h, FigureWidth width) {
         "{} {}. Bars: jumps of the sphere into and out of contact; additional loss at the crack tip on retraction, from a "
         "smooth reference; loss due to roughness by the retraction model of each pair.{}",
         measured ? "Measured loops of" : "Predicted loops of", setae::counted(bars.size(), "pair", "pairs"),
-        measured ? " Symbols: measured energy loss, with one standard error." : "");
+        measured ? " Symbols: energy loss with one standard error; hollow: computed from the measured W_app and W_ret."
+                 : "");
     return drawn;
 }
 

@@ -15,6 +15,7 @@ struct LossBar {
     std::string label;
     const hysteresis::EnergyShares& shares;
     std::optional<Estimate> measured;  ///< [J]
+    bool of_works = false;             ///< `measured` is computed from the measured W_app and W_ret
 };
 
 /// Bars one above the other, the first on top; that of the bulk only where one relaxes.
