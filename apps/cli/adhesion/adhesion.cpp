@@ -20,19 +20,28 @@ namespace setae::cli::adhesion_command {
 namespace {
 
 constexpr const char* explanation =
-    "E*       1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2\n"
-    "r        = A_true/A_app = 1 + sqrt(pi)/2 h' exp(1/h'^2) erfc(1/h')                        [D19] (9)\n"
-    "U_el     U_el/A_app = (E*/8) int q C1D dq                                                [D19] (8)\n"
-    "         one map: (E*/8 pi) int q^2 C_iso dq, and (E*/4) sum |q| |h_q|^2 of its own modes   [D19] (8)\n"
-    "modified W_app = W_int r - gamma_1 (r - 1) - U_el/A_app                                  [D19] (7)\n"
-    "Persson-Tosatti W_app = W_int (1 + h'^2/2) - U_el/A_app                                  [D19] (S13)\n"
-    "without area change of the soft side W_app = W_int r - U_el/A_app                        [D19] (2)\n"
-    "answer   W_app = W gain(U_el/AW), W = W_int r - gamma_1 (r - 1), of simulated patches; (7) where contact is full\n"
-    "         beside it: (7), and Persson's theory with W, without load                        docs/concepts/conformity.md\n"
-    "loop     a_max by (1) with W_app; W_ret >= W_app, F >= 3/2 pi R W_app, E_loss >= the jumps of JKR   [D19] (1), (S1)\n"
-    "         for comparison E_loss = W_int r pi a_max^2, without a smooth limit                [D19] (10)\n"
-    "bridging wavevectors q above which the roughness stores more than it gains                docs/concepts/conformity.md\n"
-    "pressed  q above which it stores more than 0.25 of that: closes under pressure alone      docs/concepts/conformity.md\n";
+    "The command predicts the work of adhesion of a soft solid on a rough surface from the power spectral density.\n"
+    "\n"
+    "contact modulus                    1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2\n"
+    "true area (Eq. 9)                  r = A_true/A_app = 1 + sqrt(pi)/2 h' exp(1/h'^2) erfc(1/h')\n"
+    "stored energy (Eq. 8)              U_el/A_app = (E*/8) int q C1D dq\n"
+    "  of one map                       (E*/8 pi) int q^2 C_iso dq, and (E*/4) sum |q| |h_q|^2 over the modes of the map\n"
+    "full-contact balance (Eq. 7)       W_app = W_int r - gamma_1 (r - 1) - U_el/A_app\n"
+    "Persson-Tosatti balance (Eq. S13)  W_app = W_int (1 + h'^2/2) - U_el/A_app\n"
+    "small-slope balance (Eq. 2)        W_app = W_int r - U_el/A_app\n"
+    "full or partial contact            W_app = W gain(U_el/AW), W = W_int r - gamma_1 (r - 1)\n"
+    "\n"
+    "The gain of full or partial contact comes from simulated patches (docs/concepts/conformity.md).\n"
+    "This prediction is the result of the command. In full contact it equals the full-contact balance (Eq. 7).\n"
+    "A second table contains the full-contact balance (Eq. 7) and Persson's theory with W, both without load.\n"
+    "Loop of a sphere: a_max is the contact radius of JKR (Eq. 1) with W_app.\n"
+    "W_app is a lower bound of W_ret, and 3/2 pi R W_app a lower bound of the pull-off force (Eq. S1).\n"
+    "The loss of the two jumps of a JKR sphere is a lower bound of E_loss.\n"
+    "True-area loss (Eq. 10), for comparison: E_loss = W_int r pi a_max^2. It does not tend to the loss of a smooth sphere.\n"
+    "bridging: above this wavevector the roughness stores more energy than full contact gains.\n"
+    "pressed: above this wavevector it stores more than 0.25 of the gain. Full contact then forms only under pressure.\n"
+    "\n"
+    "Equation numbers: Dalvi et al., PNAS 116 (2019) 25484 [D19].\n";
 
 struct Arguments {
     Common common;

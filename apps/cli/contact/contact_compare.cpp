@@ -20,13 +20,16 @@ namespace setae::cli::contact_compare_command {
 namespace {
 
 constexpr const char* explanation =
-    "surfaces with the spectrum within its band, made as `setae synthesize --amplitudes exact` makes them, each pressed on the body\n"
-    "  p >= 0, g >= 0, p g = 0; certified by a duality gap                              as `setae contact solve`\n"
-    "and Persson's theory of the same spectrum                                        as `setae contact persson`\n"
-    "area      with the perimeter's correction, pixel by pixel                          Yastrebov et al. (2017)\n"
-    "±         standard error of the mean over surfaces, which differ by the places of their waves alone\n"
-    "a cell has fewer long waves than the spectrum: rms_height_of_surfaces beside rms_height in the JSON\n"
-    "docs/concepts/persson.md\n";
+    "The command compares Persson's theory with the solved contact of random surfaces of the same spectrum.\n"
+    "\n"
+    "surfaces  random surfaces with the spectrum within its band, as from `setae synthesize --amplitudes exact`\n"
+    "contact   p >= 0, g >= 0, p g = 0, with a duality gap as error bound, as in `setae contact solve`\n"
+    "theory    Persson's theory of the same spectrum, as in `setae contact persson`\n"
+    "area      corrected pixel by pixel for the perimeter of the contact: Yastrebov et al. (2017)\n"
+    "±         standard error of the mean over surfaces. The surfaces differ only in the positions of their waves.\n"
+    "\n"
+    "A cell contains fewer long waves than the spectrum. JSON gives rms_height_of_surfaces next to rms_height.\n"
+    "The method is described in docs/concepts/persson.md.\n";
 
 struct Arguments {
     Common common;

@@ -26,13 +26,20 @@ namespace setae::cli::contact_front_command {
 namespace {
 
 constexpr const char* explanation =
-    "a soft sphere pressed on a rough surface and pulled off: the edge of the contact opens where G exceeds w, closes where G is less\n"
-    "roughness behind the edge, in full contact, strains the body: K_R, <K_R^2> = 2 E* U_el/A, read as w = W - sqrt(2W/E*) K_R\n"
-    "  --w            what conforming gains, an area; 2k U_el/A = W_ret - W_appr holds whatever the mean\n"
-    "  W_appr, W_ret  by JKR fits of a(F) on each branch, as an experimenter has them\n"
-    "waves shorter than --shortest-wavelength are left out; the process zone's length, E* w/(pi tension^2), is the least that pins\n"
-    "--to-force and --to-displacement say where the loop turns: of a smooth sphere, whose displacement is then held step by step\n"
-    "docs/concepts/crack-front.md\n";
+    "The command simulates the edge of an adhesive contact: a soft sphere is pressed on a rough surface and pulled off.\n"
+    "The edge opens where the energy release rate G exceeds the local work w. It closes where G is smaller than w.\n"
+    "\n"
+    "stress intensity       <K_R^2> = 2 E* U_el/A, from the roughness inside the edge, in full contact\n"
+    "local work             w = W - sqrt(2W/E*) K_R\n"
+    "W_appr, W_ret          JKR fits of a(F) on each branch, as in an experiment\n"
+    "pinning                2k U_el/A = W_ret - W_appr, for any mean of w\n"
+    "--w                    energy per unit area that full contact gains\n"
+    "--shortest-wavelength  Shorter waves are left out. Waves shorter than the process zone, E* w/(pi tension^2), do not pin.\n"
+    "--to-force, --to-displacement\n"
+    "                       The loop turns where a smooth sphere has this force or displacement.\n"
+    "                       The displacement is then prescribed step by step.\n"
+    "\n"
+    "The method is described in docs/concepts/crack-front.md.\n";
 
 struct Arguments : answers::FrontRequest {
     Common common;

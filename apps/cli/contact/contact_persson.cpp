@@ -18,15 +18,20 @@ namespace setae::cli::contact_persson_command {
 namespace {
 
 constexpr const char* explanation =
-    "V(q)     variance of the pressure in full contact, (1/2 pi) int k^2 C_iso q dq; k = E* q/2: V = E*^2 h'^2/4\n"
-    "P(p, q)  dP/dV = 1/2 d2P/dp2, P(0) = 0: [exp(-(p-p0)^2/2V) - exp(-(p+p0)^2/2V)]/sqrt(2 pi V)   Persson (2001)\n"
-    "A/A_0    erf(p0/sqrt(2V)); sqrt(8/pi) p0/(E* h') at low load                                   Persson (2001)\n"
-    "U        int W dU_full, W = A [g + (1 - g) A^2], g = 0.45 or --energy-factor                   Yang, Persson (2008)\n"
-    "gap      int_p0^inf (dU/dp) dp/p; stiffness p0/(dU/dp), as p = -dU/d(gap)                       Persson (2007)\n"
-    "--w      P(-s_a) = 0 with s_a = sqrt(k(q) w_eff(q)); A(q) w_eff(q) = w A(q_1) - int_q A dU      Persson (2002)\n"
-    "         parting: of several solutions that with most contact; w per projected area\n"
-    "--layer  k(q) of a layer on a rigid base                                       Carbone, Mangialardi (2008)\n"
-    "several pressures: a table against pressure; one: against q, waves up to q alone        docs/concepts/persson.md\n";
+    "The command computes area, gap and stiffness of an elastic contact from a spectrum (Persson's theory).\n"
+    "\n"
+    "V(q)     variance of the pressure in full contact: (1/2 pi) int k^2 C_iso q dq; k = E* q/2: V = E*^2 h'^2/4\n"
+    "P(p, q)  distribution of the pressure: dP/dV = 1/2 d2P/dp2, P(0) = 0; Persson (2001)\n"
+    "         [exp(-(p-p0)^2/2V) - exp(-(p+p0)^2/2V)]/sqrt(2 pi V)\n"
+    "A/A_0    erf(p0/sqrt(2V)); at low load sqrt(8/pi) p0/(E* h'); Persson (2001)\n"
+    "U        int W dU_full, W = A [g + (1 - g) A^2], g = 0.45 or --energy-factor; Yang, Persson (2008)\n"
+    "gap      int_p0^inf (dU/dp) dp/p; stiffness p0/(dU/dp), because p = -dU/d(gap); Persson (2007)\n"
+    "--w      P(-s_a) = 0 with s_a = sqrt(k(q) w_eff(q)); A(q) w_eff(q) = w A(q_1) - int_q A dU; Persson (2002)\n"
+    "         The work w is per unit projected area. Several solutions: the one with the largest contact (retraction).\n"
+    "--layer  k(q) of a layer on a rigid base; Carbone, Mangialardi (2008)\n"
+    "\n"
+    "Several pressures give a table against pressure. One pressure gives a table against q, with only the waves up to q.\n"
+    "The method is described in docs/concepts/persson.md.\n";
 
 struct Arguments {
     Common common;

@@ -23,17 +23,22 @@ namespace setae::cli::contact_solve_command {
 namespace {
 
 constexpr const char* explanation =
-    "a rigid rough surface, its heights towards the body, pressed on an elastic half-space without friction:\n"
-    "  p >= 0, g >= 0, p g = 0;  g = u - h + c;  u_q = p_q/k(q),  k = E* q/2, E* = E/(1 - nu^2)           Johnson 1985, ch. 13\n"
-    "  two elastic bodies: 1/E* = sum of (1 - nu^2)/E, and heights of the one plus those of the other\n"
-    "--layer         k of a layer on a rigid base, --bonded or --frictionless                             Carbone, Mangialardi 2008\n"
-    "--free          no pressure beyond the map's edges; without it the map repeats itself\n"
-    "--displacement  from first touch, of the far field (--free), a layer's base, or the mean plane\n"
-    "--hardness      the body flows where the pressure reaches it\n"
-    "--w, --range    attraction V(g), V(0) = -w, V'(0) = w/range; the equilibrium met coming from far         docs/concepts/adhesive-cells.md\n"
-    "area_fraction   pixels under pressure; corrected: less (pi - 1 + ln 2)/24 of a pixel for each of their outer edges   Yastrebov et al. 2017\n"
-    "duality_gap     bound of the energy above the least, over twice the stored energy; converged: <= --tolerance\n"
-    "docs/concepts/half-space.md\n";
+    "The command solves the contact of a rigid rough surface with an elastic half-space, without friction.\n"
+    "Heights point towards the body.\n"
+    "\n"
+    "contact         p >= 0, g >= 0, p g = 0;  g = u - h + c;  u_q = p_q/k(q); Johnson 1985, ch. 13\n"
+    "stiffness       k = E* q/2, E* = E/(1 - nu^2)\n"
+    "                Two elastic bodies: 1/E* is the sum of (1 - nu^2)/E, and the heights of both bodies are added.\n"
+    "--layer         k of a layer on a rigid base, --bonded or --frictionless; Carbone, Mangialardi 2008\n"
+    "--free          The pressure is zero beyond the edges of the map. Without --free the map is periodic.\n"
+    "--displacement  measured from first touch: of the far field (--free), of the base of a layer, or of the mean plane\n"
+    "--hardness      The body flows where the pressure reaches the hardness.\n"
+    "--w, --range    attraction V(g) with V(0) = -w and dV/dg(0) = w/range; docs/concepts/adhesive-cells.md\n"
+    "                The result is the equilibrium that is reached from a large distance.\n"
+    "area_fraction   share of pixels under pressure\n"
+    "                Corrected: minus (pi - 1 + ln 2)/24 of a pixel per outer edge of a pixel; Yastrebov et al. 2017\n"
+    "duality_gap     upper bound of the energy above the minimum, over twice the stored energy\n"
+    "                A solution is converged if its duality gap is at most --tolerance.\n";
 
 struct Arguments : answers::HardWallRequest, answers::InteractionRequest {
     Common common;

@@ -24,12 +24,18 @@ namespace setae::cli::contact_sweep_command {
 namespace {
 
 constexpr const char* explanation =
-    "a rigid rough surface and an elastic half-space that attract each other, brought together and parted; the cell repeats itself\n"
-    "  E(g) = 1/2 <(g + h) K (g + h)> + <V(g)>,  g >= 0;  K: k(q) = E* q/2;  V(0) = -w, V'(0) = w/range\n"
-    "without --stage-stiffness the mean gap is moved; with it a stage z = gap + A T/k. A soft stage is a dead load in the limit\n"
-    "steps     follow the tangent, so that no gap moves by more than the range, and halve where the cell jumps\n"
-    "D_n       1/2 (T_(n-1) + T_n) d(gap) - dE, work of the machine that is stored nowhere; their sum is the area of the loop\n"
-    "a cell has a loss of its own, even a flat one: it jumps into contact and out of it as a whole   docs/concepts/adhesive-cells.md\n";
+    "The command moves a rigid rough surface and an elastic half-space together and apart. The two bodies attract each other.\n"
+    "The cell is periodic.\n"
+    "\n"
+    "energy   E(g) = 1/2 <(g + h) K (g + h)> + <V(g)>, g >= 0; K: k(q) = E* q/2; V(0) = -w, dV/dg(0) = w/range\n"
+    "control  Without --stage-stiffness the mean gap is prescribed.\n"
+    "         With --stage-stiffness k the position of the stage is prescribed, z = gap + A T/k.\n"
+    "         A very soft stage is a dead load.\n"
+    "steps    Steps follow the tangent, so that no gap changes by more than the range. Steps are halved where the cell jumps.\n"
+    "D_n      1/2 (T_(n-1) + T_n) d(gap) - dE: work of the load that is not stored. Its sum is the area of the loop.\n"
+    "\n"
+    "A cell has a loss of its own, even if it is flat: the whole cell jumps into contact and out of it.\n"
+    "The method is described in docs/concepts/adhesive-cells.md.\n";
 
 struct Arguments : answers::SweepRequest {
     Common common;

@@ -28,14 +28,21 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* explanation =
-    "division        vacuum and sample by grey level and structure: minimum cuts, coarse to fine\n"
-    "edge            I(d) = level + step/2 erf(d/(sqrt(2) w)) + fringe (d/f) exp(1/2 - d^2/(2 f^2)), d along the contour's normal, positive in vacuum\n"
-    "trace           least squares of all pixels near it + l^4 |second difference|^2: a wave q is followed by K = 1/(1 + l^4 (2 - 2 cos q)^2)\n"
-    "standard error  (1/pi) int [(1 - K)^2 S + K^2 N] dq; N is measured beside the edge, S is what places show beyond N\n"
-    "profile         turned to its mean line; highest point over each x (envelope), or re-entrant stretches cut\n"
-    "spectrum        C1D = (P - K^2 N)/T^2, T = K exp(-q^2 w^2/2): setae psd does it, the file holds what it needs\n"
+    "The command traces the edge between vacuum and sample in a micrograph. The result is a profile with standard errors.\n"
+    "\n"
+    "division        vacuum and sample, by grey level and structure: minimum cuts, coarse to fine\n"
+    "edge            I(d) = level + step/2 erf(d/(sqrt(2) w)) + fringe (d/f) exp(1/2 - d^2/(2 f^2))\n"
+    "                d is the distance along the normal of the contour, positive in vacuum.\n"
+    "trace           least squares of all pixels near the edge + l^4 |second difference|^2\n"
+    "                In the trace a wave q is followed by K = 1/(1 + l^4 (2 - 2 cos q)^2).\n"
+    "standard error  (1/pi) int [(1 - K)^2 S + K^2 N] dq\n"
+    "                N is measured next to the edge. S is the spectrum of the positions minus N.\n"
+    "profile         turned to its mean line\n"
+    "                The envelope is the highest point at each x. Otherwise re-entrant stretches are excluded.\n"
+    "spectrum        C1D = (P - K^2 N)/T^2, T = K exp(-q^2 w^2/2); `setae psd` computes it from the profile file\n"
     "Rq              sqrt(mean h^2 - mean squared standard error)\n"
-    "pixel size      given, else the file's, else the scale bar's: bar in pixels, label read or confirmed by --scale-bar\n";
+    "pixel size      from the options, else from the file, else from the scale bar\n"
+    "                Scale bar: its length in pixels, with the label as read or as given by --scale-bar.\n";
 
 struct Arguments : answers::ContourRequest {
     Common common;

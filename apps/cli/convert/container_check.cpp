@@ -20,12 +20,19 @@ namespace setae::cli::container_check_command {
 namespace {
 
 constexpr const char* explanation =
-    "generation  A: meta.yml; B: index.json with the keys of meta.yml; C: index.json; skeleton: processed copies alone\n"
-    "heights     of the original where it is there; the index's height_scale only where that file carries none\n"
-    "alerts      SCALE_TWICE: the index repeats a scale the original carries; COPY_DIFFERS: original, scaled once and levelled, against its\n"
-    "            processed copy, 1e-3 of the rms; NOT_IN_SCHEMA: contact.engineering may refuse it; UNKNOWN_FIELD: kept when written again\n"
-    "difference  between the container and what setae writes of it, read again: index and members\n"
-    "exit code   0: all can be read and is the same after writing; 1: something cannot or is not; 2: no container\n";
+    "The command lists surfaces and measurements of a container, with its problems.\n"
+    "\n"
+    "generation       A: meta.yml; B: index.json with the keys of meta.yml; C: index.json; skeleton: only processed copies\n"
+    "heights          read from the original, where the container has it\n"
+    "                 height_scale of the index is used only where the original has no scale.\n"
+    "SCALE_TWICE      The index repeats a scale that the original contains.\n"
+    "COPY_DIFFERS     The original, scaled once and levelled, differs from its processed copy by more than 1e-3 of the rms.\n"
+    "NOT_IN_SCHEMA    contact.engineering may refuse this entry.\n"
+    "UNKNOWN_FIELD    The field is kept when the container is written again.\n"
+    "difference       between the container and what setae writes from it and reads again: index and members\n"
+    "exit code        0: every part can be read and is unchanged after writing\n"
+    "                 1: a part cannot be read or differs after writing\n"
+    "                 2: the file is no container\n";
 
 struct Arguments {
     Common common;

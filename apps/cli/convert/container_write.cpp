@@ -13,12 +13,18 @@ namespace setae::cli::container_write_command {
 namespace {
 
 constexpr const char* explanation =
-    "index.json  generation C of contact.engineering; meta.yml says the same for programs that know no other\n"
-    "original    each file byte for byte; of files that only setae opens, text with names of columns or errors among them,\n"
-    "            the heights as two columns or NetCDF, and the file itself as setae-source, which setae prefers\n"
-    "copy        the same heights [index's unit] as classic NetCDF, scaled once, less the trend of detrend_mode; NaN and a mask: undefined\n"
-    "older ones  are brought to generation C, with all they hold; a height scale that the original carries itself leaves the index\n"
-    "bytes       stored, dated 1980: the same input gives the same container\n";
+    "The command writes measured files as a container for contact.engineering.\n"
+    "\n"
+    "index.json   generation C of contact.engineering\n"
+    "             meta.yml repeats the content for programs that read only older generations.\n"
+    "original     every file, byte for byte\n"
+    "             Files that only setae reads, such as text with column names or errors, are stored twice:\n"
+    "             heights as two columns or NetCDF, and the file itself as setae-source, which setae reads first.\n"
+    "copy         the heights in the unit of the index as classic NetCDF, scaled once, minus the trend of detrend_mode\n"
+    "             Undefined heights are NaN, with a mask.\n"
+    "generations  Containers of older generations become generation C, with their full content.\n"
+    "             height_scale is removed from the index where the original contains this scale.\n"
+    "bytes        Members are stored without compression, dated 1980. The same input gives the same container.\n";
 
 struct Arguments {
     Common common;

@@ -11,13 +11,15 @@ using answers::write_heights;
 
 /// What files of heights look like, for --explain.
 inline constexpr const char* heights_output_explanation =
+    "The ending of a file determines its format.\n"
+    "\n"
     ".x3p  ISO 25178-72: float64 heights [m], checksums; maps, lines and profiles\n"
     ".sdf  ISO 25178-71, binary: float64 heights [m]; maps and lines of at most 65535 points along a direction\n"
-    ".gwy  Gwyddion: one channel of float64 heights [m], undefined points under its mask; maps\n"
+    ".gwy  Gwyddion: one channel of float64 heights [m], with a mask of undefined points; maps\n"
     ".gsf  Gwyddion Simple Field: float32 heights [m], NaN undefined; maps\n"
-    ".nc   NetCDF: heights(x[, y]), x, y [m] with length and periodicity; read back without --size and --unit\n"
+    ".nc   NetCDF: heights(x[, y]), x, y [m] with length and periodicity; read again without --size and --unit\n"
     ".npy  heights [m], float64, C order, shape (nx, ny) or (n); NaN undefined\n"
-    ".txt  a map: rows from the top behind its size and unit, as Gwyddion exports them; a line: columns x [m], h [m]\n"
-    ".csv  a map: one line for each x, no header; a line: columns x [m], h [m]\n";
+    ".txt  maps: size and unit, then rows from the top, as exported by Gwyddion; lines: columns x [m], h [m]\n"
+    ".csv  maps: one row per x, no header; lines: columns x [m], h [m]\n";
 
 }  // namespace setae::cli

@@ -15,20 +15,27 @@ namespace setae::cli::check_command {
 namespace {
 
 constexpr const char* explanation =
-    "NO_DATA         a value that marks missing heights, which were taken as undefined; NO_DATA_SUSPECTED: one that may, which was kept\n"
-    "UNDEF           heights without a value: their share\n"
-    "REENTRANT       stretches of a curve that turn back: share of its length\n"
-    "QUANTISED       steps of the digitiser: their size against rms height, share of equal neighbours\n"
-    "CLIPPED         heights at the end of the range: how many\n"
-    "TILT_LARGE      a plane above three times the rms of the rest; CURVATURE_LEFT: a bow above one and a half times\n"
-    "SPIKES          points beyond 6 robust deviations of the median around: n, C1D with over without, from which wavelength on\n"
-    "SCARS           strokes along the fast axis that stand out of the lines beside\n"
-    "PIXEL_NOISE     a white floor above the surface at the Nyquist wavevector: its rms, wavelength, share of the mean square slope\n"
-    "TIP_CUTOFF      wavelengths the tip hides\n"
-    "LOW_Q_GAP       C1D steeper than 1/q at the longest wavelengths: how rms height grows with the scan\n"
-    "SCAN_DIRECTION  offsets of scan lines; ANISOTROPIC: rms slopes of perpendicular directions\n"
-    "DISAGREE        of several files: C1D in their common band, with its error; SCALE_TWICE where the ratio is one factor throughout\n"
-    "docs/reference/diagnostics.md says how each is tested and how often it errs\n";
+    "The command tests measurements for these problems. docs/reference/diagnostics.md gives the tests and their error rates.\n"
+    "\n"
+    "NO_DATA            heights equal to a number that marks missing data; taken as undefined\n"
+    "NO_DATA_SUSPECTED  heights equal to a number that may mark missing data; kept\n"
+    "UNDEF              share of undefined heights\n"
+    "REENTRANT          share of the length of a curve that runs backwards\n"
+    "QUANTISED          steps of the digitiser: size over rms height, share of equal neighbours\n"
+    "CLIPPED            number of heights at the end of the range\n"
+    "TILT_LARGE         plane of more than 3 times the rms of the rest\n"
+    "CURVATURE_LEFT     bow of more than 1.5 times the rms of the rest\n"
+    "SPIKES             points more than 6 robust deviations from the median of their surroundings\n"
+    "                   Given are their number, C1D with over without them, and the wavelengths affected.\n"
+    "SCARS              strokes along the fast axis that differ from the neighbouring lines\n"
+    "PIXEL_NOISE        white floor above the surface at the Nyquist wavevector\n"
+    "                   Given are its rms, its wavelength and its share of the mean square slope.\n"
+    "TIP_CUTOFF         wavelengths that the tip does not resolve\n"
+    "LOW_Q_GAP          C1D steeper than 1/q at the longest wavelengths: growth of the rms height with the size of the scan\n"
+    "SCAN_DIRECTION     offsets between scan lines\n"
+    "ANISOTROPIC        different rms slopes in perpendicular directions\n"
+    "DISAGREE           C1D of several files in their common band, with its error\n"
+    "SCALE_TWICE        ratio of C1D of two files that is one factor in the whole common band\n";
 
 struct Arguments {
     Common common;

@@ -17,14 +17,17 @@ namespace setae::cli::info_command {
 namespace {
 
 constexpr const char* explanation =
-    "heights in metres, scaled once and not levelled; NaN undefined; h(x, y) with the first index x, y downwards as in the file's picture\n"
-    "heights     least and greatest; rms (--long) = sqrt(<(h - <h>)^2>) over defined heights\n"
-    "size        number of points times pixel size; of a traced profile x_last - x_first\n"
-    "undefined   share of points without height\n"
-    "missing     what the file does not say: size and unit, without which heights cannot be read, instrument, date\n"
-    "not read    heights are read of files up to 64 MB; of larger ones with --heights, with --no-heights of none: only headers are read then\n"
-    "units       of a spectrum's table: of its first column and of the density; (assumed) where the header states none\n"
-    "folders     are looked through, hidden files and linked folders left out; what cannot be read comes last\n";
+    "The command lists the content of files. Heights are in metres, scaled once and not levelled.\n"
+    "\n"
+    "h(x, y)    the first index is x; y points downwards as in the picture of the file; NaN is undefined\n"
+    "heights    smallest and largest; with --long also rms = sqrt(<(h - <h>)^2>) over the defined heights\n"
+    "size       number of points times pixel size; of a traced profile x_last - x_first\n"
+    "undefined  share of points without height\n"
+    "missing    metadata that the file does not contain: size, unit, instrument, date\n"
+    "           Without size and unit heights cannot be read.\n"
+    "not read   Heights of files above 64 MB are read only with --heights. With --no-heights only headers are read.\n"
+    "units      of the table of a spectrum: of the first column and of the density; (assumed) if the header has none\n"
+    "folders    All files of a folder are listed, except hidden files and linked folders. Unreadable files come last.\n";
 
 struct Arguments {
     Common common;

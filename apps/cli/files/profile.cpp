@@ -21,9 +21,11 @@ namespace setae::cli::profile_command {
 namespace {
 
 constexpr const char* explanation =
-    "heights along a straight line on a map, linear between its points; along a line of the grid those stored\n"
-    "x, y      from the first point of the map, y downwards as in its picture; point (i, j) lies at (i Dx, j Dy)\n"
-    "--width   mean over so many parallel lines, a pixel apart\n";
+    "The command writes the heights of a map along a straight line.\n"
+    "Heights are interpolated linearly. Along a line of the grid they are the stored heights.\n"
+    "\n"
+    "x, y     from the first point of the map, y downwards as in its picture; point (i, j) is at (i Dx, j Dy)\n"
+    "--width  mean over parallel lines, one pixel apart\n";
 
 struct Arguments {
     Common common;

@@ -18,13 +18,17 @@ namespace setae::cli::tip_command {
 namespace {
 
 constexpr const char* explanation =
-    "the bluntest tip that could have made the map: t(v) >= min_u [i(x) + t(u) - i(x + u - v)] for every point x       Villarrubia 1997\n"
-    "tip_height       of the estimate at the corners of its extent\n"
-    "tip_radius       R of t = r^2/(2R) through the apex, least squares over the pixels within two of it; the tip is no blunter\n"
-    "certain_share    of the points that the tip touched alone, where the map without the tip is the surface\n"
-    "reconstruction   the map eroded by the tip: an upper bound of the surface\n"
-    "--threshold      twice the noise's largest deviation, else noise sharpens the tip\n"
-    "level and despike first (--step): a spike is a sharp tip\n";
+    "The command estimates the shape of the tip from a scan: the bluntest tip that could have made the map.\n"
+    "\n"
+    "estimate        t(v) >= min_u [i(x) + t(u) - i(x + u - v)] for every point x; Villarrubia 1997\n"
+    "tip_height      height of the estimate at the corners of its extent\n"
+    "tip_radius      R of t = r^2/(2R) through the apex, least squares over the pixels within two pixels of the apex\n"
+    "                The radius is an upper bound: the tip is not blunter than the estimate.\n"
+    "certain_share   share of points that exactly one position of the tip touched; the surface is known there\n"
+    "reconstruction  the map eroded by the tip: an upper bound of the surface\n"
+    "--threshold     twice the largest deviation of the noise; without it noise sharpens the estimate\n"
+    "\n"
+    "Level and despike the map first (--step): a spike has the effect of a sharp tip.\n";
 
 struct Arguments {
     Common common;

@@ -17,11 +17,16 @@ namespace setae::cli::jkr_camera_command {
 namespace {
 
 constexpr const char* explanation =
-    "lines       n p = c + (a.X)(1 + d r^2/r_c^2), X pixels from the picture's centre, r_c its corners, p the distance of lines\n"
-    "pixel size  |a| at the centre; with lines of both directions width and height: (a_x/w)^2 + (a_y/h)^2 = 1 for each\n"
-    "distortion  d: by how much the corners are stretched; a radius of r pixels about the centre is wrong by d r^2/r_c^2\n"
-    "errors      count lines, not places along them; with the ruling's own ± of --pitch\n"
-    "docs/guides/calibration.md\n";
+    "The command determines the pixel size and the distortion of a camera from pictures of a ruling.\n"
+    "\n"
+    "lines       n p = c + (a.X)(1 + d r^2/r_c^2)\n"
+    "            X: pixels from the centre of the picture; r_c: its corners; p: distance of the lines of the ruling\n"
+    "pixel size  |a| at the centre\n"
+    "            Lines in both directions give width and height of a pixel: (a_x/w)^2 + (a_y/h)^2 = 1 for each.\n"
+    "distortion  d: relative stretch of the corners; a radius of r pixels about the centre has the error d r^2/r_c^2\n"
+    "errors      from the number of lines, not of points along lines; the error of the ruling is that given by --pitch\n"
+    "\n"
+    "The measurement is described in docs/guides/calibration.md.\n";
 
 struct Arguments {
     Common common;

@@ -26,13 +26,21 @@ namespace setae::cli::jkr_energy_command {
 namespace {
 
 constexpr const char* explanation =
-    "E_loss      closed integral of F d(delta), F counted from free flight, drift taken off\n"
-    "budget      noise of both channels; drift: the zeros at both ends; compliance; sampling: when within a step the contact jumped;\n"
-    "            discretisation: trapezoid rule against every second sample\n"
-    "parts       jump-in, approach, retraction (< 0: recovered), jump-out; with free flight they add up to E_loss\n"
-    "ideal       what a smooth sphere with W and E* of loading loses in its two jumps, under fixed grips 0.663 W pi a_0^2, and in this machine\n"
-    "course      work = elastic + surface + dissipated, U_E = E* (delta^2 a - 2/3 delta a^3/R + a^5/(5R^2)), surface -W pi a^2\n"
-    "per area    over pi a_max^2, and over r pi a_max^2, r = A_true/A_app from --area-ratio                              [D19] (10)\n";
+    "The command computes the energy budget of a loop.\n"
+    "\n"
+    "E_loss    closed integral of F d(delta); F relative to free flight, drift removed\n"
+    "errors    noise: of both channels\n"
+    "          drift: from the zeros at both ends\n"
+    "          compliance: of the testing machine\n"
+    "          sampling: time of a jump within one step\n"
+    "          discretisation: trapezoid rule against every second sample\n"
+    "parts     jump-in, approach, retraction (< 0: recovered), jump-out; with free flight their sum is E_loss\n"
+    "ideal     loss of a smooth sphere with W and E* of loading in its two jumps\n"
+    "          Fixed grips: 0.663 W pi a_0^2. The second number includes the stiffness of the testing machine.\n"
+    "course    work = elastic + surface + dissipated\n"
+    "          U_E = E* (delta^2 a - 2/3 delta a^3/R + a^5/(5R^2)), surface energy -W pi a^2\n"
+    "per area  E_loss over pi a_max^2, and over r pi a_max^2 with r = A_true/A_app from --area-ratio\n"
+    "          The second is the work of the true-area loss (Eq. 10) of Dalvi et al., PNAS 116 (2019) 25484.\n";
 
 struct Arguments {
     Common common;

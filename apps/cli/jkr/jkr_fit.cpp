@@ -35,14 +35,18 @@ namespace setae::cli::jkr_fit_command {
 namespace {
 
 constexpr const char* explanation =
-    "radius_force        a^3 = 3R/(4E*) (F + 3 pi R W + sqrt(6 pi R W F + (3 pi R W)^2))       [D19] (1)\n"
+    "The command fits E* and W of JKR to both branches of a loop and computes the energy loss.\n"
+    "\n"
+    "radius_force        a^3 = 3R/(4E*) (F + 3 pi R W + sqrt(6 pi R W F + (3 pi R W)^2)); (Eq. 1)\n"
     "linear_form         F/sqrt(6 pi a^3) = K a^(3/2)/(sqrt(6 pi) R) - sqrt(K W), K = 4E*/3\n"
-    "force_displacement  delta = a^2/R - sqrt(2 pi a W/E*) + delta_0, a(F) by (1)\n"
-    "pointwise           F = 2 a E* (delta - delta_0 - a^2/(3R)), free of W\n"
-    "pull_off            W_ret at pull-off, 2|F_po|/(3 pi R), fixed load                            [D19] (S1)\n"
-    "retraction          (1) on the last points: W_ret at pull-off, E* of loading              [D19] (S2)\n"
-    "along retraction    W_ret(a) = W_po + s (a - a_po) through G(a) of the receding edge, and what such a loop loses\n"
-    "loop                E_loss = closed integral of F d(delta), baseline and drift removed\n";
+    "force_displacement  delta = a^2/R - sqrt(2 pi a W/E*) + delta_0, with a(F) of Eq. 1\n"
+    "pointwise           F = 2 a E* (delta - delta_0 - a^2/(3R)), independent of W\n"
+    "pull_off            W_ret at pull-off, 2|F_po|/(3 pi R), for fixed load (Eq. S1)\n"
+    "retraction          W_ret at pull-off from the last points, with E* of loading (Eq. S2)\n"
+    "along retraction    W_ret(a) = W_po + s (a - a_po), from G(a) of the edge on retraction, and the loss of such a loop\n"
+    "loop                E_loss = closed integral of F d(delta), baseline and drift removed\n"
+    "\n"
+    "Equation numbers: Dalvi et al., PNAS 116 (2019) 25484 [D19].\n";
 
 struct Arguments {
     Common common;

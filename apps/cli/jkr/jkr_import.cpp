@@ -31,11 +31,17 @@ namespace setae::cli::jkr_import_command {
 namespace {
 
 constexpr const char* explanation =
-    "without --map, columns are guessed from names and units; the guess is shown, --column overrules it, --save-map keeps it\n"
-    "expressions name columns by their header in lower case, other characters as '_', or by a beginning of that; with --mapping, by its names\n"
-    "force > 0 presses, displacement grows into the contact, contact_radius is 0 out of contact; SI after import\n"
-    "clocks      F = 2 E* a (delta - a^2/(3R)) holds at any state: the camera's offset is where its frames satisfy it best\n"
-    "the result is a loop file, docs/reference/loop-format.md; sphere_radius and the like in it need not be given again\n";
+    "The command writes a table, workbook or force curve as a loop file (docs/reference/loop-format.md).\n"
+    "\n"
+    "columns      Without --map, columns are guessed from names and units. The guess is printed.\n"
+    "             --column overrules the guess. --save-map writes it to a file.\n"
+    "expressions  An expression gives a column by its header in lower case, with '_' for other characters.\n"
+    "             The beginning of a header is enough. With --mapping, columns have the names of the mapping.\n"
+    "signs        force > 0 presses; displacement increases into the contact; contact_radius is 0 out of contact\n"
+    "units        SI after import\n"
+    "clocks       F = 2 E* a (delta - a^2/(3R)) is valid in any state of the contact\n"
+    "             The clock offset of the camera is the one with which the frames fit this equation best.\n"
+    "metadata     sphere_radius and other metadata of the loop file need not be given again.\n";
 
 struct Arguments {
     Common common;

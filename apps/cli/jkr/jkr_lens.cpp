@@ -18,12 +18,17 @@ namespace setae::cli::jkr_lens_command {
 namespace {
 
 constexpr const char* explanation =
-    "circle      least sum of squared distances of the points from it, not of heights; three points: the circle through them\n"
-    "error       of R, by the scatter about the circle, with the correlation of neighbouring points\n"
-    "conic       c r^2 - 2 s + (1 + k) c s^2 = 0, s the height below the apex, c = 1/R there: k = 0 a sphere, -1 a paraboloid\n"
-    "range       --from and --to leave out the rim, where a lens is no sphere: R and its residual tell how far it is one\n"
-    "pictures    of the side, against the light: the longest edge, to fractions of a pixel; x from the left, z upwards\n"
-    "docs/guides/calibration.md\n";
+    "The command fits the radius of curvature of a lens to a profile or to a picture of its side.\n"
+    "\n"
+    "circle    least sum of squared distances of the points from the circle; three points: the circle through them\n"
+    "error     of R, from the scatter about the circle, with the correlation of neighbouring points\n"
+    "conic     c r^2 - 2 s + (1 + k) c s^2 = 0; s: height below the apex; c = 1/R at the apex\n"
+    "          k = 0: sphere; k = -1: paraboloid\n"
+    "range     --from and --to exclude the rim, where a lens is no sphere\n"
+    "          R and its residual show the range in which the lens is a sphere.\n"
+    "pictures  side of the lens against the light: the longest edge, to fractions of a pixel; x from the left, z upwards\n"
+    "\n"
+    "The measurement is described in docs/guides/calibration.md.\n";
 
 struct Arguments {
     Common common;

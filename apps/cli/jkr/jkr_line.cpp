@@ -27,17 +27,22 @@ namespace setae::cli::jkr_line_command {
 namespace {
 
 constexpr const char* explanation =
-    "place        the closed path of the steepest steps along rays from the mean centre; on it the half of the step, by its integral\n"
-    "roughness    <|r_n|^2> = A n^-(1 + 2 zeta) + noise, by Whittle's likelihood of modes 3 to N/4; +- by leaving out blocks of frames\n"
-    "             zeta 0.39: an elastic line with the long range of cracks, quasi-static          Rosso, Krauth (2002)\n"
-    "speed        of each cell (a ring at an angle): its width over the time the edge takes; the mean is distance over time\n"
-    "jumps        cells that hang together and are faster than --threshold times the mean speed; arrests: slower than 1/threshold\n"
-    "tails        p(x) ~ x^-tau beyond where that fits best; distance: Kolmogorov's                 Clauset et al. (2009)\n"
-    "release rate G = G_J(r, d) (1 + 1/r sum |n| r_n exp(in theta)), G_J = E*(d - r^2/R)^2/(2 pi r)        Gao, Rice (1987)\n"
-    "             roughness makes it scatter by 2 sqrt(U_el/AW) of itself                                    docs/concepts/crack-front.md\n"
-    "voids        pixels inside the edge that are as bright as the outside\n"
-    "a table of --save-line, or of a simulation with columns time, radius_1 ... radius_N, is read in place of pictures\n"
-    "docs/guides/contact-line.md\n";
+    "The command follows the edge of a contact through a recording, along rays from the mean centre.\n"
+    "A table of --save-line, or of a simulation (columns time, radius_1 ... radius_N), can replace the pictures.\n"
+    "\n"
+    "place         closed path of the steepest steps along the rays; on it the half of the step, by its integral\n"
+    "roughness     <|r_n|^2> = A n^-(1 + 2 zeta) + noise, by the Whittle likelihood of modes 3 to N/4\n"
+    "              The standard error comes from leaving out blocks of frames.\n"
+    "              zeta = 0.39: elastic line with the long range of cracks, quasi-static; Rosso, Krauth (2002)\n"
+    "speed         of each cell (a ring at an angle): width over the time in which the edge crosses it\n"
+    "              The mean is distance over time.\n"
+    "jumps         connected cells faster than --threshold times the mean speed; arrests: slower than 1/threshold\n"
+    "tails         p(x) ~ x^-tau above the value that fits best; distance of Kolmogorov; Clauset et al. (2009)\n"
+    "release rate  G = G_J(r, d) (1 + 1/r sum |n| r_n exp(in theta)), G_J = E*(d - r^2/R)^2/(2 pi r); Gao, Rice (1987)\n"
+    "              Roughness gives G a relative scatter of 2 sqrt(U_el/AW); docs/concepts/crack-front.md.\n"
+    "voids         pixels inside the edge that are as bright as the outside\n"
+    "\n"
+    "The method is described in docs/guides/contact-line.md.\n";
 
 struct Arguments : answers::LineRequest {
     Common common;

@@ -19,13 +19,18 @@ namespace setae::cli::jkr_radius_command {
 namespace {
 
 constexpr const char* explanation =
-    "a ray of the edge   I(d) = level + contrast/2 erf((d - place)/(sqrt(2) w)), pixels of one sector, d along the ellipse's normal\n"
-    "a                   sqrt(semi_major semi_minor) + w^2/(2a): a blurred convex edge lies inside the true one; circle where partial\n"
-    "standard error      scatter of places about the ellipse, with the correlation of neighbouring rays; the pixel size is exact\n"
-    "confidence          agreeing_rays min(1, 2 visible_share) min(1, z/5), z: contrast of the median ray over its deviation\n"
-    "no contact          a = 0: nothing stands out of noise and illumination\n"
-    "not found           a undefined: something is there, but no disc whose rays agree\n"
-    "time                (number - first number)/frame rate; numbers of files' names, else 1, 2, 3 ...\n";
+    "The command measures the contact radius in every frame of a recording.\n"
+    "\n"
+    "ray of the edge  I(d) = level + contrast/2 erf((d - place)/(sqrt(2) w)), for the pixels of one sector\n"
+    "                 d is the distance along the normal of the ellipse.\n"
+    "a                sqrt(semi_major semi_minor) + w^2/(2 a); a circle where the contact is partly visible\n"
+    "                 The second term corrects the blur, which moves a convex edge inwards.\n"
+    "standard error   scatter of places about the ellipse, with the correlation of neighbouring rays\n"
+    "                 The error of the pixel size is not included.\n"
+    "confidence       agreeing_rays min(1, 2 visible_share) min(1, z/5); z: contrast of the median ray over its deviation\n"
+    "no contact       a = 0: no disc above noise and illumination\n"
+    "not found        a undefined: a structure is visible, but no disc on whose edge the rays agree\n"
+    "time             (number - first number)/frame rate; numbers from the names of files, else 1, 2, 3 ...\n";
 
 struct Arguments : answers::RadiusRequest {
     Common common;

@@ -19,10 +19,14 @@ namespace setae::cli::jkr_stiffness_command {
 namespace {
 
 constexpr const char* explanation =
-    "k           slope of force against the stage's position above a fifth of the largest force, both branches; outliers count little\n"
-    "error       scatter of the residuals, correlated as they are, and half the difference of the branches\n"
-    "curvature   change of slope from the lower to the upper half of the forces: more than a tenth is a soft contact, and refused\n"
-    "use         setae jkr fit LOOP.csv --machine-stiffness \"K ± ERROR\", or --rigid-contact with the file itself\n";
+    "The command determines the stiffness of the testing machine from a loop on a rigid body.\n"
+    "\n"
+    "k          slope of force against the position of the stage, robust against outliers\n"
+    "           Both branches are used, above a fifth of the largest force.\n"
+    "error      scatter of the residuals with their correlation, and half the difference of the branches\n"
+    "curvature  change of the slope from the lower to the upper half of the forces\n"
+    "           A change of more than a tenth indicates a soft contact. Such a loop is refused.\n"
+    "use        setae jkr fit LOOP.csv --machine-stiffness \"K ± ERROR\", or --rigid-contact with the file itself\n";
 
 struct Arguments {
     Common common;

@@ -24,13 +24,20 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* explanation =
-    "y = mean of the surface + b(lens) + b(spot) + b(repeat) + error of the fit, each normal, the fit's variance known from its standard error\n"
-    "variances   at the largest restricted likelihood, >= 0, pooled over surfaces; those of levels that cannot be told are named\n"
-    "mean        1'V^-1 y/1'V^-1 1, variance 1/1'V^-1 1, Student's t with Satterthwaite's degrees of freedom\n"
-    "another one prediction interval: one more measurement with another lens, spot and repeat\n"
-    "I2, Q       Q = sum (y - mean)^2/SE^2, I2 = 1 - (n - 1)/Q: share of the scatter that the fits' errors do not explain\n"
-    "excluded    rows are left out with a reason alone, and stay in every table and figure; the mean with them stands beside\n"
-    "docs/guides/replicates.md; Patterson, Thompson, Biometrika 58 (1971) 545\n";
+    "The command computes means of fits over lenses, spots and repeats with a mixed model.\n"
+    "\n"
+    "model                y = mean of the surface + b(lens) + b(spot) + b(repeat) + error of the fit, each normal\n"
+    "                     The variance of the fit is known from its standard error.\n"
+    "variances            maximum of the restricted likelihood, >= 0, pooled over surfaces\n"
+    "                     Levels whose variances cannot be distinguished are reported.\n"
+    "mean                 1'V^-1 y/1'V^-1 1, variance 1/1'V^-1 1, Student's t with the degrees of freedom of Satterthwaite\n"
+    "prediction interval  one more measurement with another lens, spot and repeat\n"
+    "I2, Q                Q = sum (y - mean)^2/SE^2, I2 = 1 - (n - 1)/Q\n"
+    "                     I2 is the share of the scatter that the errors of the fits do not explain.\n"
+    "excluded             Rows are excluded only with a reason. Excluded rows remain in every table and figure.\n"
+    "                     The mean including them is printed next to the mean.\n"
+    "\n"
+    "Sources: docs/guides/replicates.md; Patterson, Thompson, Biometrika 58 (1971) 545.\n";
 
 struct Arguments {
     Common common;

@@ -22,12 +22,17 @@ namespace setae::cli::lab_area_command {
 namespace {
 
 constexpr const char* explanation =
-    "maps       self-affine, H = 0.3 and 0.8, three of each, Fourier-filtered; shortest wave 4 points, longest 1/16 of the map\n"
-    "           below which the spectrum is flat; each scaled to every rms slope from 0.01 to 10\n"
-    "A_true     area of the triangles through the heights, both diagonals averaged                  [D19] (S3)\n"
+    "The command compares the true area of self-affine maps with the area of Gaussian roughness (Eq. 9).\n"
+    "\n"
+    "maps       H = 0.3 and 0.8, three maps of each, Fourier-filtered; every map is scaled to rms slopes from 0.01 to 10\n"
+    "           The shortest wave has 4 points. The spectrum is flat for waves longer than 1/16 of the map.\n"
+    "A_true     area of the triangles through the heights, mean of both diagonals (Eq. S3)\n"
     "h'         sqrt<|grad h|^2> of the same triangles\n"
-    "(9)        A_true/A_app - 1 = (sqrt(pi)/2) h' exp(1/h'^2) erfc(1/h'); h'^2/2 for small, sqrt(pi)/2 h' - 1 for large h'\n"
-    "deviation  (A_true/A_app - 1) / that of (9) - 1, mean of the maps and its standard error       [D19] Fig. S7\n";
+    "Eq. 9      A_true/A_app - 1 = (sqrt(pi)/2) h' exp(1/h'^2) erfc(1/h')\n"
+    "           Limits: h'^2/2 for small h', sqrt(pi)/2 h' - 1 for large h'.\n"
+    "deviation  (A_true/A_app - 1) over its value of Eq. 9, minus 1; mean over maps with standard error (Fig. S7)\n"
+    "\n"
+    "Equation and figure numbers: Dalvi et al., PNAS 116 (2019) 25484 [D19].\n";
 
 struct AreaArguments {
     Common common;

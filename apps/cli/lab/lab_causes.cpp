@@ -16,16 +16,20 @@ namespace setae::cli::lab_causes_command {
 namespace {
 
 constexpr const char* explanation =
-    "What the arithmetic mean of spectra [D19] reads of the recipe's surfaces if every periodogram were its own expectation\n"
-    "under one cause alone, so that nothing scatters:\n"
-    "none               C1D at the wavevectors of the measurements, inside their reliable bands\n"
-    "segments           straight lines between the points of contours\n"
-    "trend and window   parabola (stylus) or tilt (lines of maps) removed, Hann window\n"
-    "aliasing           waves shorter than two pixels\n"
-    "tip                a ball in place of a point, inside the band of its criterion\n"
-    "eq. (11)           C_iso = pi C1D/(q sqrt(1 - (q/q_s)^2)) in place of the exact moments\n"
-    "all                all of them\n"
-    "work_of_adhesion at E* = 1 MPa and gamma_1 = 25 mJ/m2, from the planted W_app; ..._from_loss: W_int r/r_found\n";
+    "The command computes the bias of the arithmetic mean of spectra [D19] for the surfaces of a recipe, cause by cause.\n"
+    "Every periodogram is replaced by its expectation with only one cause, so that the results have no scatter.\n"
+    "\n"
+    "none              C1D at the wavevectors of the measurements, inside their reliable bands\n"
+    "segments          straight lines between the points of contours\n"
+    "trend and window  parabola (stylus) or tilt (lines of maps) removed, Hann window\n"
+    "aliasing          waves shorter than two pixels\n"
+    "tip               spherical instead of point-like, inside the band of its criterion\n"
+    "eq. (11)          C_iso = pi C1D/(q sqrt(1 - (q/q_s)^2)) instead of the exact moments\n"
+    "all               all causes together\n"
+    "\n"
+    "work_of_adhesion: W_int from the true W_app, for E* = 1 MPa and gamma_1 = 25 mJ/m2.\n"
+    "..._from_loss: W_int r/r_found.\n"
+    "[D19] Dalvi et al., PNAS 116 (2019) 25484.\n";
 
 ExitCode run(const RepeatedRecipe& arguments) {
     require_recipe(arguments);

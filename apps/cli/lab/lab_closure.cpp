@@ -21,15 +21,21 @@ namespace setae::cli::lab_closure_command {
 namespace {
 
 constexpr const char* explanation =
-    "Each run makes the recipe's data set with a seed of its own, studies it from its files, compares with what is planted.\n"
-    "bias       mean of found/planted - 1, or of found - planted; its standard error from the scatter between runs\n"
-    "scatter    standard deviation of these;  stated: mean half width of the 95 % intervals over 1.96\n"
-    "holds      share of 95 % intervals that hold the planted value, with Wilson's interval for that share\n"
-    "methods    likelihood, average: the study's spectra;  loops: JKR analysis;  paper: eq. (11), straight segments\n"
-    "           between contour points, percentile bootstrap                                                     [D19]\n"
-    "           pairs, elastomers: what the study makes of all their loops\n"
-    "new_pair   predictions of pairs that were not measured against each other (unmeasured of the recipe's [loops])\n"
-    "--without  tip-factor: tips not simulated;  tip-band: data beyond the reliable band used (both of the likelihood)\n";
+    "Each run makes the data set of the recipe with its own seed, analyses its files and compares results with true values.\n"
+    "\n"
+    "bias       mean of found/true - 1, or of found - true; its standard error from the scatter between runs\n"
+    "scatter    standard deviation of found/true - 1 or of found - true\n"
+    "stated     mean half width of the 95 % intervals over 1.96\n"
+    "coverage   share of 95 % intervals that cover the true value, with Wilson's interval of this share\n"
+    "methods    likelihood, average: spectra of the study\n"
+    "           loops: JKR analysis of single loops\n"
+    "           pairs, elastomers: results of the study from all their loops\n"
+    "           paper: Eq. 11, straight segments between contour points, percentile bootstrap [D19]\n"
+    "new_pair   predictions of pairs that were not measured together (unmeasured of the recipe's [loops])\n"
+    "--without  tip-factor: tips are not simulated; tip-band: data beyond the reliable band are used\n"
+    "           Both change the likelihood.\n"
+    "\n"
+    "[D19] Dalvi et al., PNAS 116 (2019) 25484.\n";
 
 struct ClosureArguments : RepeatedRecipe {
     bool keep = false;

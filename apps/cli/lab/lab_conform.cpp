@@ -24,15 +24,22 @@ namespace setae::cli::lab_conform_command {
 namespace {
 
 constexpr const char* explanation =
-    "Does a soft body conform to all waves of a rough one, as (7) supposes? Random patches in a periodic cell, an elastic half-space,\n"
-    "an attraction of finite range; nothing but their spectrum goes in.                                   docs/concepts/conformity.md\n"
-    "U_el/AW     e, what full contact stores over what it gains, W = W_int r - γ1 (r - 1); slopes count to first order, in W alone\n"
-    "from far    let go above the highest point, no load: area in contact, and what that gained over W; (7) says 1 - e\n"
-    "preload     pressed at h'E* first, then no load\n"
-    "p closes    pressure over h'E* at which 99 % of the area touch, to 3 %;  T opens  tension over σ that opens full contact\n"
-    "range       ρ of the grid, w dx/(E*ρ²) = --squared-ratio; finer grids (--shortest-wave) have shorter ranges beside the height\n"
-    "--loops     far, full contact and back; even a flat cell loses 0.35 W, by jumping as a whole: never a contact's loss\n"
-    "STUDY       patches have the pairs' U_el/AW and, where most of it is stored, their surfaces' spectra\n";
+    "The command tests whether full contact forms, as the full-contact balance (Eq. 7) assumes.\n"
+    "It simulates random patches: periodic cells on an elastic half-space with an attraction of finite range.\n"
+    "Their only input is the spectrum. The method is described in docs/concepts/conformity.md.\n"
+    "\n"
+    "U_el/AW    e, energy stored in full contact over the energy gained, W = W_int r - γ1 (r - 1)\n"
+    "           Slopes enter to first order, only through W.\n"
+    "from far   patches approached from above the highest point, without load: area in contact, and gain over W\n"
+    "           The full-contact balance (Eq. 7) gives the gain 1 - e.\n"
+    "preload    pressed at h'E*, then without load\n"
+    "p closes   pressure over h'E* at which 99 % of the area touch, to 3 %\n"
+    "T opens    tension over σ that opens full contact\n"
+    "range      ρ of the grid, w dx/(E*ρ²) = --squared-ratio\n"
+    "           Finer grids (--shortest-wave) have shorter ranges relative to the height.\n"
+    "--loops    approach from far, full contact and retraction\n"
+    "           Even a flat cell loses 0.35 W, because it jumps as a whole. The loss of a cell is not that of a contact.\n"
+    "STUDY      patches have the U_el/AW of the pairs and the spectra of their surfaces where most energy is stored\n";
 
 struct ConformArguments : answers::PatchSurveyRequest {
     Common common;

@@ -17,15 +17,18 @@ namespace setae::cli::lab_contours_command {
 namespace {
 
 constexpr const char* explanation =
-    "pictures   curves of known shape: exact coverage of pixels, blur 0.8 px, noise, fringe, drift, lattice, texture\n"
-    "SNR        grey step between vacuum and sample over the noise of a pixel\n"
-    "traced     share of the curve that has a trace within 3 px\n"
-    "rms        distance along the normal [px], the larger of trace to curve and curve to trace; mean of the runs, and the worst\n"
-    "offset     mean distance, positive where the trace lies in vacuum [px]\n"
-    "in 2 sigma share of points closer to the curve than two of their standard errors; 0.954 where these are right\n"
-    "Rq         of the levelled trace over that of the curve, less 1; mean, and the worst run\n"
-    "floor      density of its errors over the noise density that the trace states\n"
-    "C1D        of the trace, freed of its response and noise, over the curve's, less 1, where it stands ten times above the floor\n";
+    "The command traces curves of known shape in rendered micrographs and reports the errors of the traces.\n"
+    "\n"
+    "pictures    exact coverage of pixels, blur of 0.8 px, noise, fringe, drift, lattice, texture\n"
+    "SNR         grey step between vacuum and sample over the noise of a pixel\n"
+    "traced      share of the curve that has a trace within 3 px\n"
+    "rms         distance along the normal [px], the larger of trace to curve and curve to trace; mean and worst run\n"
+    "offset      mean distance, positive where the trace is in vacuum [px]\n"
+    "in 2 sigma  share of points closer to the curve than two standard errors; 0.954 for correct standard errors\n"
+    "Rq          of the levelled trace over Rq of the curve, minus 1; mean and worst run\n"
+    "floor       density of the errors over the noise density that the trace states\n"
+    "C1D         of the trace, corrected for response and noise, over C1D of the curve, minus 1\n"
+    "            Only wavevectors count where C1D is ten times above the floor.\n";
 
 struct Arguments {
     Common common;

@@ -19,9 +19,12 @@ namespace setae::cli::lab_foil_command {
 namespace {
 
 constexpr const char* explanation =
-    "silhouette  s(x) = max over 0 <= y <= t of h(x, y): what a contour in a micrograph of a foil is\n"
+    "The command computes the effect of the projection of a foil on the spectrum of a contour.\n"
+    "\n"
+    "silhouette  s(x) = max over 0 <= y <= t of h(x, y): the contour in a micrograph of a foil of thickness t\n"
     "factor      <C1D of silhouettes>/<C1D of lines> of the same random surfaces with the given C_iso\n"
-    "divide C1D of a contour by the factor of each wavevector: what lines of the surface would show on average\n";
+    "\n"
+    "C1D of a contour over the factor of each wavevector is the mean C1D of lines of the surface.\n";
 
 struct FoilArguments {
     Common common;

@@ -23,14 +23,21 @@ namespace setae::cli::lab_loops_command {
 namespace {
 
 constexpr const char* explanation =
-    "branches   E*, W and delta_0 of each fit on samples of JKR's curves with noise in force, displacement and contact radius\n"
-    "records    whole loops through `setae jkr fit`: free flight, jumps, the pinned stretch; W differs between the branches\n"
-    "SNR        largest force over sigma_F; displacement to the largest force over sigma_delta; a_max over sigma_a\n"
-    "bias       mean of found/planted - 1, or of found - planted;  scatter, stated: standard deviation found, and claimed\n"
-    "holds      share of 95 % intervals that hold the planted value, with Wilson's interval for that share\n"
-    "a(F)       least squares in a alone, (1); a(F) both: errors in both; linear: the linear form. a(F) and linear are biased where noisy\n"
-    "with --mechanism: the recipe's data set with another law of W_ret in its loops, studied from its files; which law is found\n"
-    "           reversible, pinning, conformal_loss, opening_work, each alone, times a crack tip (crack_tip_…) and times that of its speed (crack_speed_…); docs/concepts/hysteresis.md\n";
+    "The command fits simulated noisy loops and compares the results with the true values.\n"
+    "\n"
+    "branches  E*, W and delta_0 of each fit to samples of JKR curves with noise in force, displacement and contact radius\n"
+    "records   whole loops through `setae jkr fit`: free flight, jumps, pinned stretch; W differs between the branches\n"
+    "SNR       largest force over sigma_F, displacement to the largest force over sigma_delta, a_max over sigma_a\n"
+    "bias      mean of found/true - 1, or of found - true\n"
+    "scatter   standard deviation of the results; stated: mean standard error of the fits\n"
+    "coverage  share of 95 % intervals that cover the true value, with Wilson's interval of this share\n"
+    "a(F)      least squares only in a (Eq. 1); a(F) both: errors in a and F; linear: linear form\n"
+    "          a(F) and linear are biased for noisy data.\n"
+    "\n"
+    "--mechanism: the loops of the recipe have another retraction model. The study of their files should find this model.\n"
+    "Models: reversible, pinning, conformal_loss, opening_work.\n"
+    "Each model also exists with a crack tip (crack_tip_...) and with a crack tip that depends on speed (crack_speed_...).\n"
+    "The models are described in docs/concepts/hysteresis.md. Equation numbers: Dalvi et al., PNAS 116 (2019) 25484.\n";
 
 struct Arguments {
     Common common;

@@ -17,13 +17,17 @@ namespace setae::cli::lab_make_command {
 namespace {
 
 constexpr const char* explanation_of_make =
-    "surfaces    random with a given C_iso; heights Gaussian, or g(z) of such with a given skewness\n"
-    "stylus, AFM dilated by the tip in two dimensions, read pointwise, noise\n"
+    "The command simulates the measurements and loops of a recipe and writes their files.\n"
+    "\n"
+    "surfaces    random with a given C_iso; heights Gaussian, or a function g(z) of Gaussian heights with a given skewness\n"
+    "stylus, AFM dilated by the tip in two dimensions, sampled at points, with noise\n"
     "TEM         line through the surface, traced in random steps\n"
-    "W_app       W_int r - gamma_1 (r - 1) - U_el/A_app, r = A_true/A_app                       [D19] (7)\n"
-    "W_ret       such that E_loss = f W_int r pi a_max^2, or W_app + 2 k U_el/A_app              [D19] (10); pinning\n"
+    "W_app       full-contact balance (Eq. 7): W_int r - gamma_1 (r - 1) - U_el/A_app, r = A_true/A_app\n"
+    "W_ret       true-area loss (Eq. 10): E_loss = f W_int r pi a_max^2; or pinning: W_app + 2 k U_el/A_app\n"
     "loops       JKR with W_app, edge pinned at a_max until G = W_ret, JKR with W_ret\n"
-    "truth.json holds every planted value, study.toml analyses the data: setae study FOLDER/study.toml\n";
+    "\n"
+    "truth.json contains every true value. study.toml analyses the data: setae study FOLDER/study.toml.\n"
+    "Equation numbers: Dalvi et al., PNAS 116 (2019) 25484 [D19].\n";
 
 struct MakeArguments {
     Common common;

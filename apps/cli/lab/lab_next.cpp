@@ -18,14 +18,17 @@ namespace setae::cli::lab_next_command {
 namespace {
 
 constexpr const char* explanation =
-    "Each run makes the recipe's data set with a seed of its own, asks `setae study --next` what one further measurement\n"
-    "would leave of a number's ±, then does it and studies again.\n"
-    "an input    the recipe tells it with half its ±, and its true value is half as far from what is told\n"
-    "a surface   all its scans, maps and contours once more, at other places\n"
-    "a pair      another loop, with noise of its own\n"
-    "±           standard errors, roots of mean squares over runs: without the measurement, promised, with it\n"
-    "off         found - planted, root of its mean square, without and with the measurement\n"
-    "ratio       off later/off, its ± by leaving runs out;  promised: the same of the standard errors\n";
+    "Each run makes the data set of the recipe with its own seed.\n"
+    "`setae study --next` predicts the standard error after one further measurement.\n"
+    "The run then simulates this measurement and repeats the study.\n"
+    "\n"
+    "input       The recipe gives the input with half its ±. The true value is half as far from the given value.\n"
+    "surface     all its scans, maps and contours are repeated at other places\n"
+    "pair        one more loop with its own noise\n"
+    "±           standard errors, root mean square over runs: without the measurement, as promised, with the measurement\n"
+    "off         found - true, root mean square, without and with the measurement\n"
+    "ratio       off with the measurement over off without; its ± by leaving out runs\n"
+    "promised    ratio of the promised standard errors\n";
 
 struct NextArguments : RepeatedRecipe {
     std::string target = "W_int";

@@ -19,9 +19,12 @@ namespace setae::cli::lab_recording_command {
 namespace {
 
 constexpr const char* explanation =
-    "the edge of a contact, simulated (`setae contact front --save-line`) or found (`setae jkr line --save-line`), as a camera records it\n"
-    "  I = inside + contrast/2 (1 + erf(d/(sqrt 2 blur))) + noise, d the distance from the edge, in 256 levels\n"
-    "what `setae jkr line` finds in it is to be held against the edge: docs/guides/contact-line.md\n";
+    "The command renders the edge of a contact as the recording of a camera.\n"
+    "The edge is simulated (`setae contact front --save-line`) or measured (`setae jkr line --save-line`).\n"
+    "\n"
+    "  I = inside + contrast/2 (1 + erf(d/(sqrt 2 blur))) + noise, in 256 levels; d: distance from the edge\n"
+    "\n"
+    "The edge that `setae jkr line` finds in the recording can be compared with the known edge: docs/guides/contact-line.md.\n";
 
 struct Arguments : simulation::RecordingOptions {
     Common common;

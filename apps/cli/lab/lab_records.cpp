@@ -18,12 +18,17 @@ namespace setae::cli::lab_records_command {
 namespace {
 
 constexpr const char* explanation =
-    "records    simulated loops of a sphere, each with one fault that laboratories meet, or with two of them\n"
-    "columns    median bias in percent, median bias in standard errors, share of 95 % intervals that cover the known value\n"
-    "E*, W      modulus and work of adhesion of the fit to loading; W_ret: at pull-off, of the fit to retraction\n"
-    "W_pull_off from the smallest force; W_last_points: from the last samples before pull-off; E_loss: energy of the loop\n"
-    "refused    records that are not analysed; cause named: refused or warned with the fault named\n"
-    "silently   a quantity is off by more than four standard errors and 2 %, and neither a refusal nor a warning names the fault\n";
+    "The command analyses simulated loops of a sphere. Each record has one fault, or two, as they occur in experiments.\n"
+    "\n"
+    "columns        median bias in percent, median bias in standard errors, share of 95 % intervals that cover the true value\n"
+    "E*, W          modulus and work of adhesion of the fit to loading\n"
+    "W_ret          W_pull_off: at pull-off, from the smallest force\n"
+    "               W_last_points: at pull-off, from the last samples of retraction\n"
+    "E_loss         energy of the loop\n"
+    "refused        records that are not analysed\n"
+    "cause named    records that are refused or get a warning, with the fault named\n"
+    "silently       records with a result off by more than four standard errors and 2 %\n"
+    "               Neither a refusal nor a warning names the fault.\n";
 
 struct Arguments {
     Common common;

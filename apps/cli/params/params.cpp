@@ -27,16 +27,24 @@ namespace setae::cli::params_command {
 namespace {
 
 constexpr const char* explanation =
-    "Rq, Sq      root mean square of heights about their mean, unfiltered\n"
-    "Rdq, Sdq    root mean square of forward differences; maps: of |grad h|\n"
-    "Rddq        root mean square of second differences; maps: of half the Laplacian\n"
-    "A_true/A_app triangulated: area of the triangles through the heights                     [D19] (S3)\n"
-    "h_rms^2     = (1/pi) int C1D dq                                                            [J17]\n"
-    "h'_rms^2    = (2/pi) int q^2 C1D dq, isotropic surfaces                                    exact\n"
-    "h''_rms^2   = (2/(3 pi)) int q^4 C1D dq, of half the Laplacian                             exact\n"
-    "A_true/A_app = 1 + sqrt(pi)/2 h' exp(1/h'^2) erfc(1/h')                                    [D19] (9)\n"
-    "U_el/(A E*) = (1/8) int q C1D dq                                                          [D19] (8)\n"
-    "--standard   parameters of ISO 25178-2 or ISO 21920-2: formulas in docs/reference/parameters.md\n";
+    "The command computes roughness parameters from heights and from the spectrum.\n"
+    "\n"
+    "From heights, unfiltered:\n"
+    "Rq, Sq       root mean square of heights about their mean\n"
+    "Rdq, Sdq     root mean square of forward differences; of maps |grad h|\n"
+    "Rddq         root mean square of second differences; of maps half the Laplacian\n"
+    "A_true/A_app area of the triangles through the heights over the projected area (Eq. S3)\n"
+    "\n"
+    "From the spectrum:\n"
+    "h_rms^2      = (1/pi) int C1D dq [J17]\n"
+    "h'_rms^2     = (2/pi) int q^2 C1D dq, exact for isotropic surfaces\n"
+    "h''_rms^2    = (2/(3 pi)) int q^4 C1D dq, of half the Laplacian, exact for isotropic surfaces\n"
+    "A_true/A_app = 1 + sqrt(pi)/2 h' exp(1/h'^2) erfc(1/h') (Eq. 9)\n"
+    "U_el/(A E*)  = (1/8) int q C1D dq (Eq. 8)\n"
+    "\n"
+    "--standard gives the parameters of ISO 25178-2 or ISO 21920-2. docs/reference/parameters.md contains their formulas.\n"
+    "Equation numbers: Dalvi et al., PNAS 116 (2019) 25484 [D19].\n"
+    "[J17] Jacobs, Junge, Pastewka, Surf. Topogr. 5 (2017) 013001.\n";
 
 struct Arguments {
     Common common;

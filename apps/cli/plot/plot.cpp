@@ -21,14 +21,17 @@ namespace setae::cli::plot_command {
 namespace {
 
 constexpr const char* explanation =
-    "1, 2, 4, S1, S2, S3, S5, S6, S8  the figures of [D19], with error bars; docs/reference/figures.md says what each shows\n"
-    "spectra:NAME  every measurement of a surface, by instrument, with what was cut\n"
-    "scales        which wavevectors cost the energy: shares of U_el, excess area and W_app - W_int below q\n"
-    "prediction    W_app against E* for each surface: curve of (7) with its band, measured values, residuals, chi2\n"
-    "replicates    every loop's work of adhesion with its error, means by lens and surface\n"
+    "The command draws one figure of a study. docs/reference/figures.md describes all figures.\n"
+    "\n"
+    "1, 2, 4, S1, S2, S3, S5, S6, S8\n"
+    "              figures of Dalvi et al., PNAS 116 (2019) 25484, with error bars\n"
+    "spectra:NAME  every measurement of a surface, by instrument, with the excluded data\n"
+    "scales        contribution of wavevectors: shares of U_el, excess area and W_app - W_int below q\n"
+    "prediction    W_app against E* per surface: full-contact balance (Eq. 7) with band, measured values, residuals, chi2\n"
+    "replicates    work of adhesion of every loop with its error, means by lens and surface\n"
     "agreement     measured over expected periodograms, by instrument and decade\n"
-    "+- and bars are one standard error, shaded bands 95 %\n"
-    "[D19] Dalvi et al., PNAS 116 (2019) 25484\n";
+    "\n"
+    "Error bars and +- are one standard error. Shaded bands are 95 %.\n";
 
 constexpr std::array endings{"svg", "pdf", "png", "csv"};
 

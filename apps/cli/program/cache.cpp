@@ -15,11 +15,13 @@ namespace setae::cli::cache_command {
 namespace {
 
 constexpr const char* explanation =
-    "key        SHA-256 over the content of the files a result rests on and every setting it depends on\n"
-    "entry      the version that wrote it, SHA-256 of the result, the result; given back only where both are right\n"
-    "show       how many results are kept, where, how large\n"
-    "prune      remove results of other versions and what interrupted runs left\n"
-    "clear      remove all of it\n";
+    "The cache keeps results between runs.\n"
+    "\n"
+    "key    SHA-256 over the content of the input files and over every setting that the result depends on\n"
+    "entry  version of setae, SHA-256 of the result, the result; used only if version and SHA-256 agree\n"
+    "show   number, folder and size of the results kept\n"
+    "prune  removes results of other versions and remains of interrupted runs\n"
+    "clear  removes all results\n";
 
 struct Arguments {
     Common common;

@@ -14,10 +14,13 @@ namespace setae::cli::completion_command {
 namespace {
 
 constexpr const char* explanation =
-    "bash   setae completion bash > ~/.local/share/bash-completion/completions/setae\n"
-    "zsh    setae completion zsh > ~/.zfunc/_setae        (with ~/.zfunc in $fpath)\n"
-    "fish   setae completion fish > ~/.config/fish/completions/setae.fish\n"
-    "made from the program's own commands and options, so they are those of this version; `setae man` writes the manual page\n";
+    "The command writes the completion for a shell, with the commands and options of this version.\n"
+    "\n"
+    "bash  setae completion bash > ~/.local/share/bash-completion/completions/setae\n"
+    "zsh   setae completion zsh > ~/.zfunc/_setae        (with ~/.zfunc in $fpath)\n"
+    "fish  setae completion fish > ~/.config/fish/completions/setae.fish\n"
+    "\n"
+    "`setae man` writes the manual page.\n";
 
 std::string joined(const std::vector<std::string>& words) {
     std::string text;

@@ -13,7 +13,7 @@ namespace setae::cli::man_command {
 namespace {
 
 constexpr const char* explanation =
-    "setae man | man -l -            the manual page, from the program's own commands and options\n";
+    "The command writes the manual page with all commands and options of this version: setae man | man -l -\n";
 
 /// Text as roff takes it: backslashes and leading dots escaped, hyphens that copy as such.
 std::string roff(const std::string& text) {

@@ -18,8 +18,8 @@ namespace setae::cli::schema_command {
 namespace {
 
 constexpr const char* explanation =
-    "JSON Schema, draft 2020-12, of what each command prints with --json and of study.json; $id holds the version.\n"
-    "Later versions add names and keep those there are: docs/reference/versions.md.\n";
+    "The command prints the JSON Schema (draft 2020-12) of the --json output of a command, or of study.json.\n"
+    "$id contains the version. Later versions add names and keep existing names: docs/reference/versions.md.\n";
 
 struct Arguments {
     Common common;

@@ -18,12 +18,22 @@ namespace setae::cli::psd_command {
 namespace {
 
 constexpr const char* explanation =
-    "C1D(q) = |h(q)|^2/L [m3], h(q) = int h exp(-iqx) dx; two-sided, averaged over +-q; h_rms^2 = (1/pi) int_0^inf C1D dq   [J17]\n"
-    "C2D(q) = |h(q)|^2/A [m4]; C_iso its mean over the circle |q|; h_rms^2 = (1/2 pi) int q C_iso dq                        [J17]\n"
-    "one map: C_iso by transform; else C_iso = pi C1D/(q sqrt(1 - (q/q_s)^2)), q_s the end of the band                      [D19] (11)\n"
-    "--abel: C_iso = -2 int_q^inf C1D'(p) dp/sqrt(p^2 - q^2), exact for isotropic surfaces; its ratio to pi C1D/q                Bracewell\n"
-    "--fit: C_iso = C_0 max(1, q/q_r)^(-2-2H) by the likelihood of the spectra, C1D by the exact Abel integral             docs/concepts/self-affine-fit.md\n"
-    "one measurement: its own modes; several: arithmetic mean in bins of 0.1 decade, each in its reliable band              [D19]\n";
+    "The command computes the power spectral density of one or several measurements of a surface.\n"
+    "\n"
+    "C1D     C1D(q) = |h(q)|^2/L [m3], h(q) = int h exp(-iqx) dx; two-sided, averaged over +-q [J17]\n"
+    "        h_rms^2 = (1/pi) int_0^inf C1D dq\n"
+    "C2D     C2D(q) = |h(q)|^2/A [m4] [J17]\n"
+    "C_iso   mean of C2D over the circle |q|; h_rms^2 = (1/2 pi) int q C_iso dq [J17]\n"
+    "        From C1D: C_iso = pi C1D/(q sqrt(1 - (q/q_s)^2)), q_s the end of the band; [D19] Eq. 11.\n"
+    "        One map has C_iso from its transform.\n"
+    "--abel  C_iso = -2 int_q^inf C1D'(p) dp/sqrt(p^2 - q^2), exact for isotropic surfaces; Bracewell\n"
+    "        The ratio to pi C1D/q is given, too.\n"
+    "--fit   C_iso = C_0 max(1, q/q_r)^(-2-2H) by the likelihood of the spectra, with the exact Abel integral for C1D\n"
+    "        docs/concepts/self-affine-fit.md\n"
+    "\n"
+    "One measurement: the table contains its own modes.\n"
+    "Several measurements: arithmetic mean in bins of 0.1 decade, each measurement in its reliable band [D19].\n"
+    "[D19] Dalvi et al., PNAS 116 (2019) 25484; [J17] Jacobs, Junge, Pastewka, Surf. Topogr. 5 (2017) 013001.\n";
 
 struct Arguments {
     Common common;

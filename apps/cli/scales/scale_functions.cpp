@@ -17,15 +17,29 @@ namespace setae::cli {
 namespace {
 
 constexpr const char* sdrp_explanation =
-    "order 1: [h(x + s) - h(x)]/s, d = s; order 2: [h(x - s) - 2h(x) + h(x + s)]/s^2, d = 2s; order 3: d = 3s\n"
-    "d: length of the whole stencil; reliable from d = order/2 of the shortest wavelength     10.1016/j.apsadv.2021.100190\n"
-    "both directions of a map: |grad h| (order 1), half the Laplacian (order 2)\n";
+    "The command computes rms slope (order 1), rms curvature (order 2) or a higher derivative (order 3) at every scale.\n"
+    "\n"
+    "order 1  [h(x + s) - h(x)]/s, distance d = s; of maps with both directions |grad h|\n"
+    "order 2  [h(x - s) - 2h(x) + h(x + s)]/s^2, distance d = 2s; of maps with both directions half the Laplacian\n"
+    "order 3  distance d = 3s\n"
+    "\n"
+    "The distance d is the length of the stencil. Results are reliable from d = order/2 of the shortest wavelength.\n"
+    "Source: 10.1016/j.apsadv.2021.100190.\n";
 constexpr const char* acf_explanation =
-    "A(d) = <[h(x + d) - h(x)]^2>/2 [m2] over all pairs of defined points; reliable from half the shortest wavelength\n"
-    "--area: mean over all vectors of a length, the full circle; --slope: sqrt(2A)/d              Wang, Mueser 2018\n";
+    "The command computes the autocorrelation of height differences.\n"
+    "\n"
+    "A(d)     <[h(x + d) - h(x)]^2>/2 [m2] over all pairs of defined points\n"
+    "--area   mean over all vectors of length d, the full circle\n"
+    "--slope  sqrt(2A)/d; Wang, Mueser 2018\n"
+    "\n"
+    "Results are reliable from half the shortest wavelength.\n";
 constexpr const char* vbw_explanation =
-    "rms of all residuals of the best line (--area: plane) in each of m cells, m = 1, 2, 4, ... while n/m >= 4\n"
-    "distance: size/m; reliable from the shortest wavelength                                     10.1088/2051-672X/aa51f8\n";
+    "The command computes the rms height in cells of every size.\n"
+    "\n"
+    "rms       of all residuals of the best line (--area: plane) in each of m cells, m = 1, 2, 4, ... while n/m >= 4\n"
+    "distance  size/m\n"
+    "\n"
+    "Results are reliable from the shortest wavelength. Source: 10.1088/2051-672X/aa51f8.\n";
 
 using Asked = fields::Asked<answers::ScaleRequest>;
 

@@ -29,20 +29,32 @@ namespace setae::cli::predict_command {
 namespace {
 
 constexpr const char* explanation =
-    "every pair of the study, measured or not: W_ret at pull-off, the pull-off force and the energy that a whole loop loses, from roughness alone\n"
-    "  W_app           (7) with the study's W_int\n"
-    "  W_ret           at pull-off, by the likeliest retraction model that tends to a smooth surface's W_ret as roughness tends to zero;\n"
-    "                  a likelier model without this limit is shown beside; W_app, a lower bound, where fewer than 6 pairs have W_ret\n"
-    "  pairs that do not come into full contact of themselves, U_el/AW > 0.3, go by the ranking of all pairs\n"
-    "  W_x             work per unit true area, at pull-off as W_ret is; it need not be that of the whole retraction\n"
-    "models, φ = W_ret/W_app of a smooth reference on the same elastomer, taken to have the chemistry of the surfaces; alone or times every other\n"
-    "  reversible W_app; pinning W_app + 2k U_el/A, k simulated, by bands, or fitted; simulated k grows with N, the Larkin\n"
-    "  lengths of the contact's edge, at the largest load and at pull-off\n"
-    "  conformal_loss W_app + W_int A_true/A (10), or with a work of its own; opening_work W_x A_true/A\n"
-    "E_loss            jumps of the sphere in its machine + (W_ret - W_app) π a_max²; needs sphere_radius and preload\n"
-    "off               measured - law, rms; next surface, next elastomer: of those that the fit has not seen\n"
-    "odds              for the best law against each, by how well the other surfaces say each surface\n"
-    "docs/concepts/hysteresis.md\n";
+    "The command predicts W_ret at pull-off, the pull-off force and the energy loss of every pair of a study from roughness.\n"
+    "Pairs without measured loops are predicted, too.\n"
+    "\n"
+    "W_app     full-contact balance (Eq. 7) with W_int of the study\n"
+    "W_ret     at pull-off, by the likeliest retraction model whose W_ret tends to that of a smooth surface\n"
+    "          A likelier model without this limit is printed next to it.\n"
+    "          Fewer than 6 pairs with W_ret: W_app, a lower bound.\n"
+    "W_x       work per unit true area at pull-off, which may differ from that of the whole retraction\n"
+    "E_loss    loss of the jumps of the sphere with its testing machine + (W_ret - W_app) π a_max²\n"
+    "          E_loss needs sphere_radius and preload.\n"
+    "Pairs without spontaneous full contact, U_el/AW > 0.3, are predicted with the ranking of all pairs.\n"
+    "\n"
+    "Retraction models, each also times a crack tip:\n"
+    "crack tip       φ = W_ret/W_app of a smooth reference on the same elastomer\n"
+    "                The smooth reference is assumed to have the chemistry of the rough surfaces.\n"
+    "reversible      W_app\n"
+    "pinning         W_app + 2k U_el/A; k simulated, by bands, or fitted\n"
+    "                The simulated k increases with N, the number of Larkin lengths of the edge.\n"
+    "                N is taken at the largest load and at pull-off.\n"
+    "conformal_loss  W_app + W_int A_true/A, true-area loss (Eq. 10), or with another work per unit true area\n"
+    "opening_work    W_x A_true/A\n"
+    "\n"
+    "left-out error  rms of measured minus predicted, leave-one-surface-out and leave-one-elastomer-out\n"
+    "odds            for the best retraction model against each other model, from leave-one-surface-out predictions\n"
+    "\n"
+    "The models are described in docs/concepts/hysteresis.md. Equation numbers: Dalvi et al., PNAS 116 (2019) 25484.\n";
 
 struct PredictArguments {
     Common common;

@@ -36,16 +36,22 @@ namespace setae::cli::study_command {
 namespace {
 
 constexpr const char* explanation =
-    "likelihood  C_iso with the largest -sum nu (ln E + P/E), E the periodogram it expects of each measurement\n"
-    "average     C1D(q) = |h(q)|^2/L, averaged over measurements in decade-aligned bins        [D19], [J17]\n"
-    "parameters  h_rms^2 = (1/pi) int C1D dq, h'^2 = (2/pi) int q^2 C1D dq                      exact, isotropic surfaces\n"
-    "            U_el/(A_app E*) = (1/8) int q C1D dq                                          [D19] (8)\n"
-    "true area   A_true/A_app = 1 + sqrt(pi)/2 h' exp(1/h'^2) erfc(1/h')                        [D19] (9)\n"
-    "balance     W_app = W_int r - gamma_1 (r - 1) - U_el/A_app, r = A_true/A_app               [D19] (7)\n"
-    "comparison  W_app = W_int (1 + h'^2/2) - U_el/A_app                                        [D19] (S13)\n"
-    "loading     a^3 = 3R/(4E*) (F + 3 pi R W + sqrt(6 pi R W F + (3 pi R W)^2))                [D19] (1)\n"
-    "loss        E_loss = W_int A_true, A_true = r pi a_max^2                                   [D19] (10)\n"
-    "[D19] Dalvi et al., PNAS 116 (2019) 25484; [J17] Jacobs, Junge, Pastewka, Surf. Topogr. 5 (2017) 013001\n";
+    "The command analyses surfaces, elastomers and loops together and fits W_int.\n"
+    "\n"
+    "likelihood                         C_iso with the largest -sum nu (ln E + P/E)\n"
+    "                                   E is the expected periodogram of each measurement, P the measured one.\n"
+    "average                            C1D(q) = |h(q)|^2/L, averaged in decade-aligned bins [D19], [J17]\n"
+    "rms height                         h_rms^2 = (1/pi) int C1D dq\n"
+    "rms slope                          h'^2 = (2/pi) int q^2 C1D dq, exact for isotropic surfaces\n"
+    "stored energy (Eq. 8)              U_el/(A_app E*) = (1/8) int q C1D dq\n"
+    "true area (Eq. 9)                  A_true/A_app = 1 + sqrt(pi)/2 h' exp(1/h'^2) erfc(1/h')\n"
+    "full-contact balance (Eq. 7)       W_app = W_int r - gamma_1 (r - 1) - U_el/A_app, r = A_true/A_app\n"
+    "Persson-Tosatti balance (Eq. S13)  W_app = W_int (1 + h'^2/2) - U_el/A_app, for comparison\n"
+    "loading (Eq. 1)                    a^3 = 3R/(4E*) (F + 3 pi R W + sqrt(6 pi R W F + (3 pi R W)^2))\n"
+    "true-area loss (Eq. 10)            E_loss = W_int A_true, A_true = r pi a_max^2\n"
+    "\n"
+    "Equation numbers: [D19] Dalvi et al., PNAS 116 (2019) 25484.\n"
+    "[J17] Jacobs, Junge, Pastewka, Surf. Topogr. 5 (2017) 013001.\n";
 
 struct Arguments {
     Common common;

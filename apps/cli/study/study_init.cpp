@@ -19,11 +19,17 @@ namespace setae::cli::study_init_command {
 namespace {
 
 constexpr const char* explanation =
-    "surfaces     the files of a folder measured one; a folder named after an instrument belongs to the folder around it\n"
-    "instruments  as the files say, else by a word of the name: stylus, afm, tem, confocal, … ; the remark says which\n"
-    "experiments  loops and force curves, in comments: elastomer and rough solid need what no file says\n"
-    "left open    lines with \"?\" in comments; `setae study FILE --dry-run` lists them with what follows from each\n"
-    "a study file that is called init is run by `setae study ./init`\n";
+    "The command writes a draft of a study from the files in folders.\n"
+    "\n"
+    "surfaces          The files of one folder are measurements of one surface.\n"
+    "                  A folder named after an instrument belongs to the folder that contains it.\n"
+    "instruments       from the files, else from a word of the name: stylus, afm, tem, confocal, ...\n"
+    "                  A comment in the draft gives the source of each instrument.\n"
+    "experiments       Loops and force curves are comments, because files do not contain elastomer and rough surface.\n"
+    "missing metadata  Comments with \"?\" mark missing metadata.\n"
+    "                  `setae study FILE --dry-run` lists these lines with their consequences.\n"
+    "\n"
+    "A study file with the name init is run by `setae study ./init`.\n";
 
 struct Arguments {
     Common common;

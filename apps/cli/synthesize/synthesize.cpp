@@ -17,14 +17,20 @@ namespace setae::cli::synthesize_command {
 namespace {
 
 constexpr const char* explanation =
-    "C_iso(q)   = C_0 for q < q_r, C_0 (q/q_r)^(-2-2H) up to q_s, 0 above; q = 2 pi/wavelength       [J17]\n"
-    "C1D(q_x)   = (1/pi) int_{q_x}^{q_s} C_iso q dq/sqrt(q^2 - q_x^2): lines on that surface\n"
-    "h(x)       = sum_q c_q exp(iqx), <|c_q|^2> = C_iso/A; c_q complex normal, or random phases alone (--amplitudes exact)\n"
-    "spectrum   h_rms^2 = sum_q C/A and h'^2 = sum_q q^2 C/A over the modes of the grid\n"
-    "made       h_rms of the heights written; slopes from differences of neighbouring heights\n"
-    "--skewness, --kurtosis: heights a function of Gaussian ones (Johnson 1949) whose spectrum makes up for it\n"
-    "The random number of a mode belongs to the seed and its mode numbers: more pixels over the same size show the same\n"
-    "surface with more modes.\n";
+    "The command makes a random surface or line with a given power spectrum.\n"
+    "\n"
+    "C_iso(q)    C_0 for q < q_r, C_0 (q/q_r)^(-2-2H) up to q_s, 0 above; q = 2 pi/wavelength [J17]\n"
+    "C1D(q_x)    (1/pi) int_{q_x}^{q_s} C_iso q dq/sqrt(q^2 - q_x^2): lines on that surface\n"
+    "h(x)        sum_q c_q exp(iqx), <|c_q|^2> = C_iso/A\n"
+    "            c_q is complex normal. With --amplitudes exact only its phase is random.\n"
+    "spectrum    h_rms^2 = sum_q C/A and h'^2 = sum_q q^2 C/A over the modes of the grid\n"
+    "made        h_rms of the heights written; slopes from differences of neighbouring heights\n"
+    "--skewness, --kurtosis\n"
+    "            Heights are a function of Gaussian heights (Johnson 1949). The spectrum is corrected for this function.\n"
+    "\n"
+    "The seed and the mode numbers determine the random number of a mode.\n"
+    "More pixels over the same size therefore give the same surface with more modes.\n"
+    "[J17] Jacobs, Junge, Pastewka, Surf. Topogr. 5 (2017) 013001.\n";
 
 struct Arguments {
     Common common;
