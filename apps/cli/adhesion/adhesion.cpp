@@ -52,7 +52,7 @@ struct Arguments {
 ExitCode run(const Arguments& arguments) {
     const auto analysis = arguments.surface.analysis();
     const auto threads = arguments.common.workers();
-    (void)arguments.solids.study(analysis);  // what is wrong with it is said before files are read
+    (void)arguments.solids.study(analysis);  // throws for wrong options before files are read
     auto surface = study::analyse_surface(arguments.surface.surface(), analysis,
                                           {.previews = false, .parameters = false, .map = true}, threads);
     const auto code = report_failures(surface.surface);
@@ -64,7 +64,7 @@ ExitCode run(const Arguments& arguments) {
     }
     const auto others = show_of_reading(adhesion.alerts());
     print(output::adhesion_answer(adhesion.result));
-    // the answer says where a work of adhesion is floored
+    // the text of the result reports where a work of adhesion is floored
     std::erase_if(adhesion.quantities, [](const auto& q) { return q.quantity.ends_with("_floored"); });
     const auto width = output_size().width;
     print("\n" + tables::as_text_within(output::theory_table(adhesion.answers), width) + "  " +
@@ -85,7 +85,7 @@ Action declare(Options& options) {
     options.example("setae adhesion stylus.csv afm.ibw --E \"0.7 ± 0.02 MPa\" --w \"37 ± 3.7 mJ/m2\" --gamma 25mJ/m2",
                     "work of adhesion of a soft solid on the measured surface");
     options.example("setae adhesion spectrum.csv --E 0.7MPa --w 37mJ/m2 --gamma 25mJ/m2 --radius 1.25mm --preload 1mN",
-                    "from a table of a spectrum, with what a sphere should do");
+                    "work of adhesion from the table of a spectrum, with pull-off force and loss of a sphere");
     return action(options, arguments, explanation, run);
 }
 

@@ -80,10 +80,10 @@ Action declare(Options& options) {
     options.add("-o,--output", arguments->output, "table OUT.csv or OUT.nc; figure OUT.svg, .pdf or .png");
     arguments->figure.add_to(options);
     options.example("setae contact compare spectrum.csv --contact-modulus 1GPa --pressure 10MPa,100MPa",
-                    "how far Persson's theory is from the contacts of surfaces with this spectrum");
+                    "Persson's theory and solved contacts of surfaces with this spectrum, at two pressures");
     options.example(
         "setae contact compare afm.ibw --shortest-wavelength 50nm --contact-modulus 1MPa --pressure 1kPa:1MPa -o contact.svg --width double",
-        "against load, of the waves that a grid holds, as a figure");
+        "comparison against pressure as a figure, with waves down to 50 nm");
     return action(options, arguments, explanation, run);
 }
 

@@ -50,14 +50,14 @@ struct Arguments : answers::FrontRequest {
     std::string save_line;
 };
 
-/// A line on a terminal: how far on the way.
+/// Progress in per cent on one line of a terminal.
 class ProgressLine {
 public:
     bool show(double share) {
         const int percent = static_cast<int>(100.0 * share);
         if (percent == shown_ || !platform::is_terminal(platform::Stream::errors)) return true;
         shown_ = percent;
-        fmt::print(stderr, "\rfront: {} % of the way    ", percent);
+        fmt::print(stderr, "\rfront: {} % done    ", percent);
         return true;
     }
     ~ProgressLine() {
@@ -72,13 +72,13 @@ ExitCode run(const Arguments& arguments) {
     require_table_or_figure(arguments.output);
     arguments.require_complete();
     if (arguments.save_line.empty() != arguments.duration.empty())
-        throw InvalidArgument("--save-line and --duration go together: an edge needs times");
+        throw InvalidArgument("expected --save-line and --duration together: the table of the edge contains times");
     const auto threads = arguments.common.workers();
     auto surfaces = arguments.surface.realisations(arguments.realisations, threads);
     std::vector<topography::Measurement> maps;
     for (auto& surface : surfaces) maps.push_back(std::move(surface.measurement));
     ProgressLine line;
-    const bool one = maps.size() == 1;  // several run on threads of their own
+    const bool one = maps.size() == 1;  // several maps run in parallel, without progress
     const auto answer =
         answers::contact_front(arguments.surface.path, maps, arguments, threads,
                                one ? [&line](double share) { return line.show(share); } : answers::FrontProgress());
@@ -106,7 +106,7 @@ Action declare(Options& options) {
     options.ask<answers::FrontRequest>(*arguments);
     options
         .add("--realisations", arguments->realisations,
-             "number of surfaces made, with seeds from --seed on; results are means with ±")
+             "number of simulated surfaces, with seeds from --seed on; results are means with standard errors")
         .positive();
     options.add("--save-line", arguments->save_line,
                 "file OUT.csv for the edge during contact, r at every angle and time; `setae jkr line` reads it");
@@ -114,10 +114,10 @@ Action declare(Options& options) {
     arguments->figure.add_to(options);
     options.example(
         "setae contact front map.npy --size \"60 um x 60 um\" --unit m --radius \"100 um\" --contact-modulus \"1 MPa\" --w \"50 mJ/m2\" --to-displacement \"0.3 um\" --shortest-wavelength \"1 um\" -o loop.csv",
-        "a measured map under a sphere; a row for each step");
+        "measured map under a sphere; table with one row per step");
     options.example(
         "setae contact front study.toml --surface A --pixels 512 --cell \"40 um\" --radius \"100 um\" --contact-modulus \"1 MPa\" --w \"50 mJ/m2\" --to-force \"1 uN\" --realisations 4",
-        "four surfaces made from the spectrum of a study's");
+        "four surfaces made from the spectrum of surface A of a study");
     return action(options, arguments, explanation, run);
 }
 

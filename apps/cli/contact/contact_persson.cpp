@@ -75,10 +75,10 @@ Action declare(Options& options) {
     options.add("-o,--output", arguments->output, "table OUT.csv or OUT.nc; figure OUT.svg, .pdf or .png");
     arguments->figure.add_to(options);
     options.example("setae contact persson spectrum.csv --contact-modulus 1GPa --pressure 10MPa",
-                    "area, gap and stiffness of the contact under one pressure, from a table of a spectrum");
+                    "area, gap and stiffness under one pressure, from the table of a spectrum");
     options.example(
         "setae contact persson afm.ibw --contact-modulus 1MPa --pressure 1kPa:1MPa --w 50mJ/m2 -o contact.svg",
-        "against load, with adhesion, as a figure");
+        "adhesive contact against pressure, as a figure");
     return action(options, arguments, explanation, run);
 }
 

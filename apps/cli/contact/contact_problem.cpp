@@ -17,8 +17,7 @@ namespace setae::cli {
 void ContactSurface::add_to(Options& options) {
     options
         .add("file", path,
-             "a map or a line, or a file or container that holds one; a table of a spectrum, or a study, of which a "
-             "surface is made")
+             "map or line, or container with one; table of a spectrum, or study, from which a surface is made")
         .of_inputs();
     options.ask(file);
     options.ask(processing);
@@ -40,7 +39,7 @@ std::vector<processing::PipelineResult> ContactSurface::realisations(int count, 
 void ContactMaps::require_ending() const {
     if (output.empty() || output.ends_with(".npy") || output.ends_with(".csv") || file_figures::is_figure_path(output))
         return;
-    throw InvalidArgument(fmt::format("{}: maps of pressure are no heights; expected an ending .npy or .csv, or {}",
+    throw InvalidArgument(fmt::format("{}: maps of pressure are not heights; expected an ending .npy or .csv, or {}",
                                       output, file_figures::figure_endings));
 }
 

@@ -14,7 +14,7 @@
 
 namespace setae::cli {
 
-/// A file whose surface touches, or from whose spectrum one is made.
+/// A file with a surface, or with a spectrum from which a surface is made.
 struct ContactSurface : answers::ContactSurfaceRequest {
     std::string path;
     answers::FileRequest file;
@@ -28,13 +28,13 @@ struct ContactSurface : answers::ContactSurfaceRequest {
     [[nodiscard]] std::vector<processing::PipelineResult> realisations(int count, parallel::Threads threads) const;
 };
 
-/// Where maps of a contact go: OUT.npy stands for OUT_pressure.npy [Pa] and OUT_gap.npy [m], or for
-/// OUT_NAME_pressure.npy of several states; OUT.svg is one figure of all.
+/// Output of the maps of a contact: OUT.npy means OUT_pressure.npy [Pa] and OUT_gap.npy [m], or
+/// OUT_NAME_pressure.npy for several states; OUT.svg is one figure of all states.
 struct ContactMaps {
-    std::string output;  ///< empty: nowhere
+    std::string output;  ///< empty: no maps are written
     FigureOption figure;
 
-    /// A state by its name, empty of one alone.
+    /// A state and its name; the name is empty if there is only one state.
     using State = std::pair<std::string, file_figures::ContactState>;
 
     /// @throws InvalidArgument for an ending other than .npy, .csv and those of figures.
@@ -43,7 +43,7 @@ struct ContactMaps {
                bool quiet) const;
 };
 
-/// What a surface that was made is, or what was done to the heights of one that was read.
+/// Parameters of a surface made from a spectrum, or processing of measured heights.
 [[nodiscard]] std::string surface_text(const processing::PipelineResult& surface, std::size_t width);
 
 }  // namespace setae::cli

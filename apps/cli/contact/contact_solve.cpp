@@ -77,7 +77,7 @@ ExitCode press(const processing::PipelineResult& processed, const Arguments& arg
     return ExitCode::done;
 }
 
-/// With adhesion, coming from far.
+/// With adhesion, approached from a large distance.
 ExitCode attract(const processing::PipelineResult& processed, const Arguments& arguments) {
     const auto solved = answers::adhesive_contact(arguments.surface.path, processed.measurement, arguments, arguments,
                                                   arguments.common.workers());
@@ -115,23 +115,23 @@ Action declare(Options& options) {
     options.ask<answers::HardWallRequest>(*arguments);
     options.add(
         "-o,--output", arguments->maps.output,
-        "write OUT_pressure.npy [Pa] and OUT_gap.npy [m] as OUT.npy or OUT.csv says; figure OUT.svg, .pdf or .png");
+        "maps OUT_pressure [Pa] and OUT_gap [m] with the ending of OUT.npy or OUT.csv; figure OUT.svg, .pdf or .png");
     arguments->maps.figure.add_to(options);
     options.example(
         "setae contact solve map.npy --size \"1 um x 1 um\" --unit m --contact-modulus \"1 GPa\" --pressure \"10 MPa\"",
         "area, gap and stiffness under a mean pressure");
     options.example(
         "setae contact solve map.ibw --step level_plane --contact-modulus \"2 MPa\" --layer \"20 um\" --bonded --nu 0.5 --pressure \"10 kPa\" --json",
-        "a levelled map on a thin layer of rubber, for a script");
+        "levelled map on a thin layer of rubber, as JSON");
     options.example(
         "setae contact solve tip.npy --size \"100 nm x 100 nm\" --unit nm --free --contact-modulus \"50 GPa\" --displacement \"1 nm\" -o contact.npy",
         "one asperity, with maps of pressure and gap");
     options.example(
         "setae contact solve map.npy --size \"1 um x 1 um\" --unit m --contact-modulus \"2 MPa\" --w \"50 mJ/m2\" --range \"20 nm\" --pressure \"1 kPa\"",
-        "with adhesion, coming from far");
+        "adhesive contact, approached from a large distance");
     options.example(
         "setae contact solve map.npy --size \"1 um x 1 um\" --unit m --contact-modulus \"2 MPa\" --w \"50 mJ/m2\" --range \"20 nm\" --displacement \"-5 nm\" --stage-stiffness \"0.1 N/m\"",
-        "with adhesion on a soft stage, 5 nm short of first touch");
+        "adhesive contact on a soft stage, 5 nm before first touch");
     return action(options, arguments, explanation, run);
 }
 

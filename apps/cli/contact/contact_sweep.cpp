@@ -45,7 +45,7 @@ struct Arguments : answers::SweepRequest {
     FigureOption figure;
 };
 
-/// A line on a terminal, now and then: how far on the way, and how long the rest takes at the speed so far.
+/// Progress on one line of a terminal: branch, step, share done, and time left at the mean speed so far.
 class ProgressLine {
 public:
     void show(const answers::SweepProgress& progress) {
@@ -54,7 +54,7 @@ public:
         if (steps_++ == 0) begun_ = done;
         const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
         const double left = done > begun_ ? elapsed * (1.0 - done) / (done - begun_) : 0.0;
-        fmt::print(stderr, "\r{}, step {}, {:.0f} % of the way{}    ", progress.approaching ? "approach" : "separation",
+        fmt::print(stderr, "\r{}, step {}, {:.0f} % done{}    ", progress.approaching ? "approach" : "separation",
                    steps_, 100.0 * done,
                    elapsed > 2.0 && done > begun_ ? fmt::format(", about {:.0f} s left", left) : "");
     }
@@ -63,7 +63,7 @@ public:
     }
 
 private:
-    double begun_ = 0.0;  ///< steps so far were of another run
+    double begun_ = 0.0;  ///< share that an earlier run had done
     int steps_ = 0;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
@@ -125,16 +125,16 @@ Action declare(Options& options) {
     options.ask<answers::SweepRequest>(*arguments);
     options.add(
         "--maps", arguments->states.output,
-        "pressures [Pa] and gaps [m] point by point where it is first pressed, turns, is first drawn, and is drawn most: "
-        "OUT_turn_pressure.npy … as OUT.npy or OUT.csv says; figure OUT.svg, .pdf or .png");
+        "maps of pressure [Pa] and gap [m] at the first pressure, the turning point, the first and the largest tension: "
+        "OUT_turn_pressure.npy …, with the ending of OUT.npy or OUT.csv; figure OUT.svg, .pdf or .png");
     options.add("-o,--output", arguments->output, "steps OUT.csv or OUT.nc; figure OUT.svg, .pdf or .png");
     arguments->figure.add_to(options);
     options.example(
         "setae contact sweep map.npy --size \"1 um x 1 um\" --unit m --contact-modulus \"2 MPa\" --w \"50 mJ/m2\" --range \"20 nm\" -o loop.csv",
-        "far, full contact and back; a row for each step");
+        "approach from a large distance, full contact and retraction; table with one row per step");
     options.example(
         "setae contact sweep map.npy --size \"1 um x 1 um\" --unit m --contact-modulus \"2 MPa\" --w \"50 mJ/m2\" --range \"20 nm\" --stage-stiffness \"0.1 N/m\" --to-pressure \"10 kPa\" -o loop.svg",
-        "on a soft stage, pressed to 10 kPa, as a figure");
+        "loop on a soft stage up to a pressure of 10 kPa, as a figure");
     return action(options, arguments, explanation, run);
 }
 

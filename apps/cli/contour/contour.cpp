@@ -52,7 +52,7 @@ struct Arguments : answers::ContourRequest {
     bool no_overlay = false;
 };
 
-/// Where the files of one picture go.
+/// Output files of one picture.
 struct Outputs {
     fs::path stem;          ///< without ending
     std::string extension;  ///< of profiles
@@ -64,7 +64,7 @@ Outputs outputs_of(const Arguments& a, const std::string& picture, bool batch) {
     return {path.parent_path() / path.stem(), path.extension().empty() ? ".csv" : path.extension().string()};
 }
 
-/// Results must not take the place of what they were made from.
+/// @throws InvalidArgument where a result would replace its input.
 void require_not_the_same(const fs::path& output, const std::string& input) {
     std::error_code error;
     if (fs::equivalent(output, input, error))
@@ -72,7 +72,7 @@ void require_not_the_same(const fs::path& output, const std::string& input) {
             fmt::format("{} would be overwritten by a result; choose another name or folder for -o", input));
 }
 
-/// Options of a trace's file in place of the command line's; anchors alone beside them.
+/// The options of a whole trace from its file, or the options of the command line with the anchors of the file.
 study::ContourOptions with_anchors(const Arguments& a, study::ContourOptions options,
                                    std::optional<std::string>& digest) {
     if (a.anchors.empty()) return options;
@@ -89,7 +89,7 @@ study::ContourOptions with_anchors(const Arguments& a, study::ContourOptions opt
     if (!plain)
         throw InvalidArgument(
             a.anchors +
-            " is a whole trace with options of its own; give none beside it, or a file of anchors alone: {\"anchors\": [[x, y], …]}");
+            " is a whole trace with its own options; give no other options, or a file with only anchors: {\"anchors\": [[x, y], …]}");
     digest = stored.digest;
     return *stored.options;
 }
@@ -102,8 +102,8 @@ std::vector<std::size_t> chosen_segments(const Arguments& a, std::size_t count) 
     }
     const auto number = spelled<std::size_t>(a.segment).value_or(0);
     if (number == 0 || number > count)
-        throw InvalidArgument(fmt::format(
-            "--segment {}: expected all or a number from 1 to {}, that of the segments found", a.segment, count));
+        throw InvalidArgument(
+            fmt::format("--segment {}: expected all or the number of a segment, 1 to {}", a.segment, count));
     return {number - 1};
 }
 
@@ -148,10 +148,10 @@ void require_different_stems(const std::vector<std::string>& pictures) {
     std::sort(stems.begin(), stems.end());
     if (const auto twin = std::adjacent_find(stems.begin(), stems.end()); twin != stems.end())
         throw InvalidArgument(fmt::format(
-            "two pictures are called {}; their results would go to the same file, trace them one by one", *twin));
+            "two pictures have the name {} and the same output file; trace the pictures one by one", *twin));
 }
 
-/// What one picture gave, or why nothing.
+/// The trace of one picture, or the reason why there is none.
 struct Outcome {
     std::optional<study::TracedPicture> picture;
     std::string error;
@@ -164,7 +164,7 @@ Outcome traced(const Arguments& a, const std::string& path, const study::Contour
         outcome.picture = study::trace_picture(path, options);
         if (digest && *digest != outcome.picture->digest)
             throw InvalidArgument(fmt::format(
-                "{}: {} is the trace of another picture (SHA-256 {}…, this one has {}…); keep its anchors alone to use them here",
+                "{}: {} is the trace of another picture (SHA-256 {}…, this one has {}…); keep only its anchors to use them here",
                 path, a.anchors, digest->substr(0, 8), outcome.picture->digest.substr(0, 8)));
         if (!a.output.empty()) write_picture(a, *outcome.picture, options, outputs_of(a, path, batch));
         if (batch) outcome.picture->micrograph.pixels.resize(0, 0);
@@ -179,9 +179,10 @@ ExitCode run(const Arguments& a) {
     if (a.pictures.empty()) throw InvalidArgument("no picture given; name one, several, or a folder");
     const auto pictures = listed(a.pictures);
     const bool batch = pictures.size() > 1 || study::is_folder(a.pictures.front());
-    if (batch && !a.anchors.empty()) throw InvalidArgument("--anchors belong to one picture; trace it by itself");
+    if (batch && !a.anchors.empty())
+        throw InvalidArgument("--anchors are for one picture; trace this picture separately");
     if (batch && !a.save_calibration.empty())
-        throw InvalidArgument("--save-calibration keeps that of one picture; trace it by itself first");
+        throw InvalidArgument("--save-calibration is for one picture; trace this picture separately first");
     std::optional<std::string> digest;
     const auto options = with_anchors(a, a.options(), digest);
     if (batch) {
@@ -232,21 +233,21 @@ Action declare(Options& options) {
              "DM3, DM4, TIFF, PNG, JPEG, SER, EMD or MRC; several, or a folder of them")
         .of_inputs();
     options.add("-o,--output", arguments->output,
-                "OUT.csv, with OUT.json and OUT.png beside it; OUT.svg, .pdf or .png: figure of the profile alone; of "
-                "several pictures a folder");
+                "OUT.csv, with OUT.json and OUT.png in the same folder; OUT.svg, .pdf or .png: only a figure of the "
+                "profile; for several pictures a folder");
     arguments->figure.add_to(options);
     options.add("--anchors", arguments->anchors,
-                "points the trace must pass (JSON), or a whole trace to be made again");
-    options.add("--segment", arguments->segment, "number of the segment written, longest first, or all");
+                "points that the trace must pass (JSON), or a whole trace to be repeated");
+    options.add("--segment", arguments->segment, "number of the segment that is written, longest first, or all");
     options.ask<answers::ContourRequest>(*arguments);
     options.add("--save-calibration", arguments->save_calibration,
-                "file that keeps the pixel size for pictures of the same magnification");
+                "file for the pixel size, for other pictures of the same magnification");
     options.flag("--no-overlay", arguments->no_overlay, "write no OUT.png");
     options.example("setae contour tem.dm3 -o contour.csv",
-                    "the profile, contour.json with what makes it again, contour.png with the edge drawn in");
+                    "profile, contour.json with the options that repeat it, contour.png with the edge drawn in");
     options.example("setae contour tem.tif --scale-bar \"50 nm\" -o contour.svg",
-                    "a picture whose scale bar stands for 50 nm; figure of the profile");
-    options.example("setae contour pictures -o contours", "every picture of a folder");
+                    "figure of the profile, from a picture with a scale bar of 50 nm");
+    options.example("setae contour pictures -o contours", "profiles of all pictures of a folder");
     return action(options, arguments, explanation, run);
 }
 

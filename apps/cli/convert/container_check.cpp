@@ -81,7 +81,7 @@ ExitCode run(const Arguments& arguments) {
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     options.add("files", arguments->files, "containers").of_inputs();
-    options.example("setae container check surface.zip", "what a container holds and what is wrong in it");
+    options.example("setae container check surface.zip", "content and problems of a container");
     return action(options, arguments, explanation, run);
 }
 

@@ -48,13 +48,16 @@ ExitCode run(const Arguments& arguments) {
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     auto& request = arguments->request;
-    options.add("files", request.files, "measured files, which become one surface, and containers, which keep theirs")
+    options
+        .add("files", request.files,
+             "measured files, which become one surface, and containers, which keep their surfaces")
         .of_inputs();
     options.add("-o,--output", request.output, "container to write, OUT.zip");
     options.ask(request);
     options.example("setae container write afm.ibw stylus.csv -o surface.zip --name \"my surface\"",
-                    "two measurements of one surface");
-    options.example("setae container write --from study.toml -o surfaces.zip", "the surfaces of a study");
+                    "container with two measurements of one surface");
+    options.example("setae container write --from study.toml -o surfaces.zip",
+                    "container with the surfaces of a study");
     return action(options, arguments, explanation, run);
 }
 

@@ -30,7 +30,7 @@ struct Arguments {
     [[nodiscard]] bool into_folder() const { return !folder.empty() || !to.empty(); }
 };
 
-/// One file to another, or each to its name with another ending in a folder.
+/// One input with its output, or several inputs with outputs of the same names in a folder.
 std::vector<Job> jobs_of(const Arguments& arguments) {
     if (arguments.all_channels && arguments.file.channel)
         throw InvalidArgument("--channel and --all-channels exclude each other");
@@ -44,7 +44,7 @@ std::vector<Job> jobs_of(const Arguments& arguments) {
         return {{arguments.paths[0], arguments.paths[1]}};
     }
     if (arguments.folder.empty() || arguments.to.empty() || arguments.paths.empty())
-        throw InvalidArgument("expected FILE… -o FOLDER --to x3p, all three");
+        throw InvalidArgument("expected FILE…, -o FOLDER and --to x3p together");
     return jobs_into_folder(arguments.paths, arguments.folder, arguments.to);
 }
 
@@ -55,7 +55,7 @@ std::string numbered(const std::string& path, std::size_t channel) {
         .string();
 }
 
-/// What was written, and whether something was not.
+/// Files written, and whether a file failed.
 struct Outcome {
     output::Json files = output::Json::array();
     bool failed = false;
@@ -102,15 +102,15 @@ ExitCode run(const Arguments& arguments) {
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     options.add("files", arguments->paths, "FILE OUT.x3p, or FILE… with -o and --to");
-    options.add("-o,--output", arguments->folder, "folder that gets each file under its name with another ending");
-    options.add("--to", arguments->to, "ending of files in that folder, such as x3p");
+    options.add("-o,--output", arguments->folder, "output folder; files keep their names and get the ending of --to");
+    options.add("--to", arguments->to, "ending of the files in the output folder, such as x3p");
     options.flag("--all-channels", arguments->all_channels,
-                 "every channel of heights, its number before the ending of OUT");
+                 "all channels of heights, each to a file with the number of the channel before the ending");
     options.ask(arguments->file);
-    options.example("setae convert map.ibw map.x3p", "one file, its format by the ending");
-    options.example("setae convert *.spm -o x3p_files --to x3p", "many files, into a folder");
+    options.example("setae convert map.ibw map.x3p", "one file; the ending determines the format");
+    options.example("setae convert *.spm -o x3p_files --to x3p", "several files, to a folder");
     options.example("setae convert heights.npy heights.gwy --size \"5 um x 5 um\" --unit m",
-                    "an array that states neither size nor unit");
+                    "array without size and unit");
     return action(options, arguments, heights_output_explanation, run);
 }
 

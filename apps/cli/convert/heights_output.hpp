@@ -9,7 +9,7 @@ using answers::endings_of_heights;
 using answers::require_heights_ending;
 using answers::write_heights;
 
-/// What files of heights look like, for --explain.
+/// Formats of files of heights, for --explain.
 inline constexpr const char* heights_output_explanation =
     "The ending of a file determines its format.\n"
     "\n"

@@ -32,7 +32,7 @@ struct Arguments {
     FigureOption figure;
 };
 
-/// Each file and what it is written to; without an output nothing is.
+/// Each file with its output file, which is empty if nothing is written.
 std::vector<Job> jobs_of(const Arguments& arguments) {
     if (!arguments.output.empty() && !arguments.folder.empty())
         throw InvalidArgument("--output and --output-folder exclude each other");
@@ -50,7 +50,7 @@ std::vector<Job> jobs_of(const Arguments& arguments) {
     return jobs;
 }
 
-/// Processes and writes one file; what was done, and that it was printed for a reader.
+/// Processes, writes and prints one file; returns the record of its processing.
 output::Json level_file(const Arguments& arguments, const processing::Pipeline& pipeline, const Job& job) {
     const auto processed = answers::processed_file(job.input, arguments.file.read_options(), arguments.file.channel,
                                                    pipeline, arguments.common.workers());
@@ -79,7 +79,7 @@ ExitCode run(const Arguments& arguments) {
     const bool writes = !arguments.output.empty() || !arguments.folder.empty();
     if (!arguments.processing.given() && writes) {
         pipeline.entries.push_back({processing::LevelPlane{}});
-        complain("no step was named: level_plane, the best plane is subtracted; --step NAME takes another");
+        complain("no step given; level_plane subtracts the best plane; choose another step with --step NAME");
     }
     if (pipeline.entries.empty()) throw InvalidArgument("no step; expected --pipeline p.yml or --step level_plane");
     if (!arguments.written_pipeline.empty()) study::write_pipeline(arguments.written_pipeline, pipeline);
@@ -107,17 +107,18 @@ Action declare(Options& options) {
     options.ask(arguments->processing);
     options.add(
         "-o,--output", arguments->output,
-        "what the one file is written to, by its ending, the best plane subtracted where no step is named; .svg, .pdf or .png: figure of heights before and after");
+        "output file for one input, format by its ending; without steps the best plane is subtracted; .svg, .pdf or .png: figure of heights before and after");
     arguments->figure.add_to(options);
-    options.add("--output-folder", arguments->folder, "folder that gets each file under its name");
-    options.add("--to", arguments->to, "ending of files in that folder, x3p without it");
-    options.add("--write-pipeline", arguments->written_pipeline, "write the steps as p.yml or p.toml");
-    options.add("--documentation", arguments->documentation, "write the page on all steps");
+    options.add("--output-folder", arguments->folder, "output folder; files keep their names");
+    options.add("--to", arguments->to, "ending of the files in the output folder; default: x3p");
+    options.add("--write-pipeline", arguments->written_pipeline, "file p.yml or p.toml for the steps");
+    options.add("--documentation", arguments->documentation, "file for the documentation page of all steps");
     options.ask(arguments->file);
-    options.example("setae level map.ibw -o levelled.x3p", "the best plane is subtracted");
+    options.example("setae level map.ibw -o levelled.x3p", "map minus its best plane");
     options.example("setae level map.ibw --step level_plane --step \"despike threshold=5\" -o levelled.svg",
-                    "two steps, drawn before and after");
-    options.example("setae level *.spm --pipeline p.yml --output-folder levelled", "a file of steps, on many files");
+                    "two steps, as a figure of heights before and after");
+    options.example("setae level *.spm --pipeline p.yml --output-folder levelled",
+                    "steps of a pipeline file for several maps");
     return action(options, arguments, step_list, run);
 }
 

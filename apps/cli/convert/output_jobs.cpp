@@ -24,8 +24,7 @@ std::vector<Job> jobs_into_folder(const std::vector<std::string>& inputs, const 
     }
     std::error_code error;
     fs::create_directories(folder, error);
-    if (error)
-        throw FileError(fmt::format("{}: cannot be made a folder; check that nothing else has its name", folder));
+    if (error) throw FileError(fmt::format("{}: cannot create this folder; check that no file has this name", folder));
     return jobs;
 }
 
@@ -33,11 +32,11 @@ void require_own_output(const std::vector<Job>& jobs, std::size_t index) {
     const auto& job = jobs[index];
     std::error_code missing;
     if (fs::equivalent(job.input, job.output, missing))
-        throw InvalidArgument(fmt::format("{}: would be written over itself; choose another folder", job.input));
+        throw InvalidArgument(fmt::format("{}: the output would replace the input; choose another folder", job.input));
     for (std::size_t k = 0; k < index; ++k)
         if (jobs[k].output == job.output)
-            throw InvalidArgument(fmt::format("{}: {} is what {} was written to; convert it by itself", job.input,
-                                              job.output, jobs[k].input));
+            throw InvalidArgument(fmt::format("{}: {} is already the output of {}; convert this file separately",
+                                              job.input, job.output, jobs[k].input));
 }
 
 }  // namespace setae::cli

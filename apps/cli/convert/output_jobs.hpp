@@ -6,17 +6,17 @@
 
 namespace setae::cli {
 
-/// A file and what it becomes.
+/// An input file and its output file.
 struct Job {
     std::string input, output;
 };
 
-/// Every file to its name with another ending, such as "x3p" or ".x3p", in a folder, which is made.
-/// @throws InvalidArgument for an ending no heights are written with; FileError for what cannot be made a folder.
+/// Outputs with the names of the inputs and another ending, such as "x3p" or ".x3p", in a folder that is created.
+/// @throws InvalidArgument for an ending of no format of heights; FileError if the folder cannot be created.
 [[nodiscard]] std::vector<Job> jobs_into_folder(const std::vector<std::string>& inputs, const std::string& folder,
                                                 const std::string& ending);
 
-/// @throws InvalidArgument where a job's file would be written over itself, or over what an earlier one was written to.
+/// @throws InvalidArgument if the output of a job is its input or the output of an earlier job.
 void require_own_output(const std::vector<Job>& jobs, std::size_t index);
 
 }  // namespace setae::cli

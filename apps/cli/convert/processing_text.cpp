@@ -42,9 +42,9 @@ std::string step_list() {
                                 parameter.meaning);
     }
     return text +
-           "\nlengths and angles have a unit: \"8 um\", \"30 deg\"; region: shapes separated by \";\", each\n"
+           "\nLengths and angles have a unit: \"8 um\", \"30 deg\". A region is a list of shapes separated by \";\". Each shape is\n"
            "  include|exclude rectangle 1 um to 5 um, 0 um to 2 um | ellipse X, Y, A, B[, ANGLE] | polygon X, Y, X, Y, X, Y … |\n"
-           "  heights above 20 nm | heights 5 nm to 20 nm | percentiles 5 to 95, with \"grow N\" behind it to grow it by N pixels\n";
+           "  heights above 20 nm | heights 5 nm to 20 nm | percentiles 5 to 95\nA shape followed by \"grow N\" grows by N pixels.\n";
 }
 
 std::string step_page() {
@@ -52,8 +52,8 @@ std::string step_page() {
         "# Processing steps\n\n"
         "*Reference · [all documents](../README.md)*\n\n"
         "Made from the program's own table by `setae level --documentation docs/reference/processing-steps.md`: edit the table, not this page.\n"
-        "[processing.md](../guides/processing.md) says how steps are put together and what to mind.\n\n"
-        "| step | what it does |\n|---|---|\n";
+        "The guide [processing](../guides/processing.md) describes how to combine steps.\n\n"
+        "| step | function |\n|---|---|\n";
     for (const auto& step : processing::step_descriptions())
         text += fmt::format("| [`{0}`](#{0}) | {1} |\n", step.name, markdown_cell(step.sentence));
     for (const auto& step : processing::step_descriptions()) {

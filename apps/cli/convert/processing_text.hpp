@@ -7,13 +7,13 @@
 
 namespace setae::cli {
 
-/// What a step did, on one line for a reader: its name and its numbers.
+/// Name and numbers of a step on one line.
 [[nodiscard]] std::string as_line(const processing::StepRecord& record);
 
 /// All steps with their parameters, for --explain.
 [[nodiscard]] std::string step_list();
 
-/// The same as a page of Markdown: docs/reference/processing-steps.md.
+/// All steps with their parameters as a page of Markdown: docs/reference/processing-steps.md.
 [[nodiscard]] std::string step_page();
 
 }  // namespace setae::cli

@@ -7,7 +7,7 @@
 
 namespace setae::cli {
 
-/// What is known of a channel before its heights are read, on one line without its end: format, name, points, size,
+/// Metadata of a channel before its heights are read, on one line without a line end: format, name, points, size,
 /// unit.
 [[nodiscard]] std::string channel_line(const formats::ChannelInfo& info);
 

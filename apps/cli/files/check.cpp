@@ -72,9 +72,11 @@ Action declare(Options& options) {
         .of_inputs();
     options.ask(arguments->file);
     options.ask(arguments->request);
-    options.flag("--strict", arguments->strict, "exit code 1 where anything is found");
-    options.example("setae check afm.ibw --tip-radius \"10 nm\"", "what is wrong with one map, and what to do");
-    options.example("setae check a.ibw b.ibw stylus.csv", "the same, and whether they agree with each other");
+    options.flag("--strict", arguments->strict, "exit code 1 if a problem is found");
+    options.example("setae check afm.ibw --tip-radius \"10 nm\"",
+                    "problems of one map, with their effects and remedies");
+    options.example("setae check a.ibw b.ibw stylus.csv",
+                    "problems of three measurements, and agreement of their spectra");
     return action(options, arguments, explanation, run);
 }
 

@@ -27,7 +27,7 @@ using tables::TidyTable;
 
 constexpr int digits = 3;
 
-/// Values with their unit once where they share its prefix: "5.00 × 5.00 µm", "-90.1 nm … 1.20 µm". Zero has any.
+/// Values with one unit if all have the same prefix: "5.00 × 5.00 µm", "-90.1 nm … 1.20 µm". Zero fits any prefix.
 std::string joined_values(const std::vector<double>& values, const char* unit, const char* separator) {
     std::vector<std::string> numbers, texts;
     std::string shared;
@@ -51,7 +51,7 @@ std::string bytes_for_readers(std::uint64_t bytes) {
     return bytes >= 1'000'000'000 ? fmt::format("{:.1f} GB", 1e-9 * value) : fmt::format("{:.0f} MB", 1e-6 * value);
 }
 
-/// The range of a channel's heights, or why there is none.
+/// The range of the heights of a channel, or the reason why there is none.
 std::string heights_text(const ListedFile& file, const ListedChannel& channel) {
     const auto& heights = channel.heights;
     if (!heights.error.empty() || channel.info.format.empty()) return "unreadable";
@@ -62,7 +62,7 @@ std::string heights_text(const ListedFile& file, const ListedChannel& channel) {
     return fmt::format("not read: {}, --heights", bytes_for_readers(file.bytes));
 }
 
-/// What a channel of heights does not say; when it was measured is told where all is.
+/// Missing metadata of a channel of heights; the date only with Detail::all.
 std::string missing_text(const formats::ChannelInfo& info, Detail detail) {
     if (!info.is_height) return "";
     auto names = formats::missing(info);
@@ -71,7 +71,7 @@ std::string missing_text(const formats::ChannelInfo& info, Detail detail) {
     return fmt::format("{}", fmt::join(names, ", "));
 }
 
-/// Names of channels and instruments may be as long as they like.
+/// Names of channels and instruments are shortened unless all details are listed.
 std::string name_text(const std::string& name, Detail detail) {
     constexpr std::size_t longest = 22, longest_of_little = 16;
     return detail == Detail::all ? name : shortened(name, detail == Detail::usual ? longest : longest_of_little);
@@ -81,10 +81,10 @@ std::string instrument_text(const topography::Instrument& instrument) {
     return instrument.name.empty() ? instrument.type : instrument.name;
 }
 
-/// Files of one kind, and what to call them for a reader.
+/// Files of one kind, and their names in the tables.
 struct Listing {
     std::vector<const ListedFile*> files;
-    std::function<std::string(const std::string&)> shown;  ///< a path as the tables have it
+    std::function<std::string(const std::string&)> shown;  ///< path as printed in the tables
     Detail detail;
 };
 
@@ -110,7 +110,7 @@ void add_channel(TidyTable& table, const Listing& listing, const ListedFile& fil
     table.rows.push_back(std::move(row));
 }
 
-/// Channels of heights, and of a file without any its first.
+/// True for channels of heights, and for the first channel of a file without heights.
 bool is_shown(const ListedFile& file, const ListedChannel& channel, Detail detail) {
     const auto holds_heights = [](const ListedChannel& c) { return c.info.is_height; };
     return detail == Detail::all || channel.info.is_height ||
@@ -130,7 +130,7 @@ TidyTable table_of_channels(const Listing& listing) {
     return table;
 }
 
-/// "0 HAADF of 3": which image of a file of several is described; where all is told, every one with its kind.
+/// "0 HAADF of 3": the image that is described; with Detail::all every image with its kind.
 std::string image_text(const imaging::PictureContent& picture, Detail detail) {
     const auto& images = picture.images;
     if (images.size() < 2) return images.empty() ? "" : name_text(images.front().title, detail);
@@ -173,7 +173,7 @@ TidyTable table_of_pictures(const Listing& listing) {
     return table;
 }
 
-/// Least and greatest value of a column; nothing where it has none.
+/// Smallest and largest value of a column; empty for a column without values.
 std::vector<double> range_of(const Table& table, const char* name) {
     const auto* column = table.find(name);
     if (column == nullptr || column->values.isNaN().all()) return {};
@@ -200,7 +200,7 @@ std::string column_names(const Table& table, Detail detail) {
     return detail == Detail::all ? text : shortened(text, longest);
 }
 
-/// The options that give what fits need beside the file.
+/// Options for the metadata that fits need and the file does not contain.
 std::string missing_text(const study::FileContent& content) {
     std::string text;
     for (const auto& name : content.missing) {
@@ -231,7 +231,7 @@ TidyTable table_of_loops(const Listing& listing) {
     return table;
 }
 
-/// Which of the three a table's first column is, and how it becomes the other.
+/// Quantity of the first column of a table, with its conversion to a wavevector.
 std::string convention_text(const std::string& quantity) {
     if (quantity == "frequency") return "frequency, q = 2π f";
     return quantity == "wavelength" ? "wavelength, q = 2π/λ" : "wavevector q";
@@ -270,7 +270,7 @@ TidyTable table_of_names(const Listing& listing) {
     return table;
 }
 
-/// A kind of file: what its table is called, and what makes it.
+/// A kind of file: title of its table, and the function that makes the table.
 struct Kind {
     FileKind kind;
     const char* title;
@@ -290,13 +290,13 @@ constexpr Kind kinds[] = {{FileKind::topography, "Topographies", table_of_channe
 
 /// "Loops: setae jkr fit, jkr energy".
 std::string heading(const Kind& kind) {
-    std::string verbs;
-    for (const auto& verb : study::verbs_for(kind.kind))
-        verbs += verbs.empty() ? verb : ", " + verb.substr(std::string_view("setae ").size());
-    return fmt::format("{}: {}", kind.title, verbs);
+    std::string commands;
+    for (const auto& command : study::commands_for(kind.kind))
+        commands += commands.empty() ? command : ", " + command.substr(std::string_view("setae ").size());
+    return fmt::format("{}: {}", kind.title, commands);
 }
 
-/// The folder that holds all files; empty where that is the current one.
+/// The folder that contains all files; empty for the current folder.
 fs::path common_folder(const std::vector<ListedFile>& files) {
     auto common = fs::path(files.front().content.file).parent_path();
     for (const auto& file : files) {
@@ -309,7 +309,7 @@ fs::path common_folder(const std::vector<ListedFile>& files) {
     return common;
 }
 
-/// Rows under a row for each folder they are in, where any is in one.
+/// Rows grouped by folders, each below a row for its folder, if a file is in a folder.
 TidyTable by_folder(TidyTable table) {
     std::vector<std::vector<TidyTable::Cell>> rows;
     std::string last;
@@ -327,7 +327,7 @@ TidyTable by_folder(TidyTable table) {
     return table;
 }
 
-/// The beginning and the end of a name that takes at most so many characters, "…" between them.
+/// Beginning and end of a name with "…" between them, at most `width` characters.
 std::string middle_cut(const std::string& name, std::size_t width) {
     if (display_width(name) <= width) return name;
     const auto end = name.size() - std::min(name.size(), width / 2);
@@ -336,7 +336,7 @@ std::string middle_cut(const std::string& name, std::size_t width) {
     return shortened(name, width - display_width(name.substr(from))) + name.substr(from);
 }
 
-/// Characters of a table's widest line.
+/// Characters of the widest line of a table.
 std::size_t width_of(TidyTable table) {
     constexpr std::size_t any_width = 100000;
     table.title.clear();
@@ -347,7 +347,7 @@ std::size_t width_of(TidyTable table) {
     return width;
 }
 
-/// The table with names of files cut so far that it fits into a width; nothing where they would no more be told.
+/// The table with names of files shortened to fit a width; nothing if the names could not be distinguished.
 std::optional<TidyTable> with_shorter_names(TidyTable table, std::size_t width) {
     constexpr std::size_t min_name = 18;
     const auto needed = width_of(table);
@@ -360,7 +360,7 @@ std::optional<TidyTable> with_shorter_names(TidyTable table, std::size_t width) 
     return table;
 }
 
-/// Columns that give way where little is said.
+/// The table without the columns that Detail::little leaves out.
 TidyTable with_little(const TidyTable& table) {
     static const std::set<std::string> dispensable{"format", "frames", "undefined", "instrument", "radius up to"};
     TidyTable kept{table.title, {}, std::vector<std::vector<TidyTable::Cell>>(table.rows.size())};
@@ -372,7 +372,7 @@ TidyTable with_little(const TidyTable& table) {
     return kept;
 }
 
-/// What gives size and unit where a channel lacks them, and how to see channels that are not listed.
+/// Options for missing size and unit, and for channels that are not listed.
 std::string hint(const Listing& listing) {
     std::size_t hidden = 0;
     bool open = false;
@@ -383,13 +383,13 @@ std::string hint(const Listing& listing) {
             open = open || (channel.info.is_height && !channel.info.format.empty() && !can_be_read(channel.info));
         }
     }
-    return (open ? "  --size and --unit give what a file leaves open, in a study size and unit\n" : std::string()) +
-           (hidden > 0 ? fmt::format("  and {} channel{} without heights, which --long lists\n", hidden,
+    return (open ? "  missing metadata: give --size and --unit, in a study the keys size and unit\n" : std::string()) +
+           (hidden > 0 ? fmt::format("  {} channel{} without heights not listed; --long lists all channels\n", hidden,
                                      hidden == 1 ? "" : "s")
                        : std::string());
 }
 
-/// The table of a kind as it fits best, with what a reader should know of it.
+/// The table of a kind in the most detailed form that fits, with hints.
 std::string text_of(Listing listing, const Kind& kind, std::size_t width) {
     const auto made = [&](Detail detail) {
         listing.detail = detail;
@@ -403,7 +403,7 @@ std::string text_of(Listing listing, const Kind& kind, std::size_t width) {
     if (const auto fitting = with_shorter_names(by_folder(usual), width))
         return tables::as_text_within(*fitting, width) + notes;
     if (const auto fitting = with_shorter_names(with_little(by_folder(made(Detail::little))), width))
-        return tables::as_text_within(*fitting, width) + notes + "  --long says format and instrument, too\n";
+        return tables::as_text_within(*fitting, width) + notes + "  --long also lists format and instrument\n";
     return tables::as_text_within(usual, width) + notes;
 }
 

@@ -12,9 +12,9 @@ namespace setae::cli {
 namespace {
 
 constexpr const char* untested =
-    "made from the published layout, not tested on a file of an instrument: please send one";
+    "made from the published layout, not tested on a file of an instrument (please send one)";
 
-/// A sentence of the table with its capital letter and full stop; names that begin in small letters keep them.
+/// A sentence of the table with capital letter and full stop; names that begin with a small letter are not changed.
 std::string sentence(std::string text) {
     if (text.empty()) return text;
     const bool plain_word = text.size() > 1 && std::islower(static_cast<unsigned char>(text[1]));
@@ -30,7 +30,7 @@ std::string page(const formats::Format& format) {
     std::string text =
         fmt::format("# {} (`{}`)\n\n{}\n\n", format.name, format.identifier, sentence(format.description));
     text += fmt::format(
-        "| | |\n|---|---|\n| usual endings | {} |\n| read | yes, told by content, never by name |\n| written | {} |\n| tested on | {} |\n",
+        "| | |\n|---|---|\n| usual endings | {} |\n| read | yes, recognised by content, not by name |\n| written | {} |\n| tested on | {} |\n",
         markdown_cell(format.extensions), format.writes() ? "yes" : "no",
         format.tested_on_real_files ? "real files" : untested);
     text += section("Heights", format.heights) + section("Orientation", format.orientation) +
@@ -43,8 +43,8 @@ std::string index_page() {
         "# Formats of topographies\n\n"
         "*Reference · [all documents](../../README.md)*\n\n"
         "Made from the program's own table by `setae formats --documentation docs/reference/formats`: edit the table, not these pages. `setae info FILE`\n"
-        "says what a file holds, `setae convert` writes it in another format. Heights are metres, scaled once, NaN where undefined, h(x, y) with y\n"
-        "downwards as Gwyddion shows the file.\n\n"
+        "lists the content of a file, and `setae convert` writes it in another format. Heights are in metres and scaled once. Undefined heights are NaN.\n"
+        "In h(x, y), y points downwards as Gwyddion shows the file.\n\n"
         "| format | name | usual endings | written | real files |\n|---|---|---|---|---|\n";
     for (const auto& format : formats::formats())
         text += fmt::format("| [{0}]({0}.md) | {1} | {2} | {3} | {4} |\n", format.identifier,
@@ -53,26 +53,26 @@ std::string index_page() {
     text += fmt::format(
         "\n**no**: {}.\n"
         "\n## Which channel\n\n"
-        "`--channel` and the study key `channel` take a channel by its number, counted from 0 as `setae info` lists them, or by its name. The\n"
-        "beginning of a name is enough where no other name begins so; capitals do not matter. `--image` takes images of micrographs by the same\n"
-        "rules, `--curve-number` the curves of a file by their numbers from 0. Without a choice the preferred channel is read, in this order:\n\n"
-        "1. a map before a line;\n"
-        "2. a name of heights (height, topography, topo, elevation, surface, z, h) before other names;\n"
-        "3. a channel whose size and unit are known before one that lacks them;\n"
-        "4. trace or forward before retrace or backward;\n"
-        "5. the order of the file.\n"
-        "\n## What is no height\n\n"
-        "HDF5, MAT and NPZ files hold anything. An array of theirs is offered as heights where its name says so, where the file states a unit of\n"
-        "length for it, where it is a map of floats, or where it is the only line of floats. `setae info --long` lists the others as \"not heights\" with\n"
+        "`--channel` and the study key `channel` choose a channel by its number or its name. Numbers are counted from 0 as in `setae info`. The\n"
+        "beginning of a name is enough if no other name has the same beginning. Capitals do not matter. `--image` chooses images of micrographs by the same\n"
+        "rules. `--curve-number` chooses the curves of a file by their numbers from 0. Without a choice the preferred channel is read, in this order:\n\n"
+        "1. a map before a line\n"
+        "2. a name of heights (height, topography, topo, elevation, surface, z, h) before other names\n"
+        "3. a channel with size and unit before a channel without them\n"
+        "4. trace or forward before retrace or backward\n"
+        "5. the order of the file\n"
+        "\n## Arrays that are not heights\n\n"
+        "HDF5, MAT and NPZ files contain arbitrary arrays. An array is offered as heights if its name is a name of heights, if the file states a unit of\n"
+        "length for it, if it is a map of floats, or if it is the only line of floats. `setae info --long` lists the other arrays as \"not heights\" with\n"
         "the reason: an index, positions, coordinates of points, a table of a few columns, whole numbers without a unit, a picture or mask of 8 bits,\n"
-        "complex numbers, parts of tables of PyTables and pandas. `--channel` with `--size` and `--unit` reads such an array all the same, but for complex\n"
-        "numbers. What a reader of its own recognises and refuses is never read as an array: EMD files, force curves, pictures.\n"
+        "complex numbers, parts of tables of PyTables and pandas. `--channel` with `--size` and `--unit` reads such an array anyway, except complex\n"
+        "numbers. A file that another reader recognises and refuses is never read as an array: EMD files, force curves, pictures.\n"
         "\n## Archives\n\n"
-        "A ZIP archive that is none of these formats is a folder of its members wherever a folder is taken: `setae info`, `setae study init`,\n"
-        "`setae jkr fit`, `setae contour`, the frames of a recording. `scans.zip/afm/map.spm` is a member as a file, in a study too. Members that lead out of the\n"
-        "archive, expand more than a hundredfold and 8 MiB, or are plain archives themselves are refused.\n"
-        "\nForce curves: [force-curves.md](../../guides/force-curves.md). Micrographs: [micrograph-formats.md](../micrograph-formats.md). Loops:\n"
-        "[loop-format.md](../loop-format.md).\n",
+        "A ZIP archive of no other format is used as a folder of its members by all commands that accept a folder: `setae info`, `setae study init`,\n"
+        "`setae jkr fit`, `setae contour`, recordings. `scans.zip/afm/map.spm` is the file of one member, also in a study. Members that point outside the\n"
+        "archive, expand to more than 8 MiB and a hundred times their size, or are archives of this kind themselves are refused.\n"
+        "\nOther files: [force curves](../../guides/force-curves.md), [micrographs](../micrograph-formats.md),\n"
+        "[loops](../loop-format.md).\n",
         untested);
     return text;
 }

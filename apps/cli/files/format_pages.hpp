@@ -6,8 +6,8 @@
 
 namespace setae::cli {
 
-/// Pages on the formats of topographies in Markdown by file name, made from the table of formats: README.md, the list
-/// of all, and one page a format.
+/// Markdown pages of the formats of topographies by file name, made from the table of formats: README.md with the
+/// list of formats, and one page per format.
 [[nodiscard]] std::map<std::string, std::string> format_pages();
 
 }  // namespace setae::cli

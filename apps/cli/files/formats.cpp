@@ -45,7 +45,7 @@ std::string explanation() {
     return text;
 }
 
-/// Formats of topographies; those that no file of an instrument was read of stand out.
+/// Formats of topographies; formats that are not tested on an instrument file are marked.
 tables::TidyTable topographies_table() {
     tables::TidyTable table{"", {"format", "name", "extensions", "reads", "writes", "real files", "description"}, {}};
     for (const auto& f : formats::formats())
@@ -68,7 +68,7 @@ ExitCode run(const Arguments& arguments) {
     const auto width = output_size().width;
     print(
         tables::as_text_within(topographies_table(), width) +
-        "\nreal files NO: made from the published layout, not tested on a file of an instrument: please send one\n\n" +
+        "\nreal files NO: made from the published layout, not tested on a file of an instrument (please send one)\n\n" +
         tables::as_text_within(curves, width) + "\n" + tables::as_text_within(micrographs, width) +
         "\nloops of force, displacement and contact radius: any table with units, workbooks (.xlsx), docs/reference/loop-format.md\n");
     return ExitCode::done;
@@ -78,8 +78,9 @@ ExitCode run(const Arguments& arguments) {
 
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
-    options.add("--documentation", arguments->documentation, "write a page a format, and their list, to this folder");
-    options.example("setae formats", "every format that is read or written, with its endings");
+    options.add("--documentation", arguments->documentation,
+                "folder for the documentation pages: one page per format, and their list");
+    options.example("setae formats", "formats that are read or written, with their endings");
     return action(options, arguments, explanation, run);
 }
 

@@ -36,13 +36,13 @@ struct Arguments {
     bool all = false;
 };
 
-/// Alerts of what was read, then reasons of what was not; whether a channel is bad. A member of a container that cannot
-/// be opened is a channel of no format; an alert says why.
-bool show_remarks(const answers::Contents& contents, bool json) {
+/// Prints the warnings of files that were read, then the errors of the others; true if a channel is unreadable. A
+/// member of a container that cannot be opened is a channel without format; a warning contains the reason.
+bool show_warnings(const answers::Contents& contents, bool json) {
     bool any_bad_channel = false;
     for (const auto& file : contents.files) {
         if (file.content.picture && !json) show(file.content.picture->alerts);
-        std::vector<Alert> shown;  // channels of one table share what was made of it
+        std::vector<Alert> shown;  // channels of one table have the same warnings
         for (const auto& channel : file.channels)
             for (const auto& alert : channel.info.alerts) {
                 const bool known = std::find(shown.begin(), shown.end(), alert) != shown.end();
@@ -69,9 +69,9 @@ ExitCode run(const Arguments& arguments) {
     if (!arguments.common.json)
         print(file_tables(contents.files, arguments.all ? Detail::all : Detail::usual, output_size().width));
     if (!arguments.common.json && !contents.own.empty())
-        print(fmt::format("\n{} passed over, which setae wrote: figures, tables, reports\n",
+        print(fmt::format("\n{} skipped: figures, tables and reports written by setae\n",
                           counted(contents.own.size(), "file", "files")));
-    const bool any_bad_channel = show_remarks(contents, arguments.common.json);
+    const bool any_bad_channel = show_warnings(contents, arguments.common.json);
     if (contents.files.empty()) return ExitCode::nothing_done;
     return contents.failed.empty() && !any_bad_channel ? ExitCode::done : ExitCode::some_failed;
 }
@@ -82,12 +82,12 @@ Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     options.add("files", arguments->request.paths, "files of any kind that setae reads, or folders of them")
         .of_inputs();
-    options.flag("--long", arguments->all, "all that is known of each, orientation of maps, date and rms height too");
+    options.flag("--long", arguments->all, "all metadata, with orientation of maps, date and rms height");
     options.ask(arguments->request);
     options.ask(arguments->file);
     options.example("setae info afm.ibw scan.csv", "channels, size, unit and heights of two files");
-    options.example("setae info folder/*.spm --json", "the same for a script");
-    options.example("setae info scan.txt --unit um", "a file that does not state its unit");
+    options.example("setae info folder/*.spm --json", "content of all files as JSON");
+    options.example("setae info scan.txt --unit um", "file without unit");
     return action(options, arguments, explanation, run);
 }
 

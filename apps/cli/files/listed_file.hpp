@@ -13,12 +13,12 @@ using answers::can_be_read;
 using answers::ListedChannel;
 using answers::ListedFile;
 
-/// How much is said of each file. What is left out where little is said is there with more.
+/// Amount of detail per file. Each level contains the columns of the level before.
 enum class Detail { little, usual, all };
 
-/// Files as tables for a terminal of a width: one for each kind, headed by the commands that take such files. Paths
-/// are relative to the folder that holds them all, which is named first. Where a table is too wide, names of files give
-/// way as long as they can be told, then little is said; at last rows are stacked.
+/// Files as tables for a terminal of a width: one table per kind, headed by the commands that accept its files. Paths
+/// are relative to the folder that contains all files, which is printed first. In a table that is too wide, names of
+/// files are shortened as long as they differ, then columns are left out, then rows are stacked.
 [[nodiscard]] std::string file_tables(const std::vector<ListedFile>& files, Detail detail, std::size_t width);
 
 }  // namespace setae::cli::info_command

@@ -34,7 +34,7 @@ struct Arguments {
     std::optional<Index> points;
 };
 
-/// Metres a coordinate's unit is long along x and y; "px" is the pixel.
+/// Length of the unit of a coordinate along x and y in metres; "px" is the pixel.
 std::array<double, 2> unit_lengths(const std::string& unit, const topography::HeightMap& map) {
     if (unit == "px") return map.pixel_size();
     if (unit.empty()) throw InvalidArgument("no unit of --from and --to; expected --unit-xy um, another length, or px");
@@ -49,7 +49,7 @@ std::array<double, 2> parsed_point(const std::string& text, const char* option, 
     return {(*point)[0] * unit[0], (*point)[1] * unit[1]};
 }
 
-/// "5px" or "300 nm"; the pixel is that across the line.
+/// "5px" or "300 nm"; the pixel is measured across the line.
 double parsed_width(const std::string& text, const topography::HeightMap& map, const processing::ProfileLine& line) {
     if (text.empty()) return 0.0;
     if (!text.ends_with("px")) return parse_quantity(text, dimension::length);
@@ -63,7 +63,7 @@ ExitCode run(const Arguments& arguments) {
     if (arguments.path.empty()) throw InvalidArgument("no file; expected a map");
     const auto measurement = answers::measurements_of(arguments.path, arguments.file).front();
     const auto* map = std::get_if<topography::HeightMap>(&measurement);
-    if (!map) throw InvalidArgument(fmt::format("{}: a line is its own profile; expected a map", arguments.path));
+    if (!map) throw InvalidArgument(fmt::format("{}: contains a line; expected a map", arguments.path));
     show(map->metadata.alerts);
     const auto unit = unit_lengths(arguments.unit, *map);
     processing::ProfileLine line{parsed_point(arguments.from, "--from", unit), parsed_point(arguments.to, "--to", unit),
@@ -99,7 +99,7 @@ ExitCode run(const Arguments& arguments) {
 
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
-    options.add("file", arguments->path, "a map, or a file or container that holds one").of_inputs();
+    options.add("file", arguments->path, "map, or container with a map").of_inputs();
     options.ask(arguments->file);
     options.add("--from", arguments->from, "x,y of the first point of the line, such as 0,0");
     options.add("--to", arguments->to, "x,y of the last point of the line, such as 5,2.5");
@@ -111,7 +111,7 @@ Action declare(Options& options) {
     options.example("setae profile map.ibw --from 0,0 --to 5,2.5 --unit-xy um -o line.csv",
                     "heights between two points");
     options.example("setae profile map.ibw --from 10,10 --to 200,10 --unit-xy px --width 5px",
-                    "the mean of five lines");
+                    "mean of five parallel lines");
     return action(options, arguments, explanation, run);
 }
 

@@ -63,16 +63,16 @@ ExitCode run(const Arguments& arguments) {
 
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
-    options.add("file", arguments->path, "a map, or a file or container that holds one").of_inputs();
+    options.add("file", arguments->path, "map, or container with a map").of_inputs();
     options.ask(arguments->file);
     options.ask(arguments->processing);
     options.ask(arguments->request);
     options.add("-o,--output", arguments->output, "file for the tip, apex up: " + endings_of_heights());
     options.add("--reconstruction", arguments->reconstruction,
                 "file for the surface where the surface is certain, undefined elsewhere");
-    options.example("setae tip map.ibw -o tip.x3p", "the bluntest tip that could have made the map");
+    options.example("setae tip map.ibw -o tip.x3p", "bluntest tip that could have made the map");
     options.example("setae tip map.ibw --threshold \"0.2 nm\" --reconstruction surface.x3p",
-                    "with noise allowed for, and the surface where it is certain");
+                    "tip with allowance for noise, and the surface where the surface is certain");
     return action(options, arguments, explanation, run);
 }
 

@@ -66,7 +66,8 @@ Action declare(Options& options) {
     options.add("files", arguments->files, "pictures of a ruling or a grid, all by one camera at one magnification")
         .of_inputs();
     options.ask(arguments->ruling);
-    options.example("setae jkr camera ruling.tif --pitch \"10 um\"", "size of a pixel from a ruling of 10 um");
+    options.example("setae jkr camera ruling.tif --pitch \"10 um\"",
+                    "pixel size from a ruling with lines at a distance of 10 um");
     return action(options, arguments, explanation, run);
 }
 

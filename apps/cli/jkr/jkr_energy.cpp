@@ -73,7 +73,7 @@ Table table_of(const AnalysedLoop& loop, const loops::EnergyCourse& course) {
     return table;
 }
 
-void print_ledger(const AnalysedLoop& loop) {
+void print_energy_budget(const AnalysedLoop& loop) {
     const auto& ledger = loop.analysis.ledger;
     if (!ledger) {
         print(fmt::format("{}: {}\n", loop.file, ledger.reason));
@@ -103,10 +103,10 @@ void print_ledger(const AnalysedLoop& loop) {
         text += fmt::format("  {:<34} {}\n", what, value);
     };
     line("smooth sphere, fixed grips", format_value(ledger->ideal_fixed_grips, "J"));
-    line("smooth sphere, in this machine", fmt::format("{} (k = {})", format_value(ledger->ideal_this_machine, "J"),
+    line("smooth sphere, testing machine", fmt::format("{} (k = {})", format_value(ledger->ideal_this_machine, "J"),
                                                        format_value(ledger->machine_stiffness, "N/m")));
     if (ledger->recovered_share > 0.0)
-        line("recovered of the work of approach", fmt::format("{:.1f} %", 100.0 * ledger->recovered_share));
+        line("recovered work of approach", fmt::format("{:.1f} %", 100.0 * ledger->recovered_share));
     line("loss per apparent area", format_value(ledger->loss_per_apparent_area, "J/m2"));
     line("loss per true area",
          fmt::format("{} (r = {:.4g})", format_value(ledger->loss_per_true_area, "J/m2"), ledger->true_area_ratio));
@@ -117,7 +117,7 @@ void print_ledger(const AnalysedLoop& loop) {
     print(text);
 }
 
-/// Figures of every loop's course, and of all losses.
+/// Figures of the energy course of every loop, and of all losses.
 class EnergyFigures {
 public:
     explicit EnergyFigures(const Arguments& arguments) : arguments_(arguments) {}
@@ -152,7 +152,7 @@ ExitCode run(const Arguments& arguments) {
         if (arguments.common.json) {
             list.push_back(answers::energy_json(loop));
         } else {
-            print_ledger(loop);
+            print_energy_budget(loop);
             show(loop.analysis.alerts);
         }
         if (!courses) return;
@@ -183,8 +183,9 @@ Action declare(Options& options) {
                 "folder of NAME_course.csv: work, elastic, surface and dissipated energy, sample by sample");
     options.add("--figures", arguments->figures,
                 "folder of figures: the course of each loop, and losses against true area");
-    options.example("setae jkr energy loop.csv --radius \"1.25 mm\"", "where the energy of a loop goes");
-    options.example("setae jkr energy loops/*.csv --radius \"1.25 mm\" --figures figures", "of many, with figures");
+    options.example("setae jkr energy loop.csv --radius \"1.25 mm\"", "energy budget of a loop");
+    options.example("setae jkr energy loops/*.csv --radius \"1.25 mm\" --figures figures",
+                    "energy budgets of several loops, with figures");
     return action(options, arguments, explanation, run);
 }
 

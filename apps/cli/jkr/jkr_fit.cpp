@@ -54,11 +54,11 @@ struct Arguments {
     answers::LoopModelsRequest models;
     answers::CurveRequest curve;
     std::string tidy, figures, output;
-    bool full = false;  ///< every fit and warning of each of several loops
+    bool full = false;  ///< every fit and warning of every loop
     FigureOption figure;
 };
 
-/// The fits of a branch, a row each.
+/// The fits of a branch, one row per fit.
 tables::TidyTable branch_table(const char* branch, const loops::BranchAnalysis& analysis) {
     tables::TidyTable table{branch, {"fit", "E* [MPa]", "W [mJ/m²]", "χ²_red", "n", "rms residual"}, {}};
     for (const auto& route : loops::fit_routes) {
@@ -86,18 +86,18 @@ std::string hold_text(const loops::HoldGrowth& hold) {
 
 /// "-12.3 ± 0.4 µN from the first sample to the last, a line, removed".
 std::string drift_text(const loops::ForceDrift& drift) {
-    if (drift.stretches == 0) return "not known: no free flight";
-    if (drift.degree == 0) return "not looked for";
+    if (drift.stretches == 0) return "unknown without free flight";
+    if (drift.degree == 0) return "not fitted";
     static constexpr const char* curves[] = {"", "a line", "a parabola", "a cubic"};
     return fmt::format("{} from the first sample to the last, {}, removed", format_uncertain(drift.change, "N"),
                        curves[drift.degree]);
 }
 
-/// "85 ± 1 mJ/m² at the largest contact, 60 ± 1 at pull-off; such a loop loses 12.3 ± 0.2 nJ".
+/// "85 ± 1 mJ/m² at the largest contact, 60 ± 1 at pull-off, …; loss of such a loop 12.3 ± 0.2 nJ".
 std::string along_text(const loops::Outcome<loops::WorkAlongRetraction>& along) {
     if (!along) return along.reason;
     return fmt::format(
-        "{} at the largest contact, {} at pull-off, slope {}; such a loop loses {}",
+        "{} at the largest contact, {} at pull-off, slope {}; loss of such a loop {}",
         format_uncertain(along->at_largest_contact, "J/m2"), format_uncertain(along->at_pull_off, "J/m2"),
         format_uncertain(scaled(along->slope, 1e-6), "J/m2") + " per µm", format_uncertain(along->energy_loss, "J"));
 }
@@ -121,7 +121,7 @@ void print_loop(const std::string& file, const loops::LoopAnalysis& a) {
     if (a.contact_points) {
         const auto& points = *a.contact_points;
         tables::TidyTable beside{
-            "", {"  contact point by", "from the one used [nm]", "±", "E* there [MPa]", "W there [mJ/m²]"}, {}};
+            "", {"  contact point by", "minus the one used [nm]", "±", "E* [MPa]", "W [mJ/m²]"}, {}};
         for (const auto& estimate : points.estimates) {
             if (!estimate.contact_point) continue;
             const auto& fit = estimate.fit;
@@ -133,23 +133,24 @@ void print_loop(const std::string& file, const loops::LoopAnalysis& a) {
                  fit ? fmt::format("{:.4g}", 1e3 * fit->work_of_adhesion.value) : "–"});
         }
         text += tables::as_text_within(beside, width);
-        line("spread of these", fmt::format("{} ({:.2g} % of the penetration), dW/dδ0 {:.3g} mJ/m² per nm",
-                                            format_value(points.spread, "m"), 100.0 * points.spread_share,
-                                            1e-6 * points.work_by_contact_point));
+        line("spread of contact points", fmt::format("{} ({:.2g} % of the penetration), dW/dδ0 {:.3g} mJ/m² per nm",
+                                                     format_value(points.spread, "m"), 100.0 * points.spread_share,
+                                                     1e-6 * points.work_by_contact_point));
     }
     const auto& primary = a.loading.primary();
     line("E of loading", format_uncertain(primary.youngs_modulus, "Pa"));
     line("correlation of E* and W", fmt::format("{:.3f}", primary.correlation));
     line("drift of the force", drift_text(a.force_zero.drift));
     line("pull-off force", a.pull_off ? value(a.pull_off->force, "N") : a.pull_off.reason);
-    if (a.pull_off) line("W_ret at pull-off (S1)", value(a.pull_off->work_of_adhesion, "J/m2"));
-    line("W_ret at pull-off (S2)", a.retraction ? value(a.retraction->work_of_adhesion, "J/m2") : a.retraction.reason);
+    if (a.pull_off) line("W_ret at pull-off (Eq. S1)", value(a.pull_off->work_of_adhesion, "J/m2"));
+    line("W_ret at pull-off (Eq. S2)",
+         a.retraction ? value(a.retraction->work_of_adhesion, "J/m2") : a.retraction.reason);
     line("W_ret along retraction", along_text(a.work_along_retraction));
     line("loop energy", a.loop ? value(a.loop->estimate(), "J") : a.loop.reason);
-    line("smooth sphere's own loss", format_value(a.context.ideal_smooth_sphere_loss, "J"));
+    line("loss of a smooth sphere", format_value(a.context.ideal_smooth_sphere_loss, "J"));
     if (a.bulk)
-        line("of it in the relaxing bulk",
-             fmt::format("{}; up to {} taken off the force", format_value(a.bulk->energy_loss, "J"),
+        line("loss in the relaxing bulk",
+             fmt::format("{}; force corrected by up to {}", format_value(a.bulk->energy_loss, "J"),
                          format_value(a.bulk->largest_force, "N")));
     if (a.hold) line("hold", hold_text(*a.hold));
     line("largest contact radius",
@@ -163,7 +164,7 @@ study_figures::DrawnLoop drawn_loop(const AnalysedLoop& loop) {
     return {.name = figure_name(loop.file), .analysis = loop.analysis, .bodies = loop.bodies, .options = loop.options};
 }
 
-/// The figures of every loop, made as the loops come, and the one of all of them.
+/// The figures of every loop, and one figure of all loops.
 class FigureFolder {
 public:
     FigureFolder(const Arguments& arguments) : arguments_(arguments) {}
@@ -189,7 +190,7 @@ private:
     std::vector<study_figures::NamedScan> scans_;
 };
 
-/// All curves of a file of several.
+/// Fits all curves of a file with several curves.
 void fit_curves_of(const std::string& file, const std::string& name, const Arguments& arguments, output::Json& list) {
     const auto map = answers::fit_map(file, arguments.request.loops, arguments.request.bodies, arguments.curve,
                                       arguments.common.workers());
@@ -201,10 +202,10 @@ void fit_curves_of(const std::string& file, const std::string& name, const Argum
     }
     print_map(map);
     for (const auto& path : written) print(path + " written\n");
-    if (written.empty()) print("nothing written: -o FOLDER keeps a table of the curves, and maps\n");
+    if (written.empty()) print("nothing written; give -o FOLDER for a table of the curves and maps\n");
 }
 
-/// Force curves among the files.
+/// Fits the force curves among the files.
 ExitCode fit_curves(const Arguments& arguments, const std::vector<std::string>& files, output::Json& list) {
     std::vector<std::string> stems;
     for (const auto& file : files) stems.push_back(figure_name(file));
@@ -223,22 +224,22 @@ ExitCode fit_curves(const Arguments& arguments, const std::vector<std::string>& 
     });
 }
 
-/// Adds a loop to those of a shared fit, where it has the branch.
+/// Adds the branch of a loop to a shared fit, if the loop has this branch.
 void share(const AnalysedLoop& loop, const study::LoopModelOptions& models, std::vector<loops::GlobalBranch>& shared) {
     try {
         shared.push_back(study::branch_to_share(loop.file, loop.analysis, loop.bodies, loop.options, models));
     } catch (const UndefinedDataError& error) {
-        complain(fmt::format("{}: not in the shared fit: {}", loop.file, error.what()));
+        complain(fmt::format("{}: excluded from the shared fit: {}", loop.file, error.what()));
     }
 }
 
-/// A loop's file without its folder, where no other has that name.
+/// Name of the file of a loop; with the folder if several files have this name.
 std::string name_among(const std::vector<std::string>& files, const std::string& file) {
     const auto name = [](const std::string& path) { return std::filesystem::path(path).filename().string(); };
     return std::ranges::count(files, name(file), name) == 1 ? name(file) : file;
 }
 
-/// Everything of a loop; what makes all its numbers wrong comes first.
+/// All results of a loop; warnings that concern every number come first.
 void print_whole(const AnalysedLoop& loop, const study::LoopModelOptions& models) {
     const auto& alerts = loop.analysis.alerts;
     const auto others = std::find_if_not(alerts.begin(), alerts.end(), study::names_cause);
@@ -248,7 +249,7 @@ void print_whole(const AnalysedLoop& loop, const study::LoopModelOptions& models
     show({others, alerts.end()});
 }
 
-/// Loops among them, with the fit they share where one is wanted.
+/// Fits the loops among the files, and a shared fit if it is asked for.
 ExitCode fit_loops(const Arguments& arguments, const LoopAnalysisRequest& request, output::Json& list,
                    std::optional<loops::GlobalFit>& global) {
     auto fits = output::fits_table();
@@ -281,7 +282,7 @@ ExitCode fit_loops(const Arguments& arguments, const LoopAnalysisRequest& reques
     return code;
 }
 
-/// -o is the figure of one loop, or the folder of what files of many force curves give.
+/// -o is the figure of one loop, or the folder of results for files of many force curves.
 void check_output(const std::string& output, const std::vector<std::string>& curves,
                   const std::vector<std::string>& loops) {
     if (!file_figures::is_figure_path(output) && loops.empty()) return;
@@ -290,11 +291,10 @@ void check_output(const std::string& output, const std::vector<std::string>& cur
             "{}: cannot tell the format from the name; expected an ending {}; --tidy OUT.csv writes the fits", output,
             file_figures::figure_endings));
     if (!curves.empty())
-        throw InvalidArgument(
-            fmt::format("{}: a force curve, of which no figure is drawn; leave out -o", curves.front()));
+        throw InvalidArgument(fmt::format("{}: no figure is drawn of a force curve; leave out -o", curves.front()));
     if (loops.size() > 1)
-        throw InvalidArgument(
-            fmt::format("{} loops for the one figure {}; --figures FOLDER draws each", loops.size(), output));
+        throw InvalidArgument(fmt::format("{} loops for one figure {}; draw one figure per loop with --figures FOLDER",
+                                          loops.size(), output));
 }
 
 ExitCode run(const Arguments& arguments) {
@@ -337,10 +337,10 @@ Action declare(Options& options) {
     options.add("--figures", arguments->figures,
                 "folder of figures: each loop with fits and residuals, E* and W against the range of the fit");
     options.example("setae jkr fit loop.csv --radius \"1.25 mm\" -o loop.svg",
-                    "E* and W of loading, pull-off and loss, drawn with the fits");
+                    "E* and W of loading, pull-off and loss, with a figure of the fits");
     options.example("setae jkr fit loops --radius \"1.25 mm\" --tidy fits.csv",
-                    "a row per loop; every fit of every loop as one table");
-    options.example("setae jkr fit curve.jpk-force --radius \"20 nm\" --curve-model dmt", "a force curve");
+                    "one row per loop; table of every fit of every loop");
+    options.example("setae jkr fit curve.jpk-force --radius \"20 nm\" --curve-model dmt", "DMT fit of a force curve");
     return action(options, arguments, explanation, run);
 }
 

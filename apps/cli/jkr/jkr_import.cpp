@@ -104,7 +104,7 @@ output::Json json_of(const tables::ColumnGuess& guess) {
     return json;
 }
 
-/// Extent of each column, in the unit a reader expects.
+/// Range of each column, with unit and prefix.
 std::string summary(const Table& table) {
     std::string text = fmt::format("{} samples\n", table.rows());
     for (const auto& column : table.columns) {
@@ -118,12 +118,12 @@ std::string summary(const Table& table) {
         }
         text += fmt::format("  {:<16} {} … {}{}\n", column.name, format_value(least, column.unit),
                             format_value(most, column.unit),
-                            defined == table.rows() ? "" : fmt::format(", {} of them defined", defined));
+                            defined == table.rows() ? "" : fmt::format(", {} defined", defined));
     }
     return text;
 }
 
-/// The first rows of a loop, as they were understood.
+/// The first rows of a loop after import.
 std::string first_rows(const Table& table) {
     constexpr Index shown = 5;
     tables::TidyTable rows;
@@ -144,7 +144,7 @@ std::string output_of(const Arguments& arguments, const std::string& file) {
                   : arguments.output;
 }
 
-/// The mapping a file is read through: the one named, else what its columns seem to be.
+/// The mapping for a file: given by the user, or guessed from its columns.
 struct Understood {
     std::optional<tables::ColumnGuess> guess;
     std::optional<tables::Mapping> mapping;
@@ -165,7 +165,8 @@ Understood understood(const Arguments& arguments, const std::string& file) {
         auto help = tables::fitting_mappings_remark(file, mapping_folder());
         if (!arguments.save_map.empty()) {
             bytes::write_whole_file(arguments.save_map, tables::mapping_template(*result.guess, chosen, wanted));
-            help += fmt::format("; {} written: answer each \"?\" in it and give it by --mapping", arguments.save_map);
+            help += fmt::format("; {} written; replace each \"?\" in this file and give the file with --mapping",
+                                arguments.save_map);
         }
         if (help.empty()) throw;
         throw InvalidArgument(error.what() + help);
@@ -208,7 +209,8 @@ void import(const Arguments& arguments, const std::string& file, output::Json& l
     if (opened.clock)
         print(fmt::format("  camera's clock   + {}, by {}\n", format_uncertain(opened.clock->offset, "s"),
                           opened.clock->method));
-    print(output.empty() ? "nothing written: say where, -o LOOP.csv\n" : fmt::format("{} written\n", output));
+    print(output.empty() ? "nothing written; give the loop file with -o LOOP.csv\n"
+                         : fmt::format("{} written\n", output));
     show(opened.alerts);
 }
 
@@ -225,11 +227,11 @@ ExitCode run(const Arguments& arguments) {
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     ask_for_loops(options, arguments->loops);
-    options.add("--encoding", arguments->encoding, "encoding of the text; default: found")
+    options.add("--encoding", arguments->encoding, "encoding of the text; default: detected")
         .one_of({"utf-8", "utf-16", "latin-1"});
-    options.add("--separator", arguments->separator, "separator of the columns; default: found")
+    options.add("--separator", arguments->separator, "separator of the columns; default: detected")
         .one_of({"tab", "comma", "semicolon", "blank"});
-    options.add("--decimal", arguments->decimal, "decimal sign; default: found").one_of({"point", "comma"});
+    options.add("--decimal", arguments->decimal, "decimal sign; default: detected").one_of({"point", "comma"});
     options.add("--header-end", arguments->header_end, "line after which the numbers begin");
     options.add("--sheet", arguments->sheet,
                 "sheet of a workbook, by name; default: the first with a loop, else the first with a table");
@@ -239,7 +241,7 @@ Action declare(Options& options) {
                 "file for the mapping, a template for --map; a \"?\" marks what the table does not state");
     options.add("-o,--output", arguments->output, "loop file, or folder of loop files; without it nothing is written");
     options.example("setae jkr import force_curve.txt -o loop.csv",
-                    "a table as a loop file; the columns are guessed and shown");
+                    "loop file from a table; the columns are guessed and printed");
     return action(options, arguments, explanation, run);
 }
 

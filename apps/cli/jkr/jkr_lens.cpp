@@ -47,7 +47,7 @@ std::string as_text(const answers::Lens& lens) {
                     format_value(lens.last, "m"), format_value(lens.circle.rms_residual, "m"));
     if (const auto& conic = lens.conic; conic && conic->conic_constant.uncertain())
         text += fmt::format(
-            "  apex: R = {}, conic constant {} (0 is a sphere; p = {}); {} off the apex's sphere at the "
+            "  apex: R = {}, conic constant {} (0 is a sphere; p = {}); {} from the sphere of the apex at the "
             "farthest point\n",
             format_uncertain(conic->radius, "m"), uncertain_number(conic->conic_constant),
             probability_text(conic->probability), format_value(conic->departure, "m", 3));
@@ -57,7 +57,8 @@ std::string as_text(const answers::Lens& lens) {
 
 ExitCode run(const Arguments& arguments) {
     if (arguments.files.empty())
-        throw InvalidArgument("a profile is wanted: setae jkr lens PROFILE.csv, or a picture of its side");
+        throw InvalidArgument(
+            "no file; expected a profile, such as setae jkr lens PROFILE.csv, or a picture of the side of a lens");
     output::Json lenses = output::Json::array();
     const ExitCode code = for_each_item(arguments.files, [&](const std::string& file) {
         const auto lens = answers::lens_of(file, arguments.request);
@@ -74,11 +75,11 @@ Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     options
         .add("files", arguments->files,
-             "tables of two lengths with their units, a profilometer's trace, or pictures of the lens's side")
+             "tables of two lengths with units, traces of a profilometer, or pictures of the side of the lens")
         .of_inputs();
     options.ask(arguments->request);
     options.example("setae jkr lens profile.csv", "radius and asphericity from a profile");
-    options.example("setae jkr lens side.png --pixel \"2.05 um\"", "from a picture of its side");
+    options.example("setae jkr lens side.png --pixel \"2.05 um\"", "radius from a picture of the side of a lens");
     return action(options, arguments, explanation, run);
 }
 

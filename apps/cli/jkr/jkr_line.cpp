@@ -47,24 +47,24 @@ constexpr const char* explanation =
 struct Arguments : answers::LineRequest {
     Common common;
     std::vector<std::string> frames;
-    std::string output, save_line, beside;
+    std::string output, save_line, other_edge;
     FigureOption figure;
 };
 
 answers::RecordedEdge recorded(const Arguments& arguments) {
     auto edge = answers::recorded_edge(arguments.frames, arguments, arguments.common.workers());
-    if (edge.radii) tell(*edge.radii);
+    if (edge.radii) report_frames(*edge.radii);
     return edge;
 }
 
-/// Whether the numbers of a tail may be of its law: 1.36/√n is passed by one law in twenty.
+/// True if the values of a tail are consistent with its power law: the distance exceeds 1.36/√n in 5 % of cases.
 bool fits(const std::optional<contact_line::PowerLawTail>& tail) {
     return tail && tail->distance < 1.36 / std::sqrt(static_cast<double>(tail->count));
 }
 
 std::string motion_text(const char* direction, const std::optional<answers::LineMotion>& motion) {
     if (!motion) return {};
-    auto text = fmt::format("{} {} on average, cells of {}: {} jumps, {} arrests", direction,
+    auto text = fmt::format("{}: mean speed {}, cells of {}: {} jumps, {} arrests", direction,
                             format_value(motion->passage.mean_speed, "m/s", 3),
                             format_value(motion->passage.width, "m", 3), motion->jumps.size(), motion->arrests.size());
     if (!motion->jumps.empty())
@@ -78,9 +78,9 @@ std::string motion_text(const char* direction, const std::optional<answers::Line
 
 std::string rate_text(const char* direction, const std::optional<answers::ReleaseRate>& rate) {
     if (!rate) return {};
-    return fmt::format(
-        "energy release rate {} {}, it scatters along the edge by {}: roughness of U_el/AW = {:.3g} does that",
-        direction, format_value(rate->mean, "J/m2", 3), format_value(rate->scatter, "J/m2", 3), rate->energy_share());
+    return fmt::format("{}: energy release rate {}, scatter along the edge {}, as from roughness with U_el/AW = {:.3g}",
+                       direction, format_value(rate->mean, "J/m2", 3), format_value(rate->scatter, "J/m2", 3),
+                       rate->energy_share());
 }
 
 std::string as_text(const answers::LineAnswer& answer) {
@@ -95,16 +95,16 @@ std::string as_text(const answers::LineAnswer& answer) {
                         uncertain_number(answer.roughness->exponent), answer.roughness->smallest_mode,
                         answer.roughness->largest_mode,
                         format_value(std::sqrt(answer.shape.deviation.square().mean()), "m", 3)));
-    add(motion_text("receding", answer.receding));
-    add(motion_text("advancing", answer.advancing));
-    add(rate_text("receding", answer.receding_rate));
-    add(rate_text("advancing", answer.advancing_rate));
+    add(motion_text("retraction", answer.receding));
+    add(motion_text("approach", answer.advancing));
+    add(rate_text("retraction", answer.receding_rate));
+    add(rate_text("approach", answer.advancing_rate));
     std::size_t voids = 0;
     for (const auto& holes : recorded.voids) voids += holes.empty() ? 0 : 1;
     if (voids > 0) add(fmt::format("voids inside the contact in {} of {} frames", voids, recorded.frames.size()));
     const double error = recorded.line.place_error;
     add(fmt::format("{} frames, {} places each, {}", recorded.frames.size(), recorded.line.angles(),
-                    error > 0.0 ? fmt::format("± {} a place", format_value(error, "m", 2)) : "their error not stated"));
+                    error > 0.0 ? fmt::format("± {} per place", format_value(error, "m", 2)) : "error not given"));
     return text;
 }
 
@@ -115,11 +115,11 @@ std::string comparison_text(const answers::LineAnswer& answer, const answers::Li
     const auto difference = comparison.difference
                                 ? fmt::format("the edges differ by {} rms in {} frames",
                                               format_value(*comparison.difference, "m", 3), comparison.frames)
-                                : std::string("the edges share no times");
+                                : std::string("the edges have no common times");
     return wrapped(difference, width) + "\n\n" +
-           tables::as_text_within(
-               answers::comparison_table(answer, comparison, name(arguments.frames.front()), name(arguments.beside)),
-               width);
+           tables::as_text_within(answers::comparison_table(answer, comparison, name(arguments.frames.front()),
+                                                            name(arguments.other_edge)),
+                                  width);
 }
 
 Array1D jump_areas(const std::optional<answers::LineMotion>& motion) {
@@ -147,9 +147,9 @@ ExitCode run(const Arguments& arguments) {
     if (!arguments.save_line.empty()) bytes::write_whole_file(arguments.save_line, answers::line_csv(kept));
     write_table_or_figure(
         arguments.output, answers::as_table(answer), [&] { return figure(answer, arguments); }, arguments.common.json);
-    if (!arguments.beside.empty()) {
+    if (!arguments.other_edge.empty()) {
         const auto comparison =
-            answers::beside(answer, answers::recorded_edge({arguments.beside}, arguments), arguments);
+            answers::beside(answer, answers::recorded_edge({arguments.other_edge}, arguments), arguments);
         if (arguments.common.json) print_json(answers::to_json(answer, comparison));
         else print(comparison_text(answer, comparison, arguments));
     } else if (arguments.common.json) {
@@ -175,20 +175,21 @@ Action declare(Options& options) {
     options.ask<answers::RadiusRequest>(*arguments);
     options.ask<answers::LineRequest>(*arguments);
     options
-        .add("--beside", arguments->beside,
-             "table of another edge of this contact, such as a simulated edge, for a comparison")
+        .add("--beside", arguments->other_edge,
+             "table of another edge of this contact for comparison, such as a simulated edge")
         .of_inputs();
     options.add("--save-line", arguments->save_line, "table OUT.csv of the edge: r at every angle and time");
     options.add("-o,--output", arguments->output, "table OUT.csv or OUT.nc; figure OUT.svg, .pdf or .png");
     arguments->figure.add_to(options);
     options.example("setae jkr line recording.avi --pixel \"1.82 um\" --fps 10 -o line.svg",
-                    "how rough the edge of a contact is and how it moves, with a figure");
+                    "roughness and motion of the edge of a contact, with a figure");
     options.example("setae jkr line stack.tif --um-per-px 1.82 --fps 10 --save-line edge.csv -o frames.csv",
-                    "with the edge of every frame as a table");
-    options.example("setae jkr line edge.csv --ring-width \"5 um\"", "again, with other cells");
+                    "edge of every frame as a table, and one row per frame");
+    options.example("setae jkr line edge.csv --ring-width \"5 um\"",
+                    "analysis of a saved edge with cells of another size");
     options.example(
         "setae jkr line recording.avi --pixel \"1.82 um\" --fps 10 --radius \"1 mm\" --contact-modulus \"1 MPa\" --displacement stage.csv",
-        "and what the edge works against, place by place");
+        "energy release rate along the edge");
     return action(options, arguments, explanation, run);
 }
 

@@ -67,15 +67,15 @@ void print_models(const std::string& loop, const study::LoopModels& models) {
 void print_shared(const loops::GlobalFit& fit) {
     tables::TidyTable table{
         fmt::format("{} loops in one fit, {}", fit.branches.size(), to_string(fit.options.fit.model)),
-        {"loop", "E* [MPa]", "W [mJ/m²]", "E* alone [MPa]", "W alone [mJ/m²]", "n"},
+        {"loop", "E* [MPa]", "W [mJ/m²]", "E* own fit [MPa]", "W own fit [mJ/m²]", "n"},
         {}};
     for (const auto& branch : fit.branches)
         table.rows.push_back({branch.name, cell(branch.contact_modulus, 1e6), cell(branch.work_of_adhesion, 1e-3),
                               cell(branch.separate.contact_modulus, 1e6), cell(branch.separate.work_of_adhesion, 1e-3),
                               fmt::format("{}", branch.n)});
     print(tables::as_text_within(table, output_size().width) +
-          fmt::format("  do they share it? F = {:.3g}, p = {:.2g} (small: they differ)\n", fit.sharing.f_ratio,
-                      fit.sharing.p_value));
+          fmt::format("  test of the shared fit: F = {:.3g}, p = {:.2g} (small p: the loops differ)\n",
+                      fit.sharing.f_ratio, fit.sharing.p_value));
 }
 
 }  // namespace setae::cli

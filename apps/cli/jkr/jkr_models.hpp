@@ -5,7 +5,7 @@
 
 namespace setae::cli {
 
-/// The models of a loop, below its name where that is not empty.
+/// Prints the model fits of a loop, below the name of the loop if it is not empty.
 void print_models(const std::string& loop, const study::LoopModels& models);
 void print_shared(const loops::GlobalFit& fit);
 

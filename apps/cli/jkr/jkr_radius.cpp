@@ -59,7 +59,7 @@ void write_overlays(const Arguments& a, const imaging::FrameSource& source, cons
 
 ExitCode run(const Arguments& arguments) {
     if (!arguments.overlay_frames.empty() && arguments.overlay.empty())
-        throw InvalidArgument("--overlay-frames without --overlay, the folder the pictures go to");
+        throw InvalidArgument("--overlay-frames without --overlay; expected --overlay FOLDER for the pictures");
     const auto options = arguments.radius_options(arguments.common.workers());
     const imaging::FrameSource source(arguments.frames, arguments.frame_options());
     const auto radii = imaging::measure_contact_radii(source, options);
@@ -67,7 +67,7 @@ ExitCode run(const Arguments& arguments) {
     if (!arguments.overlay.empty()) write_overlays(arguments, source, radii);
     if (arguments.common.json) print_json(answers::to_json(radii));
     else if (arguments.output.empty()) print(imaging::as_csv(radii));
-    tell(radii);
+    report_frames(radii);
     const auto& s = radii.summary;
     if (s.measured + s.no_contact == 0) return ExitCode::nothing_done;
     return s.not_found + s.bad > 0 ? ExitCode::some_failed : ExitCode::done;
@@ -90,7 +90,7 @@ Action declare(Options& options) {
     options.example("setae jkr radius recording.avi --pixel \"1.82 um\" --fps 10 -o radius.csv",
                     "contact radius in every frame");
     options.example("setae jkr radius stack.tif --um-per-px 1.82 --overlay edges",
-                    "with pictures that show the edge found");
+                    "contact radius, and pictures with the edge drawn in");
     return action(options, arguments, explanation, run);
 }
 

@@ -38,14 +38,14 @@ std::string as_text(const std::string& file, const loops::MachineStiffness& foun
     std::string text =
         fmt::format("{}: k = {}, {} samples; loading {}", file, shown(found.stiffness), found.n, shown(found.loading));
     if (std::isfinite(found.unloading.value))
-        text += fmt::format(", unloading {}, branches apart by {:.2g} % of the deflection", shown(found.unloading),
-                            100.0 * found.hysteresis);
+        text += fmt::format(", unloading {}, difference of the branches {:.2g} % of the deflection",
+                            shown(found.unloading), 100.0 * found.hysteresis);
     return text + fmt::format("; slope changes by {:.2g} % over the forces\n", 100.0 * found.nonlinearity);
 }
 
 ExitCode run(const Arguments& arguments) {
     if (arguments.loops.files.empty())
-        throw InvalidArgument("a loop on something rigid is wanted: setae jkr stiffness RIGID.csv");
+        throw InvalidArgument("no file; expected a loop on a rigid body: setae jkr stiffness RIGID.csv");
     output::Json all = output::Json::array();
     const ExitCode code = for_each_item(arguments.loops.files, [&](const std::string& file) {
         const auto found = answers::machine_stiffness(arguments.loops.open(file));
@@ -64,7 +64,7 @@ Action declare(Options& options) {
     options.add("files", arguments->loops.files, "loops on a rigid body: force against the position of the stage")
         .of_inputs();
     options.ask(fields::Asked<answers::LoopFiles>::mapping, &arguments->loops);
-    options.example("setae jkr stiffness rigid.csv", "stiffness of the machine from a loop on something rigid");
+    options.example("setae jkr stiffness rigid.csv", "stiffness of the testing machine from a loop on a rigid body");
     return action(options, arguments, explanation, run);
 }
 

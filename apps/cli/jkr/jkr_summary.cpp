@@ -60,7 +60,7 @@ void write_folder(const fs::path& folder, const study::ReplicateTables& tables, 
                   const output::Json& json, const figures::Figure& figure) {
     std::error_code failure;
     fs::create_directories(folder, failure);
-    if (failure) throw FileError(fmt::format("{}: cannot make the folder ({})", folder.string(), failure.message()));
+    if (failure) throw FileError(fmt::format("{}: cannot create the folder ({})", folder.string(), failure.message()));
     bytes::write_whole_file((folder / "summary.json").string(), output::as_text(json));
     bytes::write_whole_file((folder / "replicates.csv").string(), tables::as_csv(output::replicate_table(tables.data)));
     bytes::write_whole_file((folder / "means.csv").string(),
@@ -75,7 +75,7 @@ ExitCode run(const Arguments& arguments) {
     const auto figure = study_figures::forest_plot(tables.data, model, {.quantity = tables.data.quantity});
     const auto json = answers::to_json(summary);
     for (const auto& bad : tables.bad_rows)
-        complain(fmt::format("{}: {}; left out, the rest is analysed", bad.place, bad.reason));
+        complain(fmt::format("{}: {}; this row is excluded", bad.place, bad.reason));
     if (!arguments.figure.empty()) write_figure(arguments.figure, tables, figure);
     if (!arguments.output.empty()) write_folder(arguments.output, tables, model, json, figure);
     if (arguments.common.json) print_json(json);
@@ -96,7 +96,7 @@ Action declare(Options& options) {
     options.add("--figure", arguments->figure, "file of the forest plot: .svg, .pdf, .png or .csv");
     options.add("-o,--output", arguments->output, "folder for summary.json, tables and the forest plot");
     options.example("setae jkr summary fits.csv --group-by surface,lens --figure forest.svg",
-                    "means of the fits that `setae jkr fit --tidy` wrote");
+                    "means of the fits in a table of `setae jkr fit --tidy`");
     return action(options, arguments, explanation, run);
 }
 

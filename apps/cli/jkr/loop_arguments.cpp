@@ -35,7 +35,7 @@ ExitCode for_each_loop(const LoopAnalysisRequest& request, parallel::Threads thr
         std::string error;
     };
     std::size_t done = 0;
-    // some at a time: a shown loop need not be kept
+    // in batches, so that a loop is not kept after it was shown
     constexpr std::size_t at_once = 64;
     for (std::size_t first = 0; first < files.size(); first += at_once) {
         std::vector<Result> results(std::min(at_once, files.size() - first));

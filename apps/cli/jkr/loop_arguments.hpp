@@ -10,10 +10,10 @@
 
 namespace setae::cli {
 
-/// Files of loops, how their columns are named, the camera's record, constants of force curves.
+/// Options for files of loops: names of columns, record of the camera, constants of force curves.
 void ask_for_loops(Options& options, answers::LoopFiles& loops);
 
-/// All that verbs that analyse loops are told.
+/// Options of commands that analyse loops.
 struct LoopAnalysisRequest {
     answers::LoopFiles loops;
     answers::LoopBodies bodies;
@@ -24,8 +24,8 @@ struct LoopAnalysisRequest {
 
 using answers::AnalysedLoop;
 
-/// Analyses every loop on the threads given and shows them one after the other, in the order of the files. A
-/// setae::Error of one loop is printed and the others go on.
+/// Analyses every loop with `threads` and passes the loops to show_loop one by one, in the order of the files. A
+/// setae::Error of one loop is printed; the other loops are analysed.
 [[nodiscard]] ExitCode for_each_loop(const LoopAnalysisRequest& request, parallel::Threads threads,
                                      const std::function<void(const AnalysedLoop&)>& show_loop);
 

@@ -9,10 +9,10 @@
 
 namespace setae::cli {
 
-/// What a loop is called in figures: its file without folder and ending.
+/// Name of a loop in figures: its file without folder and ending.
 [[nodiscard]] std::string figure_name(const std::string& file);
 
-/// Writes figures into a folder; what cannot be drawn is said on standard error.
+/// Writes figures to a folder; figures that cannot be drawn are reported on standard error.
 void write_loop_figures(const std::vector<study_figures::StudyFigure>& figures, const std::string& folder,
                         parallel::Threads threads);
 

@@ -7,7 +7,7 @@
 
 namespace setae::cli {
 
-void tell(const imaging::ContactRadii& radii) {
+void report_frames(const imaging::ContactRadii& radii) {
     constexpr int max_lines = 20;
     int lines = 0;
     for (const auto& note : radii.notes) complain(note);
@@ -18,7 +18,7 @@ void tell(const imaging::ContactRadii& radii) {
             complain(fmt::format("frame {}: {}: {}", f.number, to_string(state), f.contact.reason));
     }
     if (lines > max_lines)
-        complain(fmt::format("{} more frames without a radius; the table says why", lines - max_lines));
+        complain(fmt::format("{} more frames without a radius; the table contains the reasons", lines - max_lines));
     const auto& s = radii.summary;
     complain(fmt::format(
         "{} frames: {} measured ({} partial), {} without contact, {} not found, {} bad, {} excluded, {} missing",

@@ -5,7 +5,7 @@
 
 namespace setae::cli {
 
-/// Frames without a radius, and what the whole gave, for the user.
-void tell(const imaging::ContactRadii& radii);
+/// Prints frames without a radius, and the number of frames in each state, on standard error.
+void report_frames(const imaging::ContactRadii& radii);
 
 }  // namespace setae::cli

@@ -56,7 +56,7 @@ output::Json json_of(const std::vector<validation::SummaryRow>& rows) {
 
 void write_closure(const std::vector<validation::SummaryRow>& rows, const std::string& name,
                    const std::string& folder) {
-    std::error_code ignored;  // what cannot be made cannot be written to
+    std::error_code ignored;  // writing to a folder that cannot be created fails below
     std::filesystem::create_directories(folder, ignored);
     const auto path = [&](const char* ending) { return (std::filesystem::path(folder) / (name + ending)).string(); };
     bytes::write_whole_file(path(".txt"), validation::summary_table(rows));

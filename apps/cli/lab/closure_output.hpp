@@ -14,7 +14,7 @@
 
 namespace setae::cli {
 
-/// What every verb that makes a recipe many times is told.
+/// Options of commands that make the data set of a recipe several times.
 struct RepeatedRecipe {
     Common common;
     std::string recipe;
@@ -26,10 +26,10 @@ struct RepeatedRecipe {
 /// Registers recipe, --output, --runs and --seed; their present values are the defaults.
 void add_options(Options& options, RepeatedRecipe& repeated);
 
-/// @throws InvalidArgument where no recipe was named.
+/// @throws InvalidArgument without a recipe.
 void require_recipe(const RepeatedRecipe& repeated);
 
-/// "n of N runs" on standard error where that is a terminal, else nothing.
+/// "n of N runs" on standard error if it is a terminal, else nothing.
 [[nodiscard]] std::function<void(int)> progress_of(int runs);
 
 [[nodiscard]] output::Json json_of(const std::vector<validation::SummaryRow>& rows);

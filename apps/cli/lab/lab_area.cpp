@@ -74,16 +74,17 @@ ExitCode run(const AreaArguments& arguments) {
                                      {"deviation_standard_error", row.standard_error}});
         print_json(json);
     } else {
-        std::string text = fmt::format("{:>4} {:>6}  {:>12} {:>12}  deviation [%]\n", "H", "h'", "excess area", "(9)");
+        std::string text =
+            fmt::format("{:>4} {:>6}  {:>12} {:>12}  deviation [%]\n", "H", "h'", "excess area", "Eq. 9");
         for (const auto& row : rows)
             text += fmt::format("{:>4} {:>6}  {:>12.6g} {:>12.6g}  {:>7.4f} ± {:.4f}\n", row.hurst_exponent,
                                 row.rms_slope, row.excess_area, roughness::gaussian_area_ratio(row.rms_slope) - 1.0,
                                 100.0 * row.deviation, 100.0 * row.standard_error);
-        print(text + fmt::format("{0} x {0} points, {1} maps each, seed {2}: within {3:.2g} % of (9); {4}\n",
+        print(text + fmt::format("{0} x {0} points, {1} maps each, seed {2}: within {3:.2g} % of Eq. 9; {4}\n",
                                  arguments.points, maps_each, arguments.seed, 100.0 * largest, arguments.output));
     }
     const auto figure = validation::area_figure(rows);
-    // the numbers are there also where nothing can be drawn
+    // the numbers are written even if the figure cannot be drawn
     return for_each_item({"area.svg", "area.png", "area.pdf"},
                          [&](const std::string& name) { figures::draw(figure, path(name.c_str())); }) == ExitCode::done
                ? ExitCode::done
@@ -96,7 +97,7 @@ Action declare(Options& options) {
     auto arguments = std::make_shared<AreaArguments>();
     options.add("-o,--output", arguments->output, "folder of area.csv and the figure").default_shown();
     options.ask(asked, arguments.get());
-    options.example("setae lab area -o area", "true area of random maps against theory");
+    options.example("setae lab area -o area", "true area of random maps, compared with Eq. 9");
     return action(options, arguments, explanation, run);
 }
 

@@ -54,7 +54,7 @@ ExitCode run(const RepeatedRecipe& arguments) {
 Action declare(Options& options) {
     auto arguments = std::make_shared<RepeatedRecipe>(RepeatedRecipe{.output = "causes", .runs = 5});
     add_options(options, *arguments);
-    options.example("setae lab causes recipe.toml", "what each ingredient costs");
+    options.example("setae lab causes recipe.toml", "bias of every cause");
     return action(options, arguments, explanation, run);
 }
 

@@ -45,11 +45,11 @@ struct ClosureArguments : RepeatedRecipe {
 
 constexpr std::array<std::string_view, 2> spectra{"average", "likelihood"}, ingredients{"tip-factor", "tip-band"};
 constexpr std::array asked{
-    fields::option<&ClosureArguments::keep>("keep", "data sets stay in the folder"),
-    fields::option<&ClosureArguments::spectrum>("spectrum", "spectrum of which fits and predictions are made")
+    fields::option<&ClosureArguments::keep>("keep", "keep the data sets in the folder"),
+    fields::option<&ClosureArguments::spectrum>("spectrum", "spectrum for fits and predictions")
         .one_of(spectra)
         .default_shown(),
-    fields::option<&ClosureArguments::without>("without", "ingredient that is left out of the likelihood")
+    fields::option<&ClosureArguments::without>("without", "part of the likelihood that is left out")
         .one_of(ingredients),
 };
 
@@ -98,7 +98,7 @@ Action declare(Options& options) {
     arguments->runs = 25;
     add_options(options, *arguments);
     options.ask(asked, arguments.get());
-    options.example("setae lab closure recipe.toml --runs 20", "whether what was put in comes out");
+    options.example("setae lab closure recipe.toml --runs 20", "bias and coverage of all results in 20 data sets");
     return action(options, arguments, explanation, run);
 }
 

@@ -47,7 +47,7 @@ struct ConformArguments : answers::PatchSurveyRequest {
     std::string study, output;
 };
 
-/// A line on a terminal: how many patches are done.
+/// Number of patches done, on one line of a terminal.
 answers::PatchProgress progress_line() {
     if (!platform::is_terminal(platform::Stream::errors)) return {};
     return [](std::size_t done, std::size_t of) {
@@ -63,7 +63,7 @@ answers::PatchSurveyAnswer survey_of_study(const ConformArguments& arguments, co
     return answers::patch_survey(result, arguments, arguments.common.workers(), progress_line());
 }
 
-/// Table and figure.
+/// Writes table and figure.
 ExitCode write(const answers::PatchSurveyAnswer& answer, const ConformArguments& arguments) {
     const std::filesystem::path folder = arguments.output;
     std::filesystem::create_directories(folder);
@@ -107,12 +107,14 @@ Action declare(Options& options) {
         .add("study", arguments->study,
              "TOML file of a study whose pairs are simulated; default: patches of --energy-share")
         .of_inputs();
-    options.add("-o,--output", arguments->output, "folder for conform.csv and the figure");
+    options.add("-o,--output", arguments->output, "folder for the table and the figure");
     options.ask<answers::PatchSurveyRequest>(*arguments);
     arguments->run.add_to(options);
-    options.example("setae lab conform", "up to what stored energy (7) holds, to how many per cent");
-    options.example("setae lab conform study.toml -o conform", "the pairs of a study, with their spectra");
-    options.example("setae lab conform --points 128,256 --shortest-wave 8 --seeds 20", "two bands side by side");
+    options.example("setae lab conform",
+                    "range and accuracy of the full-contact balance (Eq. 7) against stored energy");
+    options.example("setae lab conform study.toml -o patches", "patches with the spectra of the pairs of a study");
+    options.example("setae lab conform --points 128,256 --shortest-wave 8 --seeds 20",
+                    "patches with two bands of wavelengths");
     return action(options, arguments, explanation, run);
 }
 

@@ -53,7 +53,7 @@ ExitCode run(const FoilArguments& arguments) {
     if (arguments.thickness.empty()) throw InvalidArgument("expected --foil-thickness, such as \"20 nm\"");
     const auto plan = arguments.surface.plan(arguments.common.workers());
     if (plan.line || plan.window)
-        throw InvalidArgument("a foil is seen through a whole surface: no --line, no --window-of");
+        throw InvalidArgument("the projection of a foil needs a whole surface; leave out --line and --window-of");
     const auto bias =
         simulation::projection_bias(plan.density, {.thickness = parse_quantity(arguments.thickness, dimension::length),
                                                    .grid = plan.grid,
@@ -99,7 +99,7 @@ Action declare(Options& options) {
     options.ask(asked, arguments.get());
     options.example(
         "setae lab foil --hurst 0.8 --rolloff \"1 um\" --short-cutoff \"1 nm\" --rms-height \"10 nm\" --size \"2 um\" --foil-thickness \"20 nm\"",
-        "what the thickness of a foil hides");
+        "effect of the thickness of a foil on the spectrum");
     return action(options, arguments, explanation, run);
 }
 

@@ -77,11 +77,11 @@ output::Json mechanism_json(const validation::LawSummary& row) {
     return json;
 }
 
-/// Mechanisms planted in a recipe's loops.
+/// Simulates loops of a recipe with known retraction models and analyses them.
 ExitCode find_mechanisms(const Arguments& arguments) {
     if (arguments.recipe.empty())
         throw InvalidArgument(
-            "mechanisms are planted in the loops of a recipe; expected one, see docs/guides/laboratory.md");
+            "no recipe; expected a TOML file whose loops get the mechanisms, see docs/guides/laboratory.md");
     const auto laws = validation::plantable_laws(arguments.mechanisms);
     const int data_sets = arguments.options.runs * static_cast<int>(laws.size());
     const auto found = validation::law_recoveries(arguments.recipe, laws,
@@ -109,7 +109,7 @@ ExitCode find_mechanisms(const Arguments& arguments) {
         print(
             tables::as_text_within(table, output_size().width) +
             fmt::format(
-                "\noff: of what was found, on surfaces that it has not seen; neither found nor refused: not told apart\n"
+                "\noff: leave-one-surface-out error of the model found; neither found nor excluded: cannot be distinguished\n"
                 "data sets from seed {}; every one in {}\n",
                 arguments.options.first_seed, (folder / "mechanisms.csv").string()));
     }
@@ -134,7 +134,7 @@ ExitCode cover(const Arguments& arguments) {
                     {"rows", json_of(rows)}});
     else
         print(validation::summary_table(rows) +
-              fmt::format("\n{} runs from seed {}, {} samples a branch; every comparison in {}/comparisons.csv\n",
+              fmt::format("\n{} runs from seed {}, {} samples per branch; every comparison in {}/comparisons.csv\n",
                           options.runs, options.first_seed, options.samples, arguments.output));
     return ExitCode::done;
 }
@@ -142,7 +142,8 @@ ExitCode cover(const Arguments& arguments) {
 ExitCode run(const Arguments& arguments) {
     if (!arguments.mechanisms.empty()) return find_mechanisms(arguments);
     if (!arguments.recipe.empty())
-        throw InvalidArgument("a recipe is for --mechanism; expected that, or no recipe: the loops are the verb's own");
+        throw InvalidArgument(
+            "a recipe without --mechanism; expected --mechanism, or no recipe: the command then simulates its own loops");
     return cover(arguments);
 }
 
@@ -150,7 +151,7 @@ ExitCode run(const Arguments& arguments) {
 
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
-    options.add("recipe", arguments->recipe, "TOML file of a recipe whose loops get mechanisms, with --mechanism")
+    options.add("recipe", arguments->recipe, "TOML file of a recipe whose loops get the mechanisms of --mechanism")
         .of_inputs();
     options
         .add(
@@ -161,7 +162,7 @@ Action declare(Options& options) {
     options.ask(asked, &arguments->options);
     options.example("setae lab loops --runs 20 -o loops", "coverage of the intervals of fitted loops");
     options.example("setae lab loops recipe.toml --mechanism all --runs 1 -o mechanisms",
-                    "whether a study finds the law of W_ret that its loops were made by");
+                    "share of studies that find the retraction model of their loops");
     return action(options, arguments, explanation, run);
 }
 

@@ -60,7 +60,7 @@ Action declare(Options& options) {
     options.add("recipe", arguments->file, "TOML file of the recipe").of_inputs();
     options.add("-o,--output", arguments->output, "folder of the data set; default: laboratory");
     options.ask(asked, arguments.get());
-    options.example("setae lab make recipe.toml -o mine", "simulated measurements and loops, with a study of them");
+    options.example("setae lab make recipe.toml -o mine", "simulated measurements and loops, with a study file");
     return action(options, arguments, explanation_of_make, run_make);
 }
 

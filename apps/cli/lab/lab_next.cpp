@@ -91,13 +91,13 @@ Action declare(Options& options) {
     options
         .add(
             "--measure", arguments->measured,
-            "additional measurement: an input, a surface, or a pair such as \"E02 on A\"; default: the three that promise most")
+            "additional measurement: an input, a surface, or a pair such as \"E02 on A\"; default: the three with the largest promised effect")
         .value_named("NAME");
     options
         .add("--target", arguments->target,
              "number whose standard error the measurements should reduce, as in `setae study --next`")
         .value_named("NUMBER");
-    options.example("setae lab next recipe.toml --runs 100", "whether --next keeps its promises");
+    options.example("setae lab next recipe.toml --runs 100", "promised and simulated effects of further measurements");
     return action(options, arguments, explanation, run);
 }
 

@@ -40,17 +40,18 @@ constexpr std::array asked{
     fields::option<&Recording::inside>("inside", "grey level of the contact").default_shown(),
     fields::option<&Recording::contrast>("contrast", "difference of grey level between outside and contact")
         .default_shown(),
-    fields::option<&Recording::blur>("blur", "standard deviation of the edge's blur, in pixels")
+    fields::option<&Recording::blur>("blur", "standard deviation of the blur of the edge, in pixels")
         .within(domain::positive)
         .default_shown(),
-    fields::option<&Recording::noise>("noise", "standard deviation of a pixel's noise, in grey levels").default_shown(),
+    fields::option<&Recording::noise>("noise", "standard deviation of the noise of a pixel, in grey levels")
+        .default_shown(),
     fields::option<&Recording::seed>("seed", "seed of the noise").default_shown(),
 };
 
 ExitCode run(const Arguments& arguments) {
-    if (arguments.pixel.empty()) throw InvalidArgument("a recording needs --pixel, such as \"1 um\"");
+    if (arguments.pixel.empty()) throw InvalidArgument("no pixel size; expected --pixel, such as \"1 um\"");
     if (!arguments.output.ends_with(".tif") && !arguments.output.ends_with(".tiff"))
-        throw InvalidArgument("a recording is a TIFF stack; expected -o OUT.tif");
+        throw InvalidArgument("expected -o OUT.tif: a recording is a TIFF stack");
     simulation::RecordingOptions options = arguments;
     options.pixel_size = parse_quantity(arguments.pixel, positive(dimension::length));
     options.threads = arguments.common.workers();
@@ -75,7 +76,7 @@ Action declare(Options& options) {
     options.ask(asked, static_cast<simulation::RecordingOptions*>(arguments.get()));
     options.add("-o,--output", arguments->output, "TIFF stack OUT.tif");
     options.example("setae lab recording edge.csv --pixel \"0.5 um\" --fps 5 -o recording.tif",
-                    "then: setae jkr line recording.tif");
+                    "TIFF stack for `setae jkr line recording.tif`");
     return action(options, arguments, explanation, run);
 }
 

@@ -39,7 +39,7 @@ struct Arguments {
 
 using Trials = validation::RecordTrialOptions;
 constexpr std::array asked{
-    fields::option<&Trials::pairs>("pairs", "pairs of kinds together instead of single kinds"),
+    fields::option<&Trials::pairs>("pairs", "records with two faults instead of one"),
     fields::option<&Trials::runs>("runs", "number of records of each kind or pair").between(1, 1000000).default_shown(),
     fields::option<&Trials::first_seed>("seed", "seed of the first record; further records use the next numbers")
         .default_shown(),
@@ -102,7 +102,7 @@ Action declare(Options& options) {
     options.add("-o,--output", arguments->output, "folder of records.md and records.csv").default_shown();
     options.example("setae lab records --runs 200 -o records",
                     "bias and coverage of all results for every kind of record");
-    options.example("setae lab records drift_100 hold camera --pairs --runs 10", "three kinds, two by two");
+    options.example("setae lab records drift_100 hold camera --pairs --runs 10", "three faults in pairs");
     return action(options, arguments, explanation, run);
 }
 

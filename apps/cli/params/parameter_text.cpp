@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "setae/core/constants.hpp"
 #include "setae/core/uncertain_text.hpp"
@@ -67,7 +68,7 @@ std::string as_markdown(const MeasuredTexture& measured) {
     return text + "\n";
 }
 
-/// Text that TeX takes as it is meant.
+/// Text with the special characters of TeX escaped.
 std::string tex(const std::string& text) {
     std::string result;
     for (const char c : text) {
@@ -100,8 +101,9 @@ std::string as_latex(const MeasuredTexture& measured) {
 std::string number(double value) { return std::isnan(value) ? std::string() : fmt::format("{}", value); }
 
 std::string as_tsv(const std::vector<MeasuredTexture>& list) {
-    std::string text =
-        "file\tmeasurement\tquantity\tsymbol\tvalue\tstderr\tunit\tfilter\tband_low [1/m]\tband_high [1/m]\tn\tstatus\talert\tsource\n";
+    constexpr std::array names{"file",   "measurement",    "quantity",        "symbol", "value",  "stderr", "unit",
+                               "filter", "band_low [1/m]", "band_high [1/m]", "n",      "status", "alert",  "source"};
+    std::string text = fmt::format("{}\n", fmt::join(names, "\t"));
     for (const auto& measured : list)
         for (const auto& row : measured.parameters) {
             const auto& q = row.quantity;
@@ -126,7 +128,7 @@ std::string as_text(const MeasuredTexture& measured, std::size_t width) {
 }
 
 constexpr std::string_view marker =
-    "<!-- what stands above is made by `setae params --documentation docs/reference/parameters.md` -->\n";
+    "<!-- the tables above are made by `setae params --documentation docs/reference/parameters.md` -->\n";
 
 std::string rows_of(Standard standard) {
     std::string text = "| symbol | name | formula | unit | clause | validated against |\n|---|---|---|---|---|---|\n";
@@ -156,13 +158,13 @@ std::string parameter_text(const std::vector<MeasuredTexture>& list, const std::
 std::string parameter_page() {
     return "# Parameters of surface texture\n\n"
            "*Reference · [all documents](../README.md)*\n\n"
-           "`setae params FILE --standard iso25178` prints the first table of a map, `--standard iso21920` the second of a line (of a map: mean over its\n"
-           "scan lines). Every row has its filter, bandwidth, number of points and warnings; `--format md|tsv|latex|json` writes it for others.\n"
-           "`--only \"Sq, Sdr\"` computes the parameters named and nothing that they do not need.\n"
-           "z is the height over the mean (the mean line), <…> the average over the area or the evaluation length, P(h) the share of it at or above\n"
-           "h, H(p) its inverse, both exact on two triangles a pixel (segments of lines), or on points with `--between nothing`; c and p are --material-height\n"
-           "and --material-ratio. P, W and R take the\n"
-           "first letter's place with `--profile primary|waviness|roughness`. Volumes are per area. Ratios are 0 … 1, not per cent.\n\n"
+           "`setae params FILE --standard iso25178` prints the first table for a map. `--standard iso21920` prints the second table for a line (for a map:\n"
+           "mean over the scan lines). Every row has filter, bandwidth, number of points and warnings. `--format md|tsv|latex|json` chooses another format.\n"
+           "`--only \"Sq, Sdr\"` computes only these parameters.\n\n"
+           "z is the height over the mean (the mean line), and <…> is the average over the area or the evaluation length. P(h) is the share at or above\n"
+           "h, and H(p) is the inverse of P. Both are exact on two triangles per pixel (lines: segments), or on points with `--between nothing`. c is\n"
+           "--material-height and p is --material-ratio. With `--profile primary|waviness|roughness` the first letter of a symbol is P, W or R. Volumes are\n"
+           "per area. Ratios are 0 … 1, not per cent.\n\n"
            "## Areal, ISO 25178-2:2021\n\n" +
            rows_of(Standard::iso25178) + "## Profile, ISO 21920-2:2021\n\n" + rows_of(Standard::iso21920) +
            std::string(marker);

@@ -9,7 +9,7 @@
 
 namespace setae::cli {
 
-/// "md", "tsv", "latex" or "text", whose lines have at most `width` characters. TSV holds SI numbers, the others
+/// "md", "tsv", "latex" or "text", whose lines have at most `width` characters. TSV contains SI numbers, the others
 /// numbers with prefixes for readers.
 [[nodiscard]] std::string parameter_text(const std::vector<answers::MeasuredTexture>& list, const std::string& format,
                                          std::size_t width);
@@ -17,7 +17,7 @@ namespace setae::cli {
 /// The page docs/reference/parameters.md from the table of parameters, up to its marker.
 [[nodiscard]] std::string parameter_page();
 
-/// The page with what stands behind its marker in `existing`.
+/// The page with the text after its marker in `existing`.
 [[nodiscard]] std::string parameter_page(const std::string& existing);
 
 }  // namespace setae::cli

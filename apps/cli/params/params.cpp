@@ -58,18 +58,18 @@ struct Origin {
     const char *suffix, *title;
 };
 
-/// The origin that a quantity's name ends with; nothing for what was measured from heights.
+/// The origin at the end of the name of a quantity; nothing for quantities from heights.
 std::optional<Origin> origin_of(const Quantity& quantity) {
     constexpr Origin origins[]{{"_from_spectrum", ", from the spectrum"},
-                               {"_from_spectrum_eq11", ", from the spectrum by [D19] (11)"},
+                               {"_from_spectrum_eq11", ", from the spectrum by [D19] Eq. 11"},
                                {"_from_spectrum_exact", ", from the spectrum, exact"}};
     for (const auto& origin : origins)
         if (quantity.quantity.ends_with(origin.suffix)) return origin;
     return std::nullopt;
 }
 
-/// Quantities for readers, a table an origin: its title says what the names need not repeat, a line before it what the
-/// numbers are for.
+/// One table of quantities per origin. The title contains the origin, which the names then omit. The first line is the
+/// purpose of the quantities.
 std::string tables_of(const std::string& title, const std::vector<Quantity>& list, std::size_t width,
                       const std::string& purpose) {
     std::vector<std::pair<std::string, std::vector<Quantity>>> parts;
@@ -142,16 +142,17 @@ Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     arguments->surface.add_to(options);
     arguments->texture.add_to(options);
-    options.add("-o,--output", arguments->output,
-                "figure OUT.svg, .pdf or .png: which waves carry height, slope, curvature and stored energy");
+    options.add(
+        "-o,--output", arguments->output,
+        "figure OUT.svg, .pdf or .png: contributions of wavelengths to height, slope, curvature and stored energy");
     arguments->figure.add_to(options);
     options.add("--documentation", arguments->documentation,
-                "write the page on the standards' parameters to this file");
-    options.example("setae params afm.ibw --tip-radius \"10 nm\"", "from heights and from the spectrum");
+                "file for the documentation page of the parameters of standards");
+    options.example("setae params afm.ibw --tip-radius \"10 nm\"", "parameters from heights and from the spectrum");
     options.example("setae params stylus.csv afm.ibw -o params.svg",
-                    "which waves carry height, slope, curvature and stored energy");
+                    "figure of the contributions of wavelengths to height, slope, curvature and stored energy");
     options.example("setae params map.sur --standard iso25178 --s-filter 2.5um --l-filter 0.8mm",
-                    "parameters of a standard");
+                    "parameters of ISO 25178-2, with S-filter and L-filter");
     return action(options, arguments, explanation, run);
 }
 

@@ -10,7 +10,7 @@
 
 namespace setae::cli {
 
-/// --width of a figure that a verb's -o asks for by its ending.
+/// Option --width of a command that draws a figure if -o has the ending of a figure.
 struct FigureOption {
     std::string width = "single";
 
@@ -21,11 +21,11 @@ struct FigureOption {
 /// Writes a figure, and prints its title and caption unless `quiet`.
 void write_figure(const file_figures::StudyFigure& figure, const std::string& path, bool quiet);
 
-/// @throws InvalidArgument, before anything dear is done, for a path that ends neither as a figure nor as a table, .csv
-/// or .nc; an empty one, too, passes.
+/// @throws InvalidArgument for a path that ends neither as a figure nor as a table, .csv or .nc. Called before long
+/// calculations. An empty path is accepted.
 void require_table_or_figure(const std::string& path);
 
-/// A table as .csv or .nc, or the figure of it, as the path ends; where it is empty nothing.
+/// Writes a table as .csv or .nc, or its figure, by the ending of the path; nothing for an empty path.
 void write_table_or_figure(const std::string& path, const Table& table,
                            const std::function<file_figures::StudyFigure()>& figure, bool quiet);
 

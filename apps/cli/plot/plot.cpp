@@ -117,7 +117,7 @@ ExitCode plot(const PlotArguments& arguments, const cache::Store& store, Progres
 ExitCode run(const PlotArguments& arguments) {
     if (arguments.study.empty()) throw InvalidArgument("no study; expected a TOML file, see docs/guides/study.md");
     if (!arguments.list && arguments.figure.empty())
-        throw InvalidArgument("no figure; expected --figure ID, `setae plot STUDY.toml --list` shows them");
+        throw InvalidArgument("no figure; expected --figure ID; `setae plot STUDY.toml --list` lists the figures");
     if (!arguments.output.empty()) (void)ending_of(arguments.output);
     const auto store = arguments.run.store();
     ProgressDisplay display(arguments.run.progress_mode());
@@ -136,14 +136,15 @@ Action declare(Options& options) {
                 "file OUT.svg, .pdf, .png or .csv; default: the name of the figure as .svg in the current folder");
     options
         .add("--width", arguments->width,
-             "width of the figure as of a journal's column: single (85 mm) or double (178 mm)")
+             "width of the figure, one or two columns of a journal: single (85 mm) or double (178 mm)")
         .one_of({"single", "double"})
         .default_shown();
     options.flag("--list", arguments->list,
                  "list of the figures of the study, with the reason where one cannot be drawn; nothing is written");
     arguments->run.add_to(options);
-    options.example("setae plot study.toml --list", "the figures of a study");
-    options.example("setae plot study.toml --figure 4 --width single -o figure.pdf", "one of them");
+    options.example("setae plot study.toml --list", "list of the figures of a study");
+    options.example("setae plot study.toml --figure 4 --width single -o figure.pdf",
+                    "figure 4 as PDF, one column wide");
     return action(options, arguments, explanation, run);
 }
 

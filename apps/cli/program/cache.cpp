@@ -35,7 +35,7 @@ ExitCode run(const Arguments& arguments) {
     const cache::Store store(arguments.folder.empty() ? cache::default_folder() : arguments.folder, study::version());
     if (!store.enabled())
         throw InvalidArgument(
-            "no folder for kept results: none of SETAE_CACHE, XDG_CACHE_HOME and HOME is set; name one by --cache");
+            "no folder for kept results: none of SETAE_CACHE, XDG_CACHE_HOME and HOME is set; give a folder with --cache");
     const bool show = arguments.what == "show";
     const auto content = show ? store.content() : store.remove(arguments.what == "prune");
     if (arguments.common.json)
@@ -58,8 +58,8 @@ Action declare(Options& options) {
     options.add("what", arguments->what, "show, prune or clear; default: show")
         .one_of_unlisted({"show", "prune", "clear"});
     options.add("--cache", arguments->folder, "folder; default: $SETAE_CACHE, else ~/.cache/setae");
-    options.example("setae cache", "what is kept between runs, where, how large");
-    options.example("setae cache prune", "remove what other versions left");
+    options.example("setae cache", "number, folder and size of the stored results");
+    options.example("setae cache prune", "removal of results of other versions");
     return action(options, arguments, explanation, run);
 }
 

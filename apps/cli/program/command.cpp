@@ -8,7 +8,7 @@ namespace setae::cli {
 void Common::add_to(Options& options) {
     options.flag("--json", json, "print JSON, SI units");
     options.flag("--explain", explain, "print formulas and sources, then stop");
-    options.add("--threads", threads, "number of threads; the result is the same for any")
+    options.add("--threads", threads, "number of threads; results do not depend on it")
         .between(1, 1024)
         .value_named("N");
 }

@@ -23,16 +23,16 @@ struct Common {
     [[nodiscard]] parallel::Threads workers() const { return {threads}; }
 };
 
-/// What a command does when it was the one named.
+/// Runs a command with the values of its options.
 using Action = std::function<ExitCode()>;
 
-/// What --explain prints: a text, or what makes it.
+/// Text of --explain, or a function that makes the text.
 using Explanation = std::variant<const char*, std::string (*)()>;
 
-/// Prints an explanation; done.
+/// Prints an explanation; returns `done`.
 [[nodiscard]] ExitCode explained(const Explanation& explanation);
 
-/// Declares the options all commands share behind those of the command; what runs it with the values its options got.
+/// Declares the common options after the options of the command; returns the action that runs the command.
 template <class Arguments>
 [[nodiscard]] Action action(Options& options, std::shared_ptr<Arguments> arguments, Explanation explanation,
                             ExitCode (*run)(const Arguments&)) {
@@ -45,20 +45,20 @@ template <class Arguments>
 
 /// A command of the program, or of one of its groups of commands.
 struct Command {
-    const char* topic;  ///< heading of the help under which it stands: "Inspect"
+    const char* topic;  ///< heading of the help: "Inspect"
     const char* group;  ///< "jkr" of `setae jkr fit`; empty for most
     const char* name;
     const char* description;
-    Action (*declare)(Options&);  ///< its options; what runs it
+    Action (*declare)(Options&);  ///< declares the options; returns the action
 };
 
-/// A group of commands, in the topic of its first.
+/// A group of commands. Its topic is that of its first command.
 struct CommandGroup {
     const char* name;
     const char* description;
 };
 
-/// All commands in the order of the help, those of a group beside each other.
+/// All commands in the order of the help; commands of a group follow each other.
 [[nodiscard]] std::span<const Command> commands();
 [[nodiscard]] std::span<const CommandGroup> command_groups();
 

@@ -5,10 +5,10 @@
 
 namespace setae::cli {
 
-/// Keeps what the program was called with, its own name as "setae"; once, at its start.
+/// Stores the command line of the program, with "setae" as its name. Called once at the start.
 void remember_command_line(int argc, char** argv);
 
-/// What it was called with, as a shell takes it: what makes its results again.
+/// The command line with quotes for a shell, to repeat the run.
 [[nodiscard]] const std::string& command_line();
 
 }  // namespace setae::cli

@@ -24,7 +24,7 @@ std::string flags_of(const ProgramOption& option) {
     return option.takes_value ? text + " " + markdown_cell(option.value) : text;
 }
 
-/// What every command has is said once.
+/// True for options of every command, which the page lists once.
 bool of_all(const ProgramOption& option) {
     const auto& flag = option.flags.back();
     return flag == "--help" || flag == "--json" || flag == "--explain" || flag == "--threads";
@@ -55,8 +55,8 @@ std::string command_page() {
     std::string text =
         "# Commands\n\n*Reference · [all documents](../README.md)*\n\n"
         "Made from the program's own table of commands by `setae man --documentation docs/reference/commands.md`: edit the table, not this page.\n"
-        "Arguments carry their units: `0.7MPa`, `37mJ/m2`, `\"8 nm\"`. Standard output carries data, standard error messages. Exit code 0: done,\n"
-        "1: some items failed, 2: nothing done.\n\n| command | what it does |\n|---|---|\n";
+        "Arguments have units: `0.7MPa`, `37mJ/m2`, `\"8 nm\"`. Data go to standard output, messages to standard error. Exit code 0: done,\n"
+        "1: some items failed, 2: nothing done.\n\n| command | function |\n|---|---|\n";
     std::string sections;
     ProgramCommand any;
     for (const auto& command : program_commands()) {
@@ -66,7 +66,7 @@ std::string command_page() {
         sections += section(command);
         any = command;
     }
-    text += "\nEvery command has these:\n\n| option | meaning |\n|---|---|\n";
+    text += "\nOptions of every command:\n\n| option | meaning |\n|---|---|\n";
     for (const auto& option : any.options)
         if (of_all(option)) text += row(flags_of(option), option.description);
     return text + sections;

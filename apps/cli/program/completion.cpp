@@ -39,13 +39,13 @@ std::string case_line(const std::string& word, const char* name, const std::stri
     return fmt::format("    {}) {}={} ;;\n", shell_word(word), name, shell_word(text));
 }
 
-/// The words of the argument a command takes, where it takes no others.
+/// The words that the argument of a command accepts, if it accepts no other text.
 std::string argument_words(const ProgramCommand& command) {
     return command.positionals.empty() ? std::string() : joined(command.positionals.front().choices);
 }
 
-/// After an option with words of its own these, after a dash options, else commands or the argument's words; files
-/// where nothing of it fits.
+/// Completes the words of an option after this option, options after a dash, else commands or words of the argument.
+/// Without a match, files are completed.
 std::string bash(const std::vector<ProgramCommand>& commands) {
     std::string options, words, values, groups;
     for (const auto& command : commands) {
@@ -96,7 +96,7 @@ std::string zsh(const std::vector<ProgramCommand>& commands) {
 std::string fish(const std::vector<ProgramCommand>& commands) {
     std::string text = "# fish completion of setae; written by `setae completion fish`\n";
     for (const auto& command : commands) {
-        // words that are there already: all of the command's path, and none of what may follow
+        // condition: the line contains the whole path of the command, and no subcommand
         std::string condition;
         for (std::size_t at = 0; at < command.path.size();) {
             const auto end = std::min(command.path.find(' ', at), command.path.size());
@@ -142,8 +142,7 @@ ExitCode run(const Arguments& arguments) {
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     options.add("shell", arguments->shell, "bash, zsh or fish").required().one_of_unlisted({"bash", "zsh", "fish"});
-    options.example("setae completion bash > ~/.local/share/bash-completion/completions/setae",
-                    "for bash; zsh and fish likewise");
+    options.example("setae completion bash > ~/.local/share/bash-completion/completions/setae", "completion for bash");
     return action(options, arguments, explanation, run);
 }
 

@@ -5,7 +5,7 @@
 
 namespace setae::cli {
 
-/// The folder of mappings that came with the program, beside the folder it runs from; empty where that is not known.
+/// The folder of mappings installed with the program, next to the folder of the program; empty if it is unknown.
 [[nodiscard]] std::string mapping_folder();
 
 }  // namespace setae::cli

@@ -18,7 +18,7 @@ std::size_t characters(const std::string& text) {
         std::count_if(text.begin(), text.end(), [](unsigned char c) { return (c & 0xC0) != 0x80; }));
 }
 
-/// Text from a column on, in lines of whole words; the first line begins behind what stands there.
+/// Text from a column on, in lines of whole words; the first line begins in this column.
 std::string wrapped(const std::string& text, std::size_t column, std::size_t width) {
     std::string result;
     std::size_t at = column;
@@ -39,7 +39,7 @@ std::string wrapped(const std::string& text, std::size_t column, std::size_t wid
     return result + "\n";
 }
 
-/// A name with its meaning beside it, or below where it is long.
+/// A name with its meaning in the next column, or below a long name.
 std::string entry(const std::string& name, const std::string& meaning, std::size_t width) {
     const auto left = "  " + name;
     const auto length = characters(left);
@@ -61,12 +61,12 @@ std::string usage(const ProgramCommand& command) {
     return text + "\n";
 }
 
-/// The first three steps of a newcomer.
+/// Three commands for the first use.
 std::string start_here() {
     return "\nStart here:\n"
-           "  setae info scan.ibw                      what a file contains\n"
-           "  setae psd scan.ibw -o spectrum.svg       its power spectral density as a figure\n"
-           "  setae study init data -o study.toml      a draft of a study; then: setae study study.toml\n";
+           "  setae info scan.ibw                      content of a file\n"
+           "  setae psd scan.ibw -o spectrum.svg       power spectral density as a figure\n"
+           "  setae study init data -o study.toml      draft of a study; then: setae study study.toml\n";
 }
 
 /// Subcommands below the headings of their topics, in the order of their table.

@@ -8,9 +8,9 @@
 
 namespace setae::cli {
 
-/// What `--help` prints of a command, or of the program: what it does, its arguments, options, commands and examples.
+/// Text of `--help` of a command, or of the program: description, arguments, options, commands and examples.
 ///
-/// Lines of at most `width` characters, no word broken; command lines and words that are longer stand as they are.
+/// Lines have at most `width` characters and whole words. Longer command lines and words are not broken.
 [[nodiscard]] std::string help_text(const ProgramCommand& command, std::size_t width);
 
 }  // namespace setae::cli

@@ -27,7 +27,7 @@ int run(int argc, char** argv) {
     return static_cast<int>(ExitCode::nothing_done);
 }
 
-/// Whether all that went to standard output has arrived there; says why where it has not.
+/// True if standard output was written completely; otherwise the reason is printed.
 bool output_arrived() {
     errno = 0;
     std::cout.flush();
@@ -35,7 +35,7 @@ bool output_arrived() {
     if (flushed && std::ferror(stdout) == 0 && std::cout) return true;
     complain(std::string("standard output cannot be written") +
              (errno != 0 ? std::string(" (") + std::strerror(errno) + ")" : std::string()) +
-             "; what it holds is not complete");
+             "; the output is not complete");
     return false;
 }
 
@@ -45,7 +45,7 @@ bool output_arrived() {
 int main(int argc, char** argv) {
     using namespace setae::cli;
     setae::parallel::keep_freed_memory();
-    // a file beyond `ulimit -f` is refused with a reason and cleaned up, in place of the end of the program
+    // a file above `ulimit -f` is refused with a reason and removed; the program does not end by a signal
     setae::platform::survive_full_files();
     remember_command_line(argc, argv);
     const int exit_code = run(argc, argv);

@@ -15,7 +15,7 @@ namespace {
 constexpr const char* explanation =
     "The command writes the manual page with all commands and options of this version: setae man | man -l -\n";
 
-/// Text as roff takes it: backslashes and leading dots escaped, hyphens that copy as such.
+/// Text for roff: backslashes and leading dots escaped, hyphens that can be copied.
 std::string roff(const std::string& text) {
     std::string result;
     for (const char c : text) result += c == '\\' ? "\\e" : c == '-' ? "\\-" : c == '\n' ? " " : std::string(1, c);
@@ -63,16 +63,16 @@ ExitCode run(const Arguments& arguments) {
     std::string text =
         ".TH SETAE 1 \"\" \"setae " SETAE_VERSION
         "\" \"User Commands\"\n.SH NAME\nsetae \\- from measured roughness to soft adhesion\n"
-        ".SH SYNOPSIS\n\\fBsetae\\fR \\fIverb\\fR [\\fIfiles and options\\fR]\n.SH DESCRIPTION\n"
-        "setae reads what stylus, AFM and TEM measured on a rough surface, combines it into one power spectral density, and predicts from it true "
-        "area, stored elastic energy and the apparent work of adhesion of a soft solid; it analyses JKR loops and compares both. Arguments carry "
-        "their units: 0.7MPa, 37mJ/m2, \"8 nm\".\n.SH COMMANDS\n";
+        ".SH SYNOPSIS\n\\fBsetae\\fR \\fIcommand\\fR [\\fIfiles and options\\fR]\n.SH DESCRIPTION\n"
+        "setae combines measurements of a rough surface by stylus, AFM and TEM into one power spectral density. From it setae predicts true "
+        "area, stored elastic energy and the apparent work of adhesion of a soft solid. It analyses JKR loops and compares both. Arguments have "
+        "units: 0.7MPa, 37mJ/m2, \"8 nm\".\n.SH COMMANDS\n";
     for (const auto& command : program_commands())
         if (!command.path.empty()) text += command_part(command);
     text +=
         ".SH ENVIRONMENT\n.TP\nSETAE_CACHE\nFolder of results kept between runs; default $XDG_CACHE_HOME/setae, else ~/.cache/setae.\n"
-        ".TP\nSOURCE_DATE_EPOCH\nSeconds since 1970 that stand for now in reports, so that two runs give the same bytes.\n"
-        ".SH EXIT STATUS\n0: all done, alerts included. 1: some items failed, the rest is done. 2: nothing done, or a usage error.\n"
+        ".TP\nSOURCE_DATE_EPOCH\nSeconds since 1970 that replace the time of the run in reports, so that two runs give the same bytes.\n"
+        ".SH EXIT STATUS\n0: all done, with or without warnings. 1: some items failed, the rest is done. 2: nothing done, or a usage error.\n"
         ".SH SEE ALSO\nThe tutorial, the guide to studies and the glossary in the folder docs of the sources.\n";
     print(text);
     return ExitCode::done;
@@ -82,8 +82,8 @@ ExitCode run(const Arguments& arguments) {
 
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
-    options.add("--documentation", arguments->documentation, "write the page on all commands to this file");
-    options.example("setae man | man -l -", "read the manual page");
+    options.add("--documentation", arguments->documentation, "file for the documentation page of all commands");
+    options.example("setae man | man -l -", "manual page on the screen");
     return action(options, arguments, explanation, run);
 }
 

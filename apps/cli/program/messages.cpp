@@ -29,7 +29,7 @@ void print(const std::string& text) {
 }
 
 void complain(const std::string& message) {
-    std::fflush(stdout);  // so that both streams read in order where they meet
+    std::fflush(stdout);  // so that both streams have the right order on one terminal
     std::fputs(fmt::format("setae: {}\n", one_line(fields::spelled(message, option_spelling()))).c_str(), stderr);
 }
 

@@ -14,18 +14,18 @@ namespace setae::cli {
 /// Prints data on standard output.
 void print(const std::string& text);
 
-/// How messages spell options that stand in back quotes (fields::spelled); set when the command is known.
+/// Sets how messages spell options in back quotes (fields::spelled); called when the command is known.
 void spell_options_by(fields::Spelling spelling);
 
 /// Prints a message, "setae: …", on standard error.
 void complain(const std::string& message);
-/// Prints alerts on standard error, one a line.
+/// Prints warnings on standard error, one per line.
 void show(const std::vector<Alert>& alerts);
 
-/// Prints the alerts about how files were read and returns the others: called before the numbers that depend on them.
+/// Prints the warnings about reading of files and returns the others. Called before results are printed.
 [[nodiscard]] std::vector<Alert> show_of_reading(std::vector<Alert> alerts);
 
-/// Runs body for every item; a setae::Error of one item is printed and the others go on.
+/// Runs body for every item. A setae::Error of one item is printed; the other items are run.
 [[nodiscard]] ExitCode for_each_item(const std::vector<std::string>& items,
                                      const std::function<void(const std::string&)>& body);
 

@@ -17,30 +17,29 @@ class Option;
 
 namespace setae::cli {
 
-/// A command line and what it does.
+/// An example: command line and description.
 struct Example {
     std::string command, what;
 };
 
-/// Declarations of commands beyond what CLI11 keeps.
+/// Declarations of commands that CLI11 does not store.
 struct Declarations {
-    std::map<const CLI::Option*, std::vector<std::string>> choices;  ///< words of options that take one of them
+    std::map<const CLI::Option*, std::vector<std::string>> choices;  ///< words that an option accepts
     std::map<const CLI::App*, std::vector<Example>> examples;
 };
 
-/// What else is said of an option when it is declared. What the command line gives against it is refused when it is
-/// parsed.
+/// Further properties of a declared option. A value that contradicts them is refused when the command line is parsed.
 class Option {
 public:
     Option(CLI::Option& option, Declarations& declared) : option_(&option), declared_(&declared) {}
 
     /// One of these words; the help lists them in place of the kind of value.
     Option& one_of(const std::vector<std::string>& words);
-    /// The same where the description says which.
+    /// One of these words, for options whose description lists the words.
     Option& one_of_unlisted(const std::vector<std::string>& words);
-    /// Words that shells offer; others may be taken, too.
+    /// Words that shells offer; other words are accepted, too.
     Option& offering(const std::vector<std::string>& words);
-    /// A text that `read` takes: what it throws as InvalidArgument is what is wrong with it.
+    /// A text that `read` accepts. The message of its InvalidArgument is the error of the option.
     Option& read_by(const std::function<void(const std::string&)>& read);
     Option& between(int least, int greatest);
     Option& between(double least, double greatest);
@@ -49,20 +48,20 @@ public:
     Option& excludes(const Option& other);
     /// Several values in one word, as in "12,17".
     Option& separated_by(char separator);
-    /// A value each time it is named, so that what follows that is a file.
+    /// One value per mention of the option, so that the next word is a file.
     Option& one_at_a_time();
     /// A number within a domain.
     Option& within(const Domain& domain);
-    /// A whole number from 0 that 64 bits hold.
+    /// A whole number from 0 that fits into 64 bits.
     Option& natural();
-    /// A text that is a quantity, with its standard error or without. usual_unit: what a number alone is told to have,
-    /// where it is another than that of its dimension.
+    /// A quantity, with or without a standard error. usual_unit: unit in the error message for a number without unit,
+    /// if it is not that of the dimension.
     Option& quantity(const Expected& expected, const std::string& usual_unit = {});
-    /// Its values name files that are read: no output of the run replaces one.
+    /// The values are names of input files, which no output of the run replaces.
     Option& of_inputs();
-    /// What the help calls its value.
+    /// Name of the value in the help.
     Option& value_named(const std::string& name);
-    /// The value it has now is shown in the help.
+    /// The help shows the present value as the default.
     Option& default_shown();
 
 private:
@@ -76,9 +75,9 @@ class Options {
 public:
     Options(CLI::App& command, Declarations& declared) : command_(command), declared_(declared) {}
 
-    /// "--json"; true where it is named.
+    /// "--json"; true if the option is given.
     Option flag(const std::string& names, bool& value, const std::string& description);
-    /// "-o,--output", or "files" for what has no dash. Values are text, whole or real numbers, one that may be missing
+    /// "-o,--output", or "files" for an argument. Values are text, whole or real numbers; one value that may be missing
     /// (std::optional) or several (std::vector).
     template <class Value>
     Option add(const std::string& names, Value& value, const std::string& description);
@@ -90,7 +89,7 @@ public:
     }
     void ask(std::span<const fields::Option> asked, void* request);
 
-    /// A command line for the command's help and the manual, and what it does.
+    /// A command line with its description, for the help of the command and the manual.
     void example(const std::string& command, const std::string& what);
 
 private:

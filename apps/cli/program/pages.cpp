@@ -18,7 +18,7 @@ std::string first_line(const std::string& text) { return text.substr(0, text.fin
 
 void write_page(const std::string& path, const std::string& page) {
     if (std::filesystem::exists(path) && first_line(bytes::read_back(path)) != first_line(page))
-        throw FileError(fmt::format("{}: is another file; expected \"{}\" as its first line, or no file of this name",
+        throw FileError(fmt::format("{}: is another file; expected \"{}\" as its first line, or no file with this name",
                                     path, first_line(page)));
     bytes::write_whole_file(path, page);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All of the program that knows CLI11.
+// The only part of the program that uses CLI11.
 #include "program/parser.hpp"
 
 #include <algorithm>
@@ -102,7 +102,7 @@ Option& Option::one_at_a_time() {
 Option& Option::within(const Domain& domain) {
     return read_by([domain](const std::string& text) {
         double value = 0.0;
-        if (!CLI::detail::lexical_cast(text, value)) throw InvalidArgument(fmt::format("'{}' is no number", text));
+        if (!CLI::detail::lexical_cast(text, value)) throw InvalidArgument(fmt::format("'{}' is not a number", text));
         require_within(domain, value, text);
     });
 }
@@ -206,13 +206,13 @@ CLI::App& group_of(CLI::App& program, const Command& row) {
     return *added;
 }
 
-/// CLI11's program, and what it does not keep of it.
+/// The program of CLI11, and the declarations that CLI11 does not store.
 struct Program {
     std::unique_ptr<CLI::App> app;
     Declarations declared;
 };
 
-/// The program with all its commands; the one named when it parses leaves what runs it in `chosen`.
+/// The program with all its commands; parsing stores the action of the command in `chosen`.
 Program program_with_commands(Action& chosen) {
     Program program{std::make_unique<CLI::App>("from measured roughness to soft adhesion", "setae"), {}};
     program.app->set_version_flag("--version", "setae " + study::version());
@@ -221,7 +221,7 @@ Program program_with_commands(Action& chosen) {
     for (const auto& row : commands()) {
         auto* command = group_of(*program.app, row).add_subcommand(row.name, row.description);
         Options options(*command, program.declared);
-        // of a command with commands of its own, such as study, the last one named is meant
+        // a command can have subcommands, such as study; the last command of the line is run
         command->callback([&chosen, command, action = row.declare(options)] {
             if (command->get_subcommands().empty()) chosen = action;
         });
@@ -229,7 +229,7 @@ Program program_with_commands(Action& chosen) {
     return program;
 }
 
-/// A first word that is no command, with the nearest one; CLI11 itself would only say that a command is missing.
+/// Message for an unknown first word, with the nearest command; CLI11 would only report a missing command.
 std::string unknown_command(const CLI::App& program, const std::vector<std::string>& words) {
     if (words.empty() || words.front().starts_with('-')) return {};
     std::vector<std::string> commands;
@@ -239,7 +239,7 @@ std::string unknown_command(const CLI::App& program, const std::vector<std::stri
     return "unknown command '" + words.front() + "'" + (nearest.empty() ? "" : "; did you mean '" + nearest + "'?");
 }
 
-/// What an option takes, as a reader calls it.
+/// The kind of value of an option, for the help.
 std::string value_of(const CLI::Option& option) {
     if (!option.get_option_text().empty()) return option.get_option_text();
     const auto type = option.get_type_name();
@@ -298,7 +298,7 @@ void add_commands(const CLI::App& app, const std::string& path, const Declaratio
         add_commands(*child, path.empty() ? child->get_name() : path + " " + child->get_name(), declared, commands);
 }
 
-/// The command that a command line has named so far.
+/// The last command on the command line so far.
 const CLI::App& named_command(const CLI::App& program) {
     const auto* command = &program;
     while (!command->get_subcommands().empty()) command = command->get_subcommands().front();
@@ -323,29 +323,29 @@ fields::Spelling spelling_of(const CLI::App& command) {
     };
 }
 
-/// What is wrong with a command line: the command, the option, the nearest option where there is none of that name.
-std::string objection_to(const CLI::App& program, const CLI::ParseError& error) {
+/// Error message for a command line: the command, the option, and the nearest option for an unknown one.
+std::string parse_error_message(const CLI::App& program, const CLI::ParseError& error) {
     const auto& command = named_command(program);
     const bool of_command = &command != &program;
     const auto help = of_command ? "see `setae help " + path_of(command) + "`" : "see `setae --help`";
     const auto words = program.remaining(true);
     std::string said = error.what();
     if (command.get_require_subcommand_min() > 0) {
-        said = words.empty() ? "expected a command after it" : unknown_command(command, words);
+        said = words.empty() ? "expected a subcommand" : unknown_command(command, words);
     } else if (dynamic_cast<const CLI::ExtrasError*>(&error)) {
         std::vector<std::string> flags;
         for (const auto* option : command.get_options())
             for (const auto& name : option->get_lnames()) flags.push_back("--" + name);
         const auto word = words.empty() ? std::string() : words.front();
         const auto nearest = nearest_match(word, flags);
-        said = word.starts_with("-") ? fmt::format("there is no option '{}'", word)
-                                     : fmt::format("'{}' is more than it takes", word);
+        said = word.starts_with("-") ? fmt::format("unknown option '{}'", word)
+                                     : fmt::format("unexpected argument '{}'", word);
         if (word.starts_with("-") && !nearest.empty()) said += "; did you mean '" + nearest + "'?";
     }
     return (of_command ? path_of(command) + ": " : "") + said + (said.ends_with('?') ? " " : "; ") + help;
 }
 
-/// `help COMMAND…` asks for what `COMMAND… --help` prints.
+/// `help COMMAND…` as `COMMAND… --help`.
 std::vector<std::string> help_as_option(std::vector<std::string> words) {
     if (words.empty() || words.front() != "help") return words;
     words.erase(words.begin());
@@ -353,8 +353,8 @@ std::vector<std::string> help_as_option(std::vector<std::string> words) {
     return words;
 }
 
-/// The words of a command line as CLI11 takes them: backwards, without the program, and with a negative number joined
-/// to the option before it, for which "-1.25 mm" would else be an option itself.
+/// The words of a command line for CLI11: in reverse order, without the program. A negative number such as "-1.25 mm"
+/// is joined to the option before it, because CLI11 would take it for an option.
 std::vector<std::string> reversed_words(const std::vector<std::string>& given) {
     std::vector<std::string> words;
     for (const std::string_view word : given) {

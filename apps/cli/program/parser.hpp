@@ -5,13 +5,13 @@
 
 namespace setae::cli {
 
-/// What a command line asks for.
+/// Result of parsing a command line.
 struct Parsed {
-    Action action;      ///< of the command named; none where help, the version or what is wrong was printed
-    int exit_code = 0;  ///< then
+    Action action;      ///< runs the command; none if help, version or an error was printed
+    int exit_code = 0;  ///< if there is no action
 };
 
-/// Reads a command line by the table of commands.
+/// Parses a command line with the table of commands.
 [[nodiscard]] Parsed parsed(int argc, char** argv);
 
 }  // namespace setae::cli

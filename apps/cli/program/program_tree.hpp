@@ -8,16 +8,16 @@
 
 namespace setae::cli {
 
-/// An option, or an argument by its place.
+/// An option or a positional argument.
 struct ProgramOption {
     std::vector<std::string> flags;  ///< "-o", "--output"; of an argument its name alone
-    std::string value;               ///< what it takes, as `--help` names it; empty for a switch
+    std::string value;               ///< kind of value in `--help`; empty for a switch
     bool takes_value = false;
     std::string description;
-    std::vector<std::string> choices;  ///< the words it takes; empty where it takes others, too
+    std::vector<std::string> choices;  ///< the words it accepts; empty if it accepts other words, too
 };
 
-/// A command of the program, or the program itself, and what may follow it.
+/// A command of the program, or the program itself, with its subcommands, arguments and options.
 struct ProgramCommand {
     std::string path;  ///< "jkr fit"; empty for the program
     std::string description;
@@ -28,8 +28,8 @@ struct ProgramCommand {
     std::vector<Example> examples;
 };
 
-/// The program and all its commands, parents before children: what the manual page, the page of commands and the
-/// completions are made from.
+/// The program and all its commands, parents before children; source of the manual page, the page of commands and the
+/// completions.
 [[nodiscard]] std::vector<ProgramCommand> program_commands();
 
 }  // namespace setae::cli

@@ -27,12 +27,12 @@ struct Arguments {
     std::string documentation, output;
 };
 
-void write_all(const std::vector<std::string>& verbs, const std::filesystem::path& folder) {
+void write_all(const std::vector<std::string>& commands, const std::filesystem::path& folder) {
     std::filesystem::create_directories(folder);
-    for (const auto& verb : verbs)
-        bytes::write_whole_file((folder / answers::schema_file(verb)).string(),
-                                output::as_text(answers::json_schema(verb)));
-    print(fmt::format("{}: {} schemas\n", folder.string(), verbs.size()));
+    for (const auto& command : commands)
+        bytes::write_whole_file((folder / answers::schema_file(command)).string(),
+                                output::as_text(answers::json_schema(command)));
+    print(fmt::format("{}: {} schemas\n", folder.string(), commands.size()));
 }
 
 ExitCode run(const Arguments& arguments) {
@@ -40,15 +40,15 @@ ExitCode run(const Arguments& arguments) {
         write_page(arguments.documentation, answers::json_page());
         return ExitCode::done;
     }
-    const auto verbs = answers::verbs_with_schema();
+    const auto commands = answers::commands_with_schema();
     if (!arguments.output.empty()) {
-        write_all(verbs, arguments.output);
+        write_all(commands, arguments.output);
     } else if (!arguments.command.empty()) {
         print_json(answers::json_schema(fmt::format("{}", fmt::join(arguments.command, " "))));
     } else if (arguments.common.json) {
-        print_json({{"verbs", verbs}});
+        print_json({{"verbs", commands}});
     } else {
-        print(fmt::format("{}\n", fmt::join(verbs, "\n")));
+        print(fmt::format("{}\n", fmt::join(commands, "\n")));
     }
     return ExitCode::done;
 }
@@ -58,11 +58,11 @@ ExitCode run(const Arguments& arguments) {
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     options.add("command", arguments->command,
-                "command whose JSON is described, such as psd or contact solve; without it the list");
+                "command whose JSON is described, such as psd or contact solve; without a command: list of commands");
     options.add("-o,--output", arguments->output, "folder for all schemas, one file per command");
-    options.add("--documentation", arguments->documentation, "write the page on all names to this file");
-    options.example("setae schema study", "the names of study.json, their types, units and meanings");
-    options.example("setae schema contact solve", "likewise of what setae contact solve --json prints");
+    options.add("--documentation", arguments->documentation, "file for the documentation page of all names");
+    options.example("setae schema study", "names, types, units and meanings in study.json");
+    options.example("setae schema contact solve", "JSON Schema of setae contact solve --json");
     return action(options, arguments, explanation, run);
 }
 

@@ -7,11 +7,11 @@
 
 namespace setae::cli {
 
-/// The size that standard output has as a terminal; 100 × 40 characters where it is none. Never wider than 120, where
-/// lines are hard to read, nor narrower than 60.
+/// Size of standard output if it is a terminal, else 100 × 40 characters. The width is 60 to 120 characters, because
+/// longer lines are hard to read.
 [[nodiscard]] output::Screen output_size();
 
-/// Columns of the terminal that standard error is, 80 where it is none.
+/// Columns of standard error if it is a terminal, else 80.
 [[nodiscard]] std::size_t columns_of_errors();
 
 }  // namespace setae::cli

@@ -38,7 +38,7 @@ constexpr const char* explanation =
 struct Arguments {
     Common common;
     SurfaceOptions surface;
-    answers::PowerSpectrumRequest request;  ///< but for the surface and its analysis
+    answers::PowerSpectrumRequest request;  ///< without the surface and its analysis
     std::string output;
     FigureOption figure;
 };
@@ -81,9 +81,9 @@ Action declare(Options& options) {
     options.add("-o,--output", arguments->output, "table OUT.csv or OUT.nc; figure OUT.svg, .pdf or .png");
     arguments->figure.add_to(options);
     options.example("setae psd afm.ibw --tip-radius \"10 nm\" -o psd.svg",
-                    "its spectrum as a figure, with what the tip cannot show");
+                    "spectrum as a figure, with the range limited by the tip");
     options.example("setae psd stylus.csv afm.ibw tem.csv -o psd.csv", "three measurements combined, as a table");
-    options.example("setae psd afm.ibw stylus.csv --fit --json", "with a self-affine fit, for a script");
+    options.example("setae psd afm.ibw stylus.csv --fit --json", "spectrum and self-affine fit as JSON");
     return action(options, arguments, explanation, run);
 }
 

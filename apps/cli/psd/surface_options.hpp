@@ -7,14 +7,14 @@
 
 namespace setae::cli {
 
-/// Options of the verbs that analyse files as measurements of one surface.
+/// Options of commands that analyse files as measurements of one surface.
 struct SurfaceOptions : answers::SurfaceRequest {
     void add_to(Options& options);
-    /// Only what says which measurements there are and how each is prepared.
+    /// Only the options for the measurements and their processing.
     void add_measurements_to(Options& options, const char* meaning);
 };
 
-/// Prints what failed; done, some failed or nothing done.
+/// Prints the errors of measurements; returns done, some_failed or nothing_done.
 [[nodiscard]] ExitCode report_failures(const study::SurfaceResult& surface);
 
 }  // namespace setae::cli

@@ -43,11 +43,11 @@ constexpr const char* vbw_explanation =
 
 using Asked = fields::Asked<answers::ScaleRequest>;
 
-/// Options of all three verbs.
+/// Options of all three commands.
 struct ScaleArguments {
     Common common;
     SurfaceOptions surface;
-    answers::ScaleRequest request;  ///< but for the surface
+    answers::ScaleRequest request;  ///< without the surface
     std::string output;
     FigureOption figure;
 
@@ -94,7 +94,7 @@ Action sdrp_command(Options& options) {
     options.ask(Asked::differences, &arguments->request);
     options.example("setae sdrp afm.ibw --tip-radius \"10 nm\" -o slope.svg", "rms slope at every scale, as a figure");
     options.example("setae sdrp stylus.csv afm.ibw --order 2 --distance 100nm,1um",
-                    "curvature at two scales, of two measurements combined");
+                    "rms curvature at two scales, from two measurements");
     return action(options, arguments, sdrp_explanation, run_sdrp);
 }
 
@@ -103,8 +103,8 @@ Action acf_command(Options& options) {
     arguments->add_to(options);
     options.ask(Asked::of_area, &arguments->request);
     options.ask(Asked::autocorrelation, &arguments->request);
-    options.example("setae acf afm.ibw -o acf.csv", "along the scan lines, as a table");
-    options.example("setae acf map.x3p --area -o acf.svg", "over all directions, as a figure");
+    options.example("setae acf afm.ibw -o acf.csv", "autocorrelation along the scan lines, as a table");
+    options.example("setae acf map.x3p --area -o acf.svg", "autocorrelation over all directions, as a figure");
     return action(options, arguments, acf_explanation, run_acf);
 }
 
@@ -112,7 +112,7 @@ Action vbw_command(Options& options) {
     auto arguments = std::make_shared<ScaleArguments>();
     arguments->add_to(options);
     options.ask(Asked::of_area, &arguments->request);
-    options.example("setae vbw stylus.csv -o vbw.svg", "rms height left in pieces of every length, as a figure");
+    options.example("setae vbw stylus.csv -o vbw.svg", "rms height in cells of every length, as a figure");
     return action(options, arguments, vbw_explanation, run_vbw);
 }
 

@@ -5,10 +5,10 @@
 
 namespace setae::cli {
 
-/// Becomes true with the first Ctrl-C or SIGTERM from now on; the second one ends the program at once.
+/// Becomes true at the first Ctrl-C or SIGTERM after this call; the second one ends the program.
 [[nodiscard]] const std::atomic<bool>& interruption();
 
-/// Ends the program by the signal that interrupted it, so that the shell knows.
+/// Ends the program by the signal that interrupted it, so that the shell can detect it.
 [[noreturn]] void end_as_interrupted();
 
 }  // namespace setae::cli

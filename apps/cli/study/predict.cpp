@@ -94,7 +94,7 @@ std::vector<file_figures::StudyFigure> figures_of(const study::Hysteresis& hyste
     return figures;
 }
 
-/// How many figures failed.
+/// Writes the figures; returns the number of figures that failed.
 int write_figures(const std::vector<file_figures::StudyFigure>& figures, const PredictArguments& arguments,
                   const cache::Store& store) {
     study_figures::WriteOptions options;
@@ -156,10 +156,11 @@ Action declare(Options& options) {
     options.ask(asked, arguments.get());
     arguments->figure.add_to(options);
     arguments->run.add_to(options);
-    options.example("setae predict study.toml", "how strongly every pair holds on, what its loop loses, by which law");
-    options.example("setae predict study.toml -o way_back", "the same as tables and figures");
+    options.example("setae predict study.toml",
+                    "W_ret, pull-off force and loss of every pair, with the ranking of retraction models");
+    options.example("setae predict study.toml -o retraction", "predictions as tables and figures");
     options.example("setae predict study.toml --trials 20",
-                    "whether measurements like these could tell the laws apart");
+                    "simulated test: retraction models that such measurements can distinguish");
     return action(options, arguments, explanation, run);
 }
 

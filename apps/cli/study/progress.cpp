@@ -34,7 +34,7 @@ std::string duration_text(double seconds_left) {
 ProgressDisplay::ProgressDisplay(ProgressMode mode) : mode_(resolved(mode)), start_(Clock::now()) {}
 
 std::optional<double> ProgressDisplay::remaining(double elapsed) const {
-    constexpr double min_share = 0.02;  // before, a guess would jump
+    constexpr double min_share = 0.02;  // before this share, the estimate is not stable
     if (last_.done == last_.total) return 0.0;
     if (last_.computed_share < min_share) return std::nullopt;
     return elapsed / last_.computed_share * (1.0 - last_.share);

@@ -10,16 +10,17 @@
 
 namespace setae::cli {
 
-/// How a long verb shows how far it is, on standard error.
+/// Form of the progress on standard error.
 enum class ProgressMode {
     automatic,  ///< a bar on a terminal, JSON lines elsewhere
     bar,        ///< one line that changes: steps, time left, current item
-    json,       ///< one JSON object a line: event ("begin", "done"), done, total, stage, item, cached, elapsed_s,
+    json,       ///< one JSON object per line: event ("begin", "done"), done, total, stage, item, cached, elapsed_s,
                 ///< remaining_s
     none,
 };
 
-/// Shows the steps of a run; not more than ten times a second, the first of each stage and the last one always.
+/// Shows the steps of a run, at most ten times per second. The first step of a stage and the last step are always
+/// shown.
 class ProgressDisplay {
 public:
     explicit ProgressDisplay(ProgressMode mode);
@@ -27,16 +28,16 @@ public:
     ProgressDisplay(const ProgressDisplay&) = delete;
     ProgressDisplay& operator=(const ProgressDisplay&) = delete;
 
-    /// A step that begins or is done. Calls from several threads come one after the other.
+    /// Shows a step that begins or is done. Calls from several threads are serialised.
     void show(const study::Progress& progress);
-    /// Clears the line, so that messages stand by themselves.
+    /// Clears the line before messages are printed.
     void finish();
     [[nodiscard]] const study::Progress& last() const { return last_; }
 
 private:
     using Clock = std::chrono::steady_clock;
     void print(double elapsed) const;
-    /// Seconds the steps to come will take, at the pace of those that were computed; nothing where there is no saying.
+    /// Estimated seconds for the remaining steps, from the time of the computed steps; nothing without an estimate.
     [[nodiscard]] std::optional<double> remaining(double elapsed) const;
 
     ProgressMode mode_;

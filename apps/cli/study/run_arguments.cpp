@@ -11,12 +11,12 @@
 namespace setae::cli {
 
 void RunArguments::add_to(Options& options) {
-    const auto folder = options.add(
-        "--cache", cache_folder, "folder of results kept for the next run; default: $SETAE_CACHE, else ~/.cache/setae");
-    options.flag("--no-cache", no_cache, "compute everything, keep nothing").excludes(folder);
+    const auto folder =
+        options.add("--cache", cache_folder, "folder of stored results; default: $SETAE_CACHE, else ~/.cache/setae");
+    options.flag("--no-cache", no_cache, "compute everything again and store no results").excludes(folder);
     options
         .add("--progress", progress,
-             "auto (a bar on a terminal, nothing elsewhere), bar, json (lines on standard error) or none")
+             "auto (bar on a terminal, else nothing), bar, json (lines on standard error) or none")
         .one_of_unlisted({"auto", "bar", "json", "none"})
         .value_named("auto|bar|json|none");
 }
@@ -61,8 +61,8 @@ ExitCode until_interrupted(const cache::Store& store, ProgressDisplay& display, 
     } catch (const Cancelled&) {
         display.finish();
         complain(fmt::format("stopped after {} of {} steps; {}", display.last().done, display.last().total,
-                             store.enabled() ? "what is done is kept, the same command goes on from there"
-                                             : "nothing is kept without a cache"));
+                             store.enabled() ? "completed steps are kept; repeat the command to continue"
+                                             : "without a cache no step is kept"));
         end_as_interrupted();
     }
 }

@@ -12,7 +12,7 @@
 
 namespace setae::cli {
 
-/// Options of verbs that run a study: --cache, --no-cache, --progress.
+/// Options of commands that run a study: --cache, --no-cache, --progress.
 struct RunArguments {
     std::string cache_folder;
     bool no_cache = false;
@@ -20,18 +20,18 @@ struct RunArguments {
 
     void add_to(Options& options);
     [[nodiscard]] ProgressMode progress_mode() const;
-    /// Where results are kept; a store that keeps nothing where that is not wanted.
+    /// The store of results; with --no-cache it keeps nothing.
     [[nodiscard]] cache::Store store() const;
 };
 
-/// Tells on standard error what a store could not give or keep.
+/// Prints results that the store could not return or keep on standard error.
 void report_traffic(const cache::Store& store);
 
-/// How a study is run for a user: its steps are shown, and it can be interrupted.
+/// Options of a run that shows its steps and can be interrupted.
 [[nodiscard]] study::RunOptions run_options(parallel::Threads threads, const cache::Store& store,
                                             ProgressDisplay& display);
 
-/// Does what a verb does. Where the user interrupts it, says what is kept and ends the program by the signal.
+/// Runs the body of a command. After an interruption, prints which results are kept and ends the program by the signal.
 ExitCode until_interrupted(const cache::Store& store, ProgressDisplay& display, const std::function<ExitCode()>& body);
 
 }  // namespace setae::cli

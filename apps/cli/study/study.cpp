@@ -70,7 +70,7 @@ void show_failures(const study::StudyResult& result) {
     for (const auto& surface : result.surfaces) {
         if (surface.failed()) complain(fmt::format("surface {}: {}", surface.name, surface.error));
         if (!surface.likelihood_error.empty())
-            complain(fmt::format("surface {}: {}; its numbers are averages over its measurements", surface.name,
+            complain(fmt::format("surface {}: {}; its results are averages over its measurements", surface.name,
                                  surface.likelihood_error));
         for (const auto& m : surface.measurements)
             if (m.failed()) complain(fmt::format("surface {}: {}", surface.name, m.error));
@@ -81,7 +81,7 @@ void show_failures(const study::StudyResult& result) {
         complain(fmt::format("{}: {}", alert.subject, alert.message));
 }
 
-/// What the results are and where.
+/// Prints the results and their folder.
 void print_result(const study::StudyResult& result, const std::string& report, bool all) {
     const auto places = fmt::format("Results: {}\nReport:  {}\n", result.study.output, report);
     constexpr std::size_t lines_of_places = 2;
@@ -97,14 +97,14 @@ study::Study study_of(const Arguments& arguments) {
     return study;
 }
 
-/// What the study's file leaves open, by its lines.
+/// Prints missing metadata of the study file, with line numbers.
 void print_gaps(const std::vector<study::StudyGap>& gaps, const std::string& file) {
     if (!gaps.empty()) print("\nMissing\n");
     for (const auto& gap : gaps)
         print(one_line(fmt::format("  {}:{}: {}: {}", file, gap.line, gap.item, gap.message)) + "\n");
 }
 
-/// What a run would do, what it would take from the store, and what the study leaves open.
+/// Prints the steps of a run, the results that the store contains, and missing metadata.
 ExitCode show_plan(const Arguments& arguments) {
     const auto study = study_of(arguments);
     const auto store = arguments.run.store();
@@ -136,7 +136,7 @@ ExitCode show_plan(const Arguments& arguments) {
         for (const auto& step : steps)
             print(
                 fmt::format("{:<6} {:<12} {}\n", state(step), step.stage, step.error.empty() ? step.item : step.error));
-        print(fmt::format("{} steps: {} to do, {} kept from earlier runs, {} will fail; results would go to {}\n",
+        print(fmt::format("{} steps: {} to do, {} kept from earlier runs, {} will fail; folder of the results: {}\n",
                           steps.size(), count("to do"), count("kept"), count("fails"), study.output));
         print_gaps(gaps, arguments.file);
     }
@@ -177,17 +177,16 @@ int draw_figures(const std::vector<study_figures::StudyFigure>& figures, const s
                 std::find(figure.files.begin(), figure.files.end(), file) == figure.files.end())
                 results.drop("figures/" + file);
         display.finish();
-        // one missing program fails them all alike
+        // one missing program is the reason for all failures
         if (failed++ == 0) complain(fmt::format("figure {}: {}", figure.name, figure.error));
     }
     if (failed > 1)
         complain(fmt::format(
-            "{} more figures are missing files likewise; their numbers are in the CSV files and in report.html",
-            failed - 1));
+            "{} more figures have missing files; their numbers are in the CSV files and in report.html", failed - 1));
     return failed;
 }
 
-/// What makes the same results again: nothing in it that changes none of them.
+/// The command that repeats the results, without options that do not change them.
 std::string command_of(const Arguments& arguments) {
     return "setae study " + shell_word(arguments.file) +
            (arguments.output.empty() ? "" : " --output " + shell_word(arguments.output));
@@ -217,12 +216,12 @@ ExitCode run_and_write(const Arguments& arguments, const cache::Store& store, Pr
     }
     report_traffic(store);
     const bool empty = result.study.surfaces.empty() && result.study.experiments.empty();
-    if (empty) complain("the study names no surface and no experiment");
+    if (empty) complain("the study contains no surface and no experiment");
     if (result.successes() == 0 && (result.failures() > 0 || empty)) return ExitCode::nothing_done;
     return result.failures() + failed_figures == 0 ? ExitCode::done : ExitCode::some_failed;
 }
 
-/// Runs the study without writing anything, and prints what `show` makes of it.
+/// Runs the study without writing files and passes the result to `show`.
 ExitCode run_and_show(const Arguments& arguments, const std::function<void(const study::StudyResult&)>& show) {
     const auto store = arguments.run.store();
     ProgressDisplay display(arguments.run.progress_mode());
@@ -235,7 +234,7 @@ ExitCode run_and_show(const Arguments& arguments, const std::function<void(const
     });
 }
 
-/// Which further measurement lowers a ± most.
+/// Prints further measurements, sorted by their effect on a standard error.
 ExitCode show_next(const Arguments& arguments) {
     return run_and_show(arguments, [&](const study::StudyResult& result) {
         const auto list = study::next_measurements(result, arguments.target);
@@ -256,12 +255,12 @@ ExitCode run(const Arguments& arguments) {
     return until_interrupted(store, display, [&] { return run_and_write(arguments, store, display); });
 }
 
-/// Formulas and sources; of a study what each of its numbers rests on, too.
+/// Prints formulas and sources; with a study also the error budget of each number.
 ExitCode explain(const Arguments& arguments) {
     print(explanation);
     if (arguments.file.empty()) return ExitCode::done;
     if (!std::filesystem::exists(arguments.file)) {
-        complain(fmt::format("{}: no such file, so only formulas are shown", arguments.file));
+        complain(fmt::format("{}: no such file; only formulas are printed", arguments.file));
         return ExitCode::done;
     }
     return run_and_show(arguments, [](const study::StudyResult& result) {
@@ -273,10 +272,11 @@ ExitCode explain(const Arguments& arguments) {
 
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
-    options.add("file", arguments->file, "TOML file of the study; one called init is told as ./init").of_inputs();
-    options.add("--output", arguments->output, "folder of the results; default: beside the study");
-    options.flag("--all", arguments->all, "every table and warning, not one screen");
-    options.flag("--no-figures", arguments->no_figures, "no files of figures; the report contains its own drawings");
+    options.add("file", arguments->file, "TOML file of the study; a file with the name init is given as ./init")
+        .of_inputs();
+    options.add("--output", arguments->output, "folder of the results; default: next to the study");
+    options.flag("--all", arguments->all, "every table and warning instead of one screen");
+    options.flag("--no-figures", arguments->no_figures, "no files of figures; the report contains its own figures");
     arguments->run.add_to(options);
     options.flag("--dry-run", arguments->dry_run,
                  "list of the steps, of results kept from earlier runs, and of missing metadata; nothing is computed");
@@ -288,14 +288,17 @@ Action declare(Options& options) {
         .add(
             "--target", arguments->target,
             "number whose standard error --next reduces: W_int, a pair such as \"E07 on rough\", or the difference of two "
-            "balances in W_int, such as \"(7) - (10)\"")
+            "balances in W_int by their equation numbers, such as "
+            "\"(7) - (10)\"")
         .value_named("NUMBER");
     options.add("--documentation", arguments->documentation,
                 "folder for the pages on keys, warnings and figures of studies");
-    options.example("setae study study.toml --dry-run", "what there is to do, and what will fail");
+    options.example("setae study study.toml --dry-run", "list of the steps, with the steps that will fail");
     options.example("setae study study.toml", "tables, figures and a report");
-    options.example("setae study study.toml --next", "which further measurement lowers the ± of W_int most");
-    options.example("setae study study.toml --explain", "formulas, and which input gives how much of each ±");
+    options.example("setae study study.toml --next",
+                    "further measurements by their effect on the standard error of W_int");
+    options.example("setae study study.toml --explain",
+                    "formulas, and contributions of the inputs to each standard error");
     arguments->common.add_to(options);
     return [arguments] {
         parallel::limit_threads(arguments->common.workers());

@@ -45,9 +45,9 @@ void print_summary(const study::StudyDraft& draft, const std::string& file) {
                       counted(draft.measurements, "measurement"), counted(draft.loops, "loop"),
                       counted(draft.micrographs, "micrograph"), counted(draft.left_out.size(), "file")));
     if (!draft.own.empty())
-        print(fmt::format("{} passed over, which setae wrote: figures, tables, reports\n",
+        print(fmt::format("{} skipped: figures, tables and reports written by setae\n",
                           counted(draft.own.size(), "file")));
-    print(fmt::format("setae study {} --dry-run lists what it leaves open\n", shell_word(file)));
+    print(fmt::format("setae study {} --dry-run lists missing metadata\n", shell_word(file)));
 }
 
 output::Json json_of(const study::StudyDraft& draft, const std::string& file) {
@@ -61,9 +61,8 @@ output::Json json_of(const study::StudyDraft& draft, const std::string& file) {
 ExitCode run(const Arguments& arguments) {
     if (arguments.paths.empty()) throw InvalidArgument("no folder; expected at least one with measurements or loops");
     if (!arguments.force && std::filesystem::exists(arguments.output))
-        throw InvalidArgument(
-            fmt::format("{}: is there already and stays as it is; name another file by -o, or replace it by --force",
-                        arguments.output));
+        throw InvalidArgument(fmt::format(
+            "{}: file exists; give another file with -o, or replace this file with --force", arguments.output));
     const auto draft = study::draft_study(arguments.paths, arguments.output, mapping_folder());
     if (draft.surfaces + draft.loops + draft.micrographs == 0) {
         for (const auto& left : draft.left_out) complain(left.reason);
@@ -80,11 +79,11 @@ ExitCode run(const Arguments& arguments) {
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     options.add("folders", arguments->paths, "folders of measurements, micrographs and loops, or files").of_inputs();
-    options.add("-o,--output", arguments->output, "study file to be written; its paths are relative to its folder")
+    options
+        .add("-o,--output", arguments->output, "study file to be written; paths in the file are relative to its folder")
         .default_shown();
-    options.flag("--force", arguments->force, "replace a file that is there");
-    options.example("setae study init data -o study.toml",
-                    "a draft of what the files say, and of what they leave open");
+    options.flag("--force", arguments->force, "replace an existing file");
+    options.example("setae study init data -o study.toml", "draft of a study, with comments for missing metadata");
     return action(options, arguments, explanation, run);
 }
 

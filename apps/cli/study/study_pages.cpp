@@ -19,9 +19,9 @@ constexpr const char* origin =
 
 std::string keys_page() {
     std::string text = fmt::format(
-        "# Keys of a study\n\n{} How a study is written and run: [writing a study](../guides/study.md). Every number with a\n"
-        "dimension stands in quotes with its unit, any of the dimension shown; `\"37.0 ± 3.7 mJ/m2\"` (or `+-`) gives a standard "
-        "error.\nPaths are relative to the study's file.\n",
+        "# Keys of a study\n\n{} The guide [writing a study](../guides/study.md) describes how to write and run\na study. "
+        "A number with a dimension is written in quotes, with any unit of the dimension shown. `\"37.0 ± 3.7 mJ/m2\"` (or `+-`) "
+        "gives\na standard error. Paths are relative to the study file.\n",
         origin);
     for (const auto& table : study::study_keys()) {
         text += fmt::format("\n## {}\n\n", table.name.empty() ? "top of the file" : "`" + table.name + "`");
@@ -58,9 +58,10 @@ std::string figures_page() {
     const auto repeated = [](const auto& kind) { return kind.identifier.ends_with(":NAME"); };
     const auto several = std::count_if(kinds.begin(), kinds.end(), repeated);
     std::string text = fmt::format(
-        "# Figures of a study\n\n{} {} kinds: {} figures one a study, {} repeated, one a surface with measurements "
-        "(`spectra:NAME`) and one a loop\n(`loop:NAME`). The numbers, S1 … S8 are those of Dalvi et al., PNAS 116 (2019) "
-        "25484; equation numbers are that paper's. [How they are\nmade](../guides/figures.md).\n\n"
+        "# Figures of a study\n\n{} There are {} kinds of figures: {} are drawn once per study, and {} are repeated,\n"
+        "once per surface with measurements (`spectra:NAME`) and once per loop (`loop:NAME`). The figure numbers up to S8 and "
+        "the equation\nnumbers are those of Dalvi et al., PNAS 116 (2019) 25484. The guide [figures](../guides/figures.md) "
+        "describes the figures.\n\n"
         "| identifier | title | drawn | from |\n|---|---|---|---|\n",
         origin, kinds.size(), static_cast<std::ptrdiff_t>(kinds.size()) - several, several);
     for (const auto& kind : kinds)

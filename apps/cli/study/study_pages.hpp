@@ -6,7 +6,7 @@
 
 namespace setae::cli {
 
-/// Pages on studies in Markdown by file name, made from the program's own tables: study-keys.md, alerts.md, figures.md.
+/// Markdown pages of studies by file name, made from the tables of the program: study-keys.md, alerts.md, figures.md.
 [[nodiscard]] std::map<std::string, std::string> study_pages();
 
 }  // namespace setae::cli

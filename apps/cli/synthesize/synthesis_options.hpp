@@ -6,7 +6,7 @@
 
 namespace setae::cli {
 
-/// Options of verbs that make surfaces.
+/// Options of commands that make surfaces.
 struct SynthesisOptions : answers::SynthesisRequest {
     void add_to(Options& options) { options.ask<answers::SynthesisRequest>(*this); }
 };

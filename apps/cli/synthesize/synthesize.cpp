@@ -62,9 +62,9 @@ Action declare(Options& options) {
     options.add("-o,--output", arguments->output, "OUT.x3p, .sdf, .gwy, .nc, .npy, .txt or .csv");
     options.example(
         "setae synthesize --hurst 0.8 --rolloff \"2 um\" --short-cutoff \"20 nm\" --rms-height \"20 nm\" --size \"10 um\" -o map.x3p",
-        "a self-affine map");
+        "self-affine map");
     options.example("setae synthesize spectrum.csv --size \"5 um\" --pixels 1024 -o map.gwy",
-                    "a map with the spectrum of a table");
+                    "map with the spectrum of a table");
     return action(options, arguments, explanation, run);
 }
 

@@ -125,7 +125,7 @@ output::Json file_json(const ListedFile& file) {
     output::Json json{{"file", content.file},
                       {"kind", study::name(content.kind)},
                       {"format", content.format},
-                      {"verbs", study::verbs_for(content.kind)}};
+                      {"verbs", study::commands_for(content.kind)}};
     if (!content.channels.empty()) json["channels"] = content.channels.size();
     if (content.picture) add_picture(json, *content.picture);
     if (content.table) {

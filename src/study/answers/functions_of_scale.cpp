@@ -22,8 +22,8 @@ using Function = scales::FunctionOfScale (*)(const topography::Measurement&, con
 using FunctionOfTiledMap = scales::FunctionOfScale (*)(const topography::TiledMap&, const ScaleRequest&,
                                                        parallel::Threads);
 
-/// What a verb computes; `of_tiled_map` is null where a map has to be held as a whole.
-struct Verb {
+/// Functions of a command; `of_tiled_map` is null where a map has to be held as a whole.
+struct ScaleCommand {
     Function of_measurement;
     FunctionOfTiledMap of_tiled_map;
 };
@@ -100,7 +100,7 @@ scales::FunctionOfScale tiled_map_function(const study::TiledMeasurement& large,
 }
 
 /// One measurement at a time, so that maps need not all fit into memory. What fails is noted, and the others go on.
-FunctionsOfScale functions_of(const ScaleRequest& request, parallel::Threads threads, const Verb& verb) {
+FunctionsOfScale functions_of(const ScaleRequest& request, parallel::Threads threads, const ScaleCommand& command) {
     FunctionsOfScale found;
     const auto take = [&](scales::FunctionOfScale result, const std::vector<Alert>& alerts) {
         if (request.all) result.reliable_from = 0.0;
@@ -132,12 +132,12 @@ FunctionsOfScale functions_of(const ScaleRequest& request, parallel::Threads thr
             for (const auto& source : study::measurement_sources(input))
                 attempt([&] {
                     if (study::too_large(source, options)) {
-                        take(tiled_map_function(*source.tiled, request, threads, verb.of_tiled_map),
+                        take(tiled_map_function(*source.tiled, request, threads, command.of_tiled_map),
                              source.tiled->alerts);
                         return;
                     }
                     const auto prepared = source.prepare();
-                    take(verb.of_measurement(prepared.measurement, request, threads), prepared.alerts);
+                    take(command.of_measurement(prepared.measurement, request, threads), prepared.alerts);
                 });
         });
     return found;
@@ -171,13 +171,13 @@ Table table_of(const FunctionsOfScale& found, const ScaleRequest& request) {
     return table;
 }
 
-Verb verb_of(ScaleFunction function) {
+ScaleCommand scale_command(ScaleFunction function) {
     switch (function) {
         case ScaleFunction::differences: return {slope_or_curvature, nullptr};
         case ScaleFunction::autocorrelation: return {autocorrelation_or_slope, autocorrelation_of_tiled_map};
         case ScaleFunction::variable_bandwidth: return {bandwidth, nullptr};
     }
-    throw InternalError("a function of scale without a verb");
+    throw InternalError("a function of scale without a command");
 }
 
 }  // namespace
@@ -190,7 +190,7 @@ std::vector<double> distances_of(const std::string& text) {
 }
 
 FunctionsOfScale functions_of_scale(ScaleFunction function, const ScaleRequest& request, parallel::Threads threads) {
-    auto found = functions_of(request, threads, verb_of(function));
+    auto found = functions_of(request, threads, scale_command(function));
     if (found.functions.empty()) return found;
     combine(found, request);
     found.table = table_of(found, request);

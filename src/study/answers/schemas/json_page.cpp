@@ -86,7 +86,7 @@ std::string json_page() {
         "Made by `setae schema --documentation docs/reference/json.md` from the schemas that `setae schema VERB` prints: edit those, not this page.\n"
         "A name of an object stands before a dot, `[]` for what a list holds, NAME for names that users gave. Numbers are in SI; `null` stands where\n"
         "a number is not known or a part is missing.\n";
-    for (const auto& verb : verbs_with_schema()) text += section("setae " + verb, json_schema(verb));
+    for (const auto& command : commands_with_schema()) text += section("setae " + command, json_schema(command));
     const auto parts = shared_json_parts();
     for (const auto& [name, part] : parts.items()) text += section(name, part);
     return text;

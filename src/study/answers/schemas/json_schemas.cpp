@@ -23,14 +23,14 @@ namespace {
 
 using output::Json;
 
-/// The file of what several verbs print.
+/// The file of what several commands print.
 constexpr std::string_view shared = "shared";
 constexpr std::string_view place_of_shared = "#/$defs/";
 
-std::string verb_of(std::string_view file) {
-    std::string verb(file);
-    std::replace(verb.begin(), verb.end(), '_', ' ');
-    return verb;
+std::string command_of(std::string_view file) {
+    std::string command(file);
+    std::replace(command.begin(), command.end(), '_', ' ');
+    return command;
 }
 
 Json parsed(std::string_view file) {
@@ -39,9 +39,9 @@ Json parsed(std::string_view file) {
     throw InternalError(fmt::format("no schema is called {}", file));
 }
 
-std::string file_of(std::string verb) {
-    std::replace(verb.begin(), verb.end(), ' ', '_');
-    return verb;
+std::string file_of(std::string command) {
+    std::replace(command.begin(), command.end(), ' ', '_');
+    return command;
 }
 
 /// Names of the shared parts that a schema refers to, and those that these refer to.
@@ -78,26 +78,26 @@ Json shared_json_parts() {
     return parts;
 }
 
-std::string schema_file(const std::string& verb) { return file_of(verb) + ".schema.json"; }
+std::string schema_file(const std::string& command) { return file_of(command) + ".schema.json"; }
 
-std::vector<std::string> verbs_with_schema() {
-    std::vector<std::string> verbs;
+std::vector<std::string> commands_with_schema() {
+    std::vector<std::string> commands;
     for (const auto& [name, text] : schemas::texts)
-        if (name != shared) verbs.push_back(verb_of(name));
-    return verbs;
+        if (name != shared) commands.push_back(command_of(name));
+    return commands;
 }
 
-Json json_schema(const std::string& verb) {
-    const auto verbs = verbs_with_schema();
-    if (std::find(verbs.begin(), verbs.end(), verb) == verbs.end())
-        throw InvalidArgument(fmt::format("'{}' has no schema; expected {}", verb, fmt::join(verbs, ", ")));
-    const auto own = parsed(file_of(verb));
+Json json_schema(const std::string& command) {
+    const auto commands = commands_with_schema();
+    if (std::find(commands.begin(), commands.end(), command) == commands.end())
+        throw InvalidArgument(fmt::format("'{}' has no schema; expected {}", command, fmt::join(commands, ", ")));
+    const auto own = parsed(file_of(command));
     const auto parts = shared_json_parts();
     std::set<std::string> names;
     add_references(own, parts, names);
     Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
-                {"$id", fmt::format("urn:setae:{}:{}", SETAE_VERSION, file_of(verb))},
-                {"title", fmt::format("setae {} --json", verb)}};
+                {"$id", fmt::format("urn:setae:{}:{}", SETAE_VERSION, file_of(command))},
+                {"title", fmt::format("setae {} --json", command)}};
     schema.update(own);
     schema["$defs"] = chosen(parts, names);
     return schema;

@@ -265,7 +265,7 @@ std::string name(FileKind kind) {
     throw InternalError("a kind of file without a name");
 }
 
-std::vector<std::string> verbs_for(FileKind kind) {
+std::vector<std::string> commands_for(FileKind kind) {
     switch (kind) {
         case FileKind::topography: return {"setae check", "setae psd", "setae params", "setae adhesion", "setae level"};
         case FileKind::container: return {"setae container check", "setae psd", "setae params", "setae adhesion"};

@@ -106,7 +106,7 @@ TEST(FileContent, WhatIsNothingIsRefusedWithItsReason) {
 TEST(FileContent, EveryKindHasANameAndAVerb) {
     for (int kind = 0; kind <= static_cast<int>(FileKind::pipeline); ++kind) {
         EXPECT_FALSE(name(static_cast<FileKind>(kind)).empty());
-        EXPECT_TRUE(verbs_for(static_cast<FileKind>(kind)).front().starts_with("setae "));
+        EXPECT_TRUE(commands_for(static_cast<FileKind>(kind)).front().starts_with("setae "));
     }
 }
 

@@ -8,23 +8,23 @@
 
 namespace setae::answers {
 
-/// Verbs whose JSON has a schema, in the order of their names: "acf", "contact solve", … "study", which is also that of
-/// study.json.
-[[nodiscard]] std::vector<std::string> verbs_with_schema();
+/// Commands whose JSON has a schema, in the order of their names: "acf", "contact solve", … "study", which is also that
+/// of study.json.
+[[nodiscard]] std::vector<std::string> commands_with_schema();
 
-/// JSON Schema (draft 2020-12) of what `setae VERB --json` prints: every name with its meaning, its unit where that
+/// JSON Schema (draft 2020-12) of what `setae COMMAND --json` prints: every name with its meaning, its unit where that
 /// never changes, and whether it is always there. Names may be added by later versions, so that a schema does not
 /// forbid others.
-/// @throws InvalidArgument for a verb without one.
-[[nodiscard]] output::Json json_schema(const std::string& verb);
+/// @throws InvalidArgument for a command without one.
+[[nodiscard]] output::Json json_schema(const std::string& command);
 
 /// "contact_solve.schema.json".
-[[nodiscard]] std::string schema_file(const std::string& verb);
+[[nodiscard]] std::string schema_file(const std::string& command);
 
-/// Schemas by name of what several verbs print, such as "quantity".
+/// Schemas by name of what several commands print, such as "quantity".
 [[nodiscard]] output::Json shared_json_parts();
 
-/// A page on all names: a table a verb, and one of what several of them share.
+/// A page on all names: one table per command, and one table of shared types.
 [[nodiscard]] std::string json_page();
 
 }  // namespace setae::answers

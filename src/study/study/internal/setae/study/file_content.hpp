@@ -30,7 +30,7 @@ enum class FileKind {
 /// "topography" …, as scripts read it.
 [[nodiscard]] std::string name(FileKind kind);
 /// The commands that take a file of a kind, the nearest first: "setae psd", "setae params" ….
-[[nodiscard]] std::vector<std::string> verbs_for(FileKind kind);
+[[nodiscard]] std::vector<std::string> commands_for(FileKind kind);
 
 /// A file and what it holds, as far as that is known without reading heights.
 struct FileContent {
