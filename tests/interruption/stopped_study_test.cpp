@@ -140,7 +140,7 @@ TEST_F(StoppedStudy, InterruptedLeavesWholeFilesAndGoesOn) {
     kill(process, SIGINT);
     const int status = status_of(process);
     ASSERT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGINT) << bytes::read_file(log());
-    EXPECT_NE(bytes::read_file(log()).find("the same command goes on from there"), std::string::npos)
+    EXPECT_NE(bytes::read_file(log()).find("repeat the command to continue"), std::string::npos)
         << bytes::read_file(log());
     for (const auto& file : fs::recursive_directory_iterator(folder))
         EXPECT_NE(file.path().extension(), ".part") << file.path();
