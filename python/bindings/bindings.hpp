@@ -22,10 +22,10 @@ namespace setae::python {
 
 namespace nb = nanobind;
 
-/// What `work` gives, computed without the interpreter's lock on a thread of its own, so that other threads of Python
-/// run and Ctrl-C is heard: work is then asked to stop, and KeyboardInterrupt is raised when it has.
+/// Result of `work`, which runs on its own thread without the lock of the interpreter. Other threads of Python
+/// continue. Ctrl-C requests work to stop; KeyboardInterrupt is raised after it has stopped.
 ///
-/// work: takes the flag that asks it to stop. Loops of for_each_index() stop by themselves.
+/// work: its argument is the flag that requests the stop. Loops of for_each_index() check this flag.
 template <class Work>
 auto unlocked(Work&& work) {
     constexpr auto between_looks = std::chrono::milliseconds(50);
@@ -48,7 +48,7 @@ auto unlocked(Work&& work) {
             try {
                 (void)future.get();
             } catch (...) {
-                // it was stopped, however that ended
+                // stopped, with or without a result
             }
             throw Interrupted();
         }
@@ -57,7 +57,7 @@ auto unlocked(Work&& work) {
     return result;
 }
 
-/// The same of work that takes a millisecond or less, on this thread: starting another would take as long.
+/// Result of work that takes at most a millisecond, on this thread: starting a thread would take as long.
 template <class Work>
 auto unlocked_here(Work&& work) {
     std::atomic<bool> cancelled{false};
@@ -69,12 +69,12 @@ auto unlocked_here(Work&& work) {
 using ReadOnly1D = nb::ndarray<nb::numpy, const double, nb::ndim<1>, nb::c_contig>;
 using ReadOnly = nb::ndarray<nb::numpy, const double, nb::c_contig>;
 
-/// An array of NumPy on the memory of a series, which `owner` keeps alive.
+/// An array of NumPy that uses the memory of a series, which `owner` keeps alive.
 inline ReadOnly1D view(const Array1D& values, nb::handle owner) {
     return ReadOnly1D(values.data(), {static_cast<std::size_t>(values.size())}, owner);
 }
 
-/// Columns by name, on the memory of a table that `owner` keeps alive.
+/// Columns by name that use the memory of a table, which `owner` keeps alive.
 inline nb::typed<nb::dict, nb::str, ReadOnly1D> columns(const Table& table, nb::handle owner) {
     nb::dict named;
     for (const auto& column : table.columns) named[nb::cast(column.name)] = nb::cast(view(column.values, owner));

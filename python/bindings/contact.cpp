@@ -23,20 +23,20 @@
 namespace setae::python {
 namespace {
 
-/// A contact that was solved, and what `--json` says of it.
+/// A solved contact, with its `--json`.
 struct SolvedContact {
     Array2D pressures, gaps;
     std::vector<Quantity> quantities;
     std::string json;
 };
 
-/// A sweep, and what `--json` says of it.
+/// A sweep, with its `--json`.
 struct Sweep {
     Table steps;
     std::vector<Quantity> quantities;
     std::string json;
     std::vector<answers::SweepMaps> maps;
-    Table edge;  ///< of a front, where it is kept
+    Table edge;  ///< edge of a front; empty if it is not kept
 };
 
 std::string texts_of(const std::vector<Quantity>& quantities) {
@@ -50,7 +50,7 @@ nb::object map_of(const Array2D& values, nb::handle owner) {
     return nb::cast(ReadOnly(values.data(), shape.size(), shape.data(), owner));
 }
 
-/// The surface whose contact theory is asked for.
+/// The surface for the theory of contact.
 study::SurfaceResult analysed_surface(const std::vector<std::shared_ptr<Item>>& items,
                                       const answers::AnalysisRequest& request, bool every_measurement) {
     auto surface = answers::surface_for_theory(surface_of(items), request.analysis(), {}, every_measurement);
@@ -97,7 +97,7 @@ void bind_comparison(nb::module_& module) {
         [](const std::vector<std::shared_ptr<Item>>& items, const answers::AnalysisRequest& request,
            const Request& asked, bool every_measurement) {
             return unlocked([&](const auto& cancelled) {
-                asked.require_complete();  // what is missing is said before files are read
+                asked.require_complete();  // throws for missing options before files are read
                 const auto surface = analysed_surface(items, request, every_measurement);
                 return answers::compare_contact(surface, asked, {}, [&](Index, Index) {
                     if (cancelled) throw Interrupted();
@@ -107,16 +107,16 @@ void bind_comparison(nb::module_& module) {
         nb::arg("items"), nb::arg("analysis"), nb::arg("request"), nb::arg("every_measurement"));
 }
 
-/// The surface that touches: a measurement's, or made from a spectrum.
-processing::PipelineResult touching(const Item& item, const answers::MadeSurfaceRequest& made, const std::string& edges,
-                                    answers::BeyondMap beyond) {
+/// The surface in contact: measured heights, or a surface made from a spectrum.
+processing::PipelineResult contact_surface_of(const Item& item, const answers::MadeSurfaceRequest& made,
+                                              const std::string& edges, answers::BeyondMap beyond) {
     const auto& request = item.request;
     const answers::ContactSurfaceRequest asked{.measured = {.trend = request.trend, .edges = edges}, .made = made};
     const auto pipeline = request.processing.pipeline();
     if (!item.heights) return answers::contact_surface(item.path, request.file, pipeline, asked, beyond);
     if (made.given())
         throw InvalidArgument(
-            "pixels, cell and surface are of a surface made from a spectrum; expected them without heights");
+            "pixels, cell and surface are for a surface made from a spectrum; expected no heights with these arguments");
     return answers::into_contact(prepared_of(item), pipeline, {}, asked.measured, beyond);
 }
 
@@ -125,7 +125,7 @@ SolvedContact pressed(const Item& item, const answers::HardWallRequest& request,
                       const std::atomic<bool>& cancelled) {
     request.require_complete();
     const auto beyond = request.free ? answers::BeyondMap::nothing : answers::BeyondMap::itself;
-    const auto prepared = touching(item, made, edges, beyond);
+    const auto prepared = contact_surface_of(item, made, edges, beyond);
     const auto stop_where_asked = [&](const half_space::SolveProgress&) {
         if (cancelled) throw Interrupted();
     };
@@ -140,7 +140,7 @@ SolvedContact attracted(const Item& item, const answers::HardWallRequest& reques
                         const std::string& edges) {
     request.require_complete();
     (void)attraction.interaction();
-    const auto prepared = touching(item, made, edges, answers::BeyondMap::itself);
+    const auto prepared = contact_surface_of(item, made, edges, answers::BeyondMap::itself);
     auto answer = answers::adhesive_contact(item.path, prepared.measurement, request, attraction);
     auto json = output::as_text(answers::to_json(answer, prepared.records));
     return {answer.cell.pressures(), answer.cell.gaps(), std::move(answer.quantities), std::move(json)};
@@ -149,7 +149,7 @@ SolvedContact attracted(const Item& item, const answers::HardWallRequest& reques
 Sweep swept(const Item& item, const answers::SweepRequest& request, const answers::MadeSurfaceRequest& made,
             const std::string& edges, const std::atomic<bool>& cancelled) {
     request.require_complete();
-    const auto prepared = touching(item, made, edges, answers::BeyondMap::itself);
+    const auto prepared = contact_surface_of(item, made, edges, answers::BeyondMap::itself);
     const auto go_on = [&](const answers::SweepProgress&) {
         if (cancelled) throw Interrupted();
         return true;
@@ -169,7 +169,7 @@ Sweep front_of(const Item& item, const answers::FrontRequest& request, answers::
     std::vector<topography::Measurement> surfaces;
     std::vector<processing::StepRecord> records;
     for (int i = 0; i < realisations; ++i, ++made.seed) {
-        auto prepared = touching(item, made, edges, answers::BeyondMap::nothing);
+        auto prepared = contact_surface_of(item, made, edges, answers::BeyondMap::nothing);
         if (i == 0) records = prepared.records;
         surfaces.push_back(std::move(prepared.measurement));
     }
@@ -214,7 +214,7 @@ void bind_solve(nb::module_& module) {
             });
         },
         nb::arg("item"), nb::arg("request"), nb::arg("attraction"), nb::arg("made"), nb::arg("edges"),
-        "as `setae contact solve --json` prints it");
+        "as printed by `setae contact solve --json`");
 }
 
 void bind_sweep(nb::module_& module) {
@@ -248,7 +248,7 @@ void bind_sweep(nb::module_& module) {
                 [&](const std::atomic<bool>& cancelled) { return swept(item, asked, made, edges, cancelled); });
         },
         nb::arg("item"), nb::arg("request"), nb::arg("made"), nb::arg("edges"),
-        "as `setae contact sweep --json` prints it");
+        "as printed by `setae contact sweep --json`");
 }
 
 void bind_front(nb::module_& module) {
@@ -265,7 +265,7 @@ void bind_front(nb::module_& module) {
             });
         },
         nb::arg("item"), nb::arg("request"), nb::arg("made"), nb::arg("edges"), nb::arg("realisations"),
-        "as `setae contact front --json` prints it");
+        "as printed by `setae contact front --json`");
 }
 
 }  // namespace

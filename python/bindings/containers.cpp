@@ -31,7 +31,7 @@ void bind_containers(nb::module_& module) {
                 return output::as_text(answers::to_json(written));
             });
         },
-        nb::arg("request"), "as `setae container write --json` prints it");
+        nb::arg("request"), "as printed by `setae container write --json`");
     module.def(
         "check_containers",
         [](const std::vector<std::string>& files) {
@@ -42,12 +42,12 @@ void bind_containers(nb::module_& module) {
                 return output::as_text({{"containers", containers}});
             });
         },
-        nb::arg("files"), "as `setae container check --json` prints it");
+        nb::arg("files"), "as printed by `setae container check --json`");
     module.def(
-        "formats", [] { return output::as_text(answers::formats_json()); }, "as `setae formats --json` prints them");
+        "formats", [] { return output::as_text(answers::formats_json()); }, "as printed by `setae formats --json`");
     module.def(
-        "schema", [](const std::string& verb) { return output::as_text(answers::json_schema(verb)); }, nb::arg("verb"),
-        "as `setae schema VERB` prints it");
+        "schema", [](const std::string& command) { return output::as_text(answers::json_schema(command)); },
+        nb::arg("command"), "as printed by `setae schema COMMAND`");
 }
 
 }  // namespace setae::python

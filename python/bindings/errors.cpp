@@ -6,7 +6,7 @@
 namespace setae::python {
 namespace {
 
-/// The class of Python for an error, by its name in setae._errors.
+/// Name of the Python class of an error in setae._errors.
 const char* class_of(const Error& error) {
     if (dynamic_cast<const InvalidArgument*>(&error)) return "InvalidArgument";
     if (dynamic_cast<const FileError*>(&error)) return "FileError";

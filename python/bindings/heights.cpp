@@ -22,8 +22,8 @@ using topography::HeightMap;
 using topography::LineScan;
 using topography::Profile;
 
-/// An object of Python that may be let go from any thread.
-std::shared_ptr<nb::object> held(nb::object object) {
+/// A Python object that can be released from any thread.
+std::shared_ptr<nb::object> shared_object(nb::object object) {
     return {new nb::object(std::move(object)), [](nb::object* owned) {
                 if (!nb::is_alive()) return;
                 const nb::gil_scoped_acquire locked;
@@ -31,10 +31,10 @@ std::shared_ptr<nb::object> held(nb::object object) {
             }};
 }
 
-/// Heights after a pipeline, and what was done.
+/// Heights after a pipeline, and the record of the steps.
 struct Processed {
     std::shared_ptr<Heights> heights;
-    std::string json;  ///< as `setae level --json` prints it
+    std::string json;  ///< as printed by `setae level --json`
 };
 
 Processed as_processed(answers::ProcessedFile processed, const processing::Pipeline& pipeline) {
@@ -43,9 +43,9 @@ Processed as_processed(answers::ProcessedFile processed, const processing::Pipel
     return {std::make_shared<Heights>(std::move(processed.result.measurement)), json};
 }
 
-/// The channels that the request means: of a container every one of heights, of other files the first.
+/// The channels of a request: of a container all channels of heights, of other files the first.
 std::vector<std::size_t> meant_channels(const Item& item, bool all) {
-    return formats::chosen_channels(item.path, looked_at(item), item.request.file.channel, all);
+    return formats::chosen_channels(item.path, open_and_keep(item), item.request.file.channel, all);
 }
 
 Processed process(const Item& item) {
@@ -61,7 +61,7 @@ Processed process(const Item& item) {
 }
 
 std::shared_ptr<Heights> read(const Item& item) {
-    const auto channels = to_be_read(item);
+    const auto channels = kept_or_opened(item);
     const auto chosen = formats::chosen_channels(item.path, channels, item.request.file.channel).front();
     return std::make_shared<Heights>(channels[chosen].read());
 }
@@ -98,7 +98,7 @@ void bind_request(nb::module_& module) {
                 request.tip_radius = tip_radius;
                 request.resolution = resolution;
                 request.trend = trend;
-                (void)request.input(item.path);  // what is wrong with it is said here
+                (void)request.input(item.path);  // throws for wrong options
             },
             nb::arg("instrument"), nb::arg("tip_radius"), nb::arg("resolution"), nb::arg("trend"));
 }
@@ -109,7 +109,7 @@ Heights::Heights(topography::Measurement measurement)
     : own_(std::make_shared<topography::Measurement>(std::move(measurement))) {}
 
 Heights::Heights(nb::object given, const std::vector<double>& size, bool periodic, const std::string& name)
-    : given_(held(given)) {
+    : given_(shared_object(given)) {
     const auto array = nb::cast<ReadOnly>(given);
     data_ = array.data();
     const auto extents = array.ndim();
@@ -187,10 +187,10 @@ study::SurfaceInput surface_of(const std::vector<std::shared_ptr<Item>>& items) 
         static_cast<answers::MeasurementRequest&>(files) = items.front()->request;
         return files.surface();
     }
-    if (items.empty()) return files.surface();  // it says that one is expected
+    if (items.empty()) return files.surface();  // throws: a measurement is expected
     if (!files.files.empty() && files.is_spectrum())
         throw InvalidArgument(files.files.front() +
-                              ": a table of a spectrum stands for a whole surface; give it alone");
+                              ": the table of a spectrum describes a whole surface; give no other measurement with it");
     study::SurfaceInput surface;
     surface.name = "surface";
     for (const auto& item : items) {
@@ -238,10 +238,10 @@ void bind_heights(nb::module_& module) {
     module.def("lengths", &answers::lengths_of, nb::arg("text"), "'5 um x 5 um' in metres");
     module.def(
         "read", [](const Item& item) { return unlocked([&](const auto&) { return read(item); }); }, nb::arg("item"),
-        "heights of the channel that is meant");
+        "heights of the chosen channel");
     module.def(
         "process", [](const Item& item) { return unlocked([&](const auto&) { return process(item); }); },
-        nb::arg("item"), "the same behind its steps");
+        nb::arg("item"), "heights of the chosen channel after its steps");
     module.def("channels", &meant_channels, nb::arg("item"), nb::arg("all"));
     module.def(
         "contents",
@@ -253,8 +253,8 @@ void bind_heights(nb::module_& module) {
                 return output::as_text(answers::to_json(answers::contents(request)));
             });
         },
-        nb::arg("paths"), nb::arg("about"), nb::arg("heights").none(), "as `setae info --json` prints it");
-    module.def("steps", &answers::step_names, "names of the steps that Scan.process() takes");
+        nb::arg("paths"), nb::arg("about"), nb::arg("heights").none(), "as printed by `setae info --json`");
+    module.def("steps", &answers::step_names, "names of the steps for Scan.process()");
 }
 
 }  // namespace setae::python

@@ -27,7 +27,7 @@ void bind_lens(nb::module_& module) {
             return unlocked(
                 [&](const auto&) { return output::as_text(answers::to_json(answers::lens_of(file, request))); });
         },
-        nb::arg("file"), nb::arg("request"), "as `setae jkr lens --json` prints it");
+        nb::arg("file"), nb::arg("request"), "as printed by `setae jkr lens --json`");
     module.def(
         "camera_scale",
         [](const std::vector<std::string>& pictures, const std::string& pitch) {
@@ -35,7 +35,7 @@ void bind_lens(nb::module_& module) {
                 return output::as_text(answers::to_json(answers::camera_scale(pictures, {pitch})));
             });
         },
-        nb::arg("pictures"), nb::arg("pitch"), "as `setae jkr camera --json` prints it");
+        nb::arg("pictures"), nb::arg("pitch"), "as printed by `setae jkr camera --json`");
 }
 
 void bind_replicates(nb::module_& module) {
@@ -49,16 +49,16 @@ void bind_replicates(nb::module_& module) {
             return unlocked(
                 [&](const auto&) { return output::as_text(answers::to_json(answers::replicate_summary(request))); });
         },
-        nb::arg("request"), "as `setae jkr summary --json` prints it");
+        nb::arg("request"), "as printed by `setae jkr summary --json`");
 }
 
-/// Contact radii of a recording, and what `--json` says of them.
+/// Contact radii of a recording, with their `--json`.
 struct Radii {
     Table table;
     std::string csv, json;
 };
 
-/// What is told of a recording.
+/// Options of a recording.
 template <class Request>
 void bind_recording(nb::class_<Request>& request) {
     request.def(nb::init<>());
@@ -89,9 +89,9 @@ void bind_radii(nb::module_& module) {
         nb::arg("frames"), nb::arg("request"));
 }
 
-/// The edge of a contact, and what `--json` says of it.
+/// The edge of a contact, with its `--json`.
 struct Edge {
-    Table frames, edge;  ///< a row a frame; with the radius at every angle
+    Table frames, edge;  ///< one row per frame; `edge` has the radius at every angle
     std::string csv, json;
 };
 
@@ -120,7 +120,7 @@ void bind_line(nb::module_& module) {
         nb::arg("files"), nb::arg("request"));
 }
 
-/// A traced picture, and how it was traced.
+/// A traced picture, and the options of the trace.
 struct Contour {
     study::TracedPicture picture;
     study::ContourOptions options;
@@ -150,7 +150,7 @@ void bind_contour(nb::module_& module) {
             [](const Contour& contour, std::size_t segment) {
                 return study::profile_text(contour.picture, segment, contour.options.shape);
             },
-            nb::arg("segment"), "text of a profile's file")
+            nb::arg("segment"), "text of a profile file")
         .def("overlay",
              [](const Contour& contour) {
                  const auto bytes = study::overlay_of(contour.picture, contour.options);

@@ -11,13 +11,13 @@
 namespace setae::python {
 namespace {
 
-/// A loop as read, and from which file.
+/// A loop and its file.
 struct Loop {
     std::string file;
     study::OpenedLoop opened;
 };
 
-/// What `setae jkr fit` and `setae jkr energy` print of a loop.
+/// JSON of `setae jkr fit` and `setae jkr energy` for a loop.
 struct LoopAnswer {
     std::string fit, energy;
 };
@@ -32,7 +32,8 @@ void bind_requests(nb::module_& module) {
     nb::class_<LoopBodies> bodies(module, "LoopBodies");
     bodies.def(nb::init<>())
         .def(
-            "check", [](const LoopBodies& given) { (void)given.without_radius({}); }, "raises what is wrong with them");
+            "check", [](const LoopBodies& given) { (void)given.without_radius({}); },
+            "raises an error for wrong values");
     bind_asked(bodies);
     nb::class_<LoopSettings> settings(module, "LoopSettings");
     settings.def(nb::init<>());
@@ -59,7 +60,7 @@ void bind_force_curves(nb::module_& module) {
             });
         },
         nb::arg("file"), nb::arg("files"), nb::arg("bodies"), nb::arg("request"),
-        "of one force curve, or of every one of a file, as `setae jkr fit --curve --json` prints it");
+        "fits of one force curve, or of every curve of a file, as printed by `setae jkr fit --curve --json`");
 }
 
 }  // namespace
@@ -87,7 +88,7 @@ void bind_loops(nb::module_& module) {
                 return output::as_text(answers::to_json(loop.file, answers::machine_stiffness(loop.opened)));
             });
         },
-        nb::arg("loop"), "as `setae jkr stiffness --json` prints it");
+        nb::arg("loop"), "as printed by `setae jkr stiffness --json`");
     module.def(
         "fit_loop",
         [](const Loop& loop, const answers::LoopBodies& bodies, const answers::LoopSettings& settings,

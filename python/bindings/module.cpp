@@ -7,12 +7,12 @@
 
 namespace {
 
-/// What the module was filled with when it was first imported. Types of C++ are registered once a process: a program
-/// that takes setae out of sys.modules and imports it again gets the same ones.
+/// Content of the module at its first import. C++ types are registered once per process: a program that removes setae
+/// from sys.modules and imports it again gets the same types.
 nanobind::dict* first_content = nullptr;
 
-/// At the interpreter's end.
-void let_go() {
+/// Called at the end of the interpreter.
+void release_module() {
     if (setae::python::end_running_calls()) nanobind::set_leak_warnings(false);
     delete first_content;
     first_content = nullptr;
@@ -28,12 +28,12 @@ NB_MODULE(_setae, module) {
             if (!content.contains(name)) content[name] = value;
         return;
     }
-    nanobind::module_::import_("atexit").attr("register")(nanobind::cpp_function(let_go));
+    nanobind::module_::import_("atexit").attr("register")(nanobind::cpp_function(release_module));
     const auto os = nanobind::module_::import_("os");
     if (nanobind::hasattr(os, "register_at_fork"))
         os.attr("register_at_fork")(nanobind::arg("after_in_child") =
                                         nanobind::cpp_function(setae::python::forget_running_calls));
-    module.doc() = "setae's libraries; use the package setae";
+    module.doc() = "libraries of setae; use the package setae";
     nanobind::set_leak_warnings(true);
     python::bind_errors(module);
     python::bind_heights(module);
@@ -47,7 +47,7 @@ NB_MODULE(_setae, module) {
     module.def("version", &study::version, "release and digest of the build, such as '0.1.0+4f1c09ab'");
     module.def(
         "limit_threads", [](int count) { parallel::limit_threads({count}); }, nanobind::arg("count"),
-        "threads that computations may use from now on; 0: one a core");
+        "number of threads of later computations; 0: one per core");
     module.def(
         "length_factor", [](const std::string& unit) { return unit_factor(unit, dimension::length); },
         nanobind::arg("unit"), "metres in a unit of length");
@@ -57,7 +57,7 @@ NB_MODULE(_setae, module) {
             return format_uncertain({.value = value, .standard_error = standard_error}, unit);
         },
         nanobind::arg("value"), nanobind::arg("standard_error"), nanobind::arg("unit"),
-        "'37.0 ± 3.7 mJ/m²' of a number in SI");
+        "text such as '37.0 ± 3.7 mJ/m²' for a number in SI");
     first_content = new nanobind::dict();
     for (const auto [name, value] : nanobind::cast<nanobind::dict>(module.attr("__dict__")))
         (*first_content)[name] = value;

@@ -11,15 +11,15 @@
 namespace setae::python {
 namespace {
 
-/// A file that is open, as it was before.
+/// An open file with its state when it was opened.
 struct OpenedFile {
     std::string path;
-    answers::FileRequest said;
+    answers::FileRequest request;
     std::optional<platform::FileFacts> facts;
     std::vector<formats::Channel> channels;
 
     [[nodiscard]] bool is(const Item& item) const {
-        return path == item.path && said == item.request.file && facts == platform::facts_of(path);
+        return path == item.path && request == item.request.file && facts == platform::facts_of(path);
     }
 };
 
@@ -27,7 +27,7 @@ class LastOpened {
 public:
     void keep(OpenedFile file) {
         const std::lock_guard locked(mutex_);
-        std::swap(last_, file);  // the one before goes when nobody waits for it
+        std::swap(last_, file);  // the earlier file is released after the lock
     }
 
     std::optional<std::vector<formats::Channel>> take(const Item& item) {
@@ -46,7 +46,7 @@ LastOpened& last_opened() {
     return last;
 }
 
-/// Whether what a file held is told by when it changed: within a tick of the clock it may change twice.
+/// True if the time of change identifies the content of a file: within one tick of the clock a file can change twice.
 bool is_settled(const std::optional<platform::FileFacts>& facts) {
     using namespace std::chrono;
     const auto now = system_clock::now().time_since_epoch();
@@ -59,14 +59,14 @@ std::vector<formats::Channel> opened(const Item& item) {
 
 }  // namespace
 
-std::vector<formats::Channel> looked_at(const Item& item) {
+std::vector<formats::Channel> open_and_keep(const Item& item) {
     const auto facts = platform::facts_of(item.path);
     auto channels = opened(item);
     if (is_settled(facts)) last_opened().keep({item.path, item.request.file, facts, channels});
     return channels;
 }
 
-std::vector<formats::Channel> to_be_read(const Item& item) {
+std::vector<formats::Channel> kept_or_opened(const Item& item) {
     if (auto kept = last_opened().take(item)) return std::move(*kept);
     return opened(item);
 }

@@ -8,12 +8,12 @@
 
 namespace setae::python {
 
-/// The channels of a file, kept for to_be_read() until another file is looked at: one file at a time is held, however
-/// many scans wait for their heights. From any thread. @throws as formats::open().
-[[nodiscard]] std::vector<formats::Channel> looked_at(const Item& item);
+/// Opens a file and returns its channels, which are kept for kept_or_opened() until the next call. Only one file is
+/// kept at a time, for any number of scans. Can be called from any thread. @throws as formats::open().
+[[nodiscard]] std::vector<formats::Channel> open_and_keep(const Item& item);
 
-/// The channels of a file. Those that looked_at() kept, which it then forgets, where the same was said of the file and
-/// nobody has changed it since; else it is opened. From any thread. @throws as formats::open().
-[[nodiscard]] std::vector<formats::Channel> to_be_read(const Item& item);
+/// The channels that open_and_keep() kept, which are then released, if the options are the same and the file has not
+/// changed; otherwise the file is opened. Can be called from any thread. @throws as formats::open().
+[[nodiscard]] std::vector<formats::Channel> kept_or_opened(const Item& item);
 
 }  // namespace setae::python

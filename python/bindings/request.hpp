@@ -18,17 +18,17 @@
 
 namespace setae::python {
 
-/// Keywords of Python for options of the library: "work_of_adhesion" is W_int.
+/// Python keywords of options of the library: "work_of_adhesion" is W_int.
 std::map<std::string, std::string, std::less<>>& keywords();
 
-/// Notes a keyword; an option that requests call differently goes by its name.
+/// Registers a keyword; an option with several keywords keeps its own name.
 inline void note_keyword(const fields::Option& option) {
     const std::string name(option.name), keyword(option.keyword.empty() ? option.name : option.keyword);
     const auto [noted, is_new] = keywords().emplace(name, keyword);
     if (!is_new && noted->second != keyword) noted->second = name;
 }
 
-/// A value of Python as a message calls it.
+/// The kind of a Python value in messages.
 template <class Value>
 constexpr const char* kind_of(const Value&) {
     if constexpr (std::is_same_v<Value, bool>) return "True or False";
@@ -45,12 +45,12 @@ constexpr const char* kind_of(const std::vector<Value>&) {
     return std::is_same_v<Value, std::string> ? "a list of texts" : "a list of numbers";
 }
 
-/// Whether Python reserves a word: an option that is called so goes by its keyword.
+/// True for reserved words of Python: an option with this name has another keyword.
 inline bool is_reserved(std::string_view name) {
     return nb::cast<bool>(nb::module_::import_("keyword").attr("iskeyword")(std::string(name)));
 }
 
-/// The help of an option and the words it may be: the documentation of keywords is made from it.
+/// The help of an option and its words, the source of the documentation of keywords.
 inline std::string documentation_of(const fields::Option& option) {
     auto text = fields::help_of(option);
     for (const auto& word : option.choices)
@@ -58,8 +58,7 @@ inline std::string documentation_of(const fields::Option& option) {
     return text;
 }
 
-/// Options of a request, or of a part of it, as attributes that Python reads and writes, by name and by keyword, with
-/// their meaning.
+/// Binds the options of a request, or of a part of it, as attributes by name and by keyword, with their meaning.
 template <class Request, class Part = Request>
 void bind_options(nb::class_<Request>& request, std::span<const fields::Option> options) {
     for (const auto& option : options) {

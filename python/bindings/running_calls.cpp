@@ -15,10 +15,10 @@ struct Calls {
     std::condition_variable over;
     std::set<std::atomic<bool>*> running;
     bool ended = false;
-    bool forked = false;  ///< from a process whose threads may have been in calls
+    bool forked = false;  ///< this process is a fork; its parent may have had threads in calls
 };
 
-Calls* calls = new Calls;  // never destroyed: threads may outlive main()
+Calls* calls = new Calls;  // not destroyed, because threads may run longer than main()
 
 }  // namespace
 

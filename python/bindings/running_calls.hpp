@@ -5,15 +5,15 @@
 
 namespace setae::python {
 
-/// Where Python asked to stop.
+/// Thrown when Python requested a stop.
 struct Interrupted {};
 
-/// A call that computes without the interpreter's lock. Threads that are still in one when the interpreter ends could
-/// not take the lock back, and would abort the process: end_running_calls() asks them to stop and waits. Made and
-/// destroyed with the lock.
+/// A call that computes without the lock of the interpreter. A thread in such a call at the end of the interpreter
+/// could not take the lock again and would abort the process. end_running_calls() therefore stops these threads and
+/// waits. Constructed and destroyed with the lock.
 class RunningCall {
 public:
-    /// cancelled: asks the call to stop. @throws Interrupted where calls have been ended.
+    /// cancelled: flag that requests the call to stop. @throws Interrupted after end_running_calls().
     explicit RunningCall(std::atomic<bool>& cancelled);
     ~RunningCall();
     RunningCall(const RunningCall&) = delete;
@@ -23,11 +23,11 @@ private:
     std::atomic<bool>& cancelled_;
 };
 
-/// For atexit: asks every running call to stop, waits until all have, without the lock, and lets no other begin.
-/// Returns whether threads may be left, which keep what they hold until the process has gone.
+/// For atexit: requests every running call to stop, waits without the lock until all have stopped, and refuses new
+/// calls. Returns true if threads may remain; their memory is not released before the process ends.
 bool end_running_calls();
 
-/// For a child of fork(): it has none of the threads that were in calls, and a mutex may be held for good.
+/// For a child of fork(): the child has none of the threads in calls, and a mutex may stay locked.
 void forget_running_calls();
 
 }  // namespace setae::python

@@ -25,7 +25,7 @@
 namespace setae::python {
 namespace {
 
-/// A study that ran, with its figures, and where results are kept.
+/// The result of a study, with its figures and the store of results.
 struct Study {
     explicit Study(const std::optional<std::string>& folder)
         : store(folder ? std::make_unique<cache::Store>(folder->empty() ? cache::default_folder() : *folder,
@@ -50,7 +50,7 @@ study::Study read(const std::string& file, const std::string& output, const std:
     return study;
 }
 
-/// cache: the folder; empty: the user's own; absent: nothing is kept.
+/// cache: folder of results; empty: the folder of the user; absent: no results are kept.
 Run run(const std::string& file, const std::string& output, const std::optional<std::string>& cache,
         const std::string& mapping_folder, const std::atomic<bool>& cancelled) {
     auto done = std::make_shared<Study>(cache);
@@ -74,7 +74,7 @@ void bind_patches(nb::module_& module) {
                                                               : answers::patch_survey(request)));
             });
         },
-        nb::arg("study").none(), nb::arg("request"), "as `setae lab conform --json` prints it");
+        nb::arg("study").none(), nb::arg("request"), "as printed by `setae lab conform --json`");
 }
 
 void bind_figures(nb::module_& module) {
@@ -84,7 +84,8 @@ void bind_figures(nb::module_& module) {
         .def_prop_ro("title", [](const Figure& f) { return f.figure->title; })
         .def_prop_ro("caption", [](const Figure& f) { return f.figure->caption; })
         .def_prop_ro(
-            "reason", [](const Figure& f) { return f.figure->reason; }, "why it cannot be drawn; empty where it can")
+            "reason", [](const Figure& f) { return f.figure->reason; },
+            "reason why the figure cannot be drawn; empty if it can be drawn")
         .def(
             "drawn",
             [](const Figure& f, const std::string& ending) {
@@ -94,7 +95,7 @@ void bind_figures(nb::module_& module) {
                 });
                 return nb::bytes(bytes.data(), bytes.size());
             },
-            nb::arg("ending"), "bytes of an svg, pdf, png, or its numbers as csv");
+            nb::arg("ending"), "bytes of the figure as svg, pdf or png, or its numbers as csv");
 }
 
 }  // namespace
@@ -167,11 +168,11 @@ void bind_studies(nb::module_& module) {
             return report::as_html(quantity);
         },
         nb::arg("value"), nb::arg("standard_error"), nb::arg("unit"), nb::arg("interval").none(),
-        "a number in SI as a study's report shows it");
+        "a number in SI as in the report of a study");
     module.def(
         "title_of_study",
         [](const std::string& file, const std::string& mapping_folder) { return read(file, {}, mapping_folder).title; },
-        nb::arg("file"), nb::arg("mapping_folder"), "reads a study; what is wrong with its file is raised");
+        nb::arg("file"), nb::arg("mapping_folder"), "reads a study; raises an error for a wrong file");
     module.def(
         "run_study",
         [](const std::string& file, const std::string& output, const std::optional<std::string>& cache,

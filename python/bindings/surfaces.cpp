@@ -20,14 +20,14 @@ namespace {
 
 using Items = std::vector<std::shared_ptr<Item>>;
 
-/// A surface that was analysed, and by which options.
+/// An analysed surface, and the options of the analysis.
 struct Surface {
     study::SurfaceWithMap result;
     study::SurfaceAnalysisOptions analysis;
-    Table spectrum;  ///< the one its numbers rest on
+    Table spectrum;  ///< spectrum from which the results are computed
 };
 
-/// The spectrum that a surface's numbers rest on.
+/// The spectrum from which the results of a surface are computed.
 Table spectrum_of(const study::SurfaceResult& surface) {
     if (surface.method == study::SpectrumMethod::likelihood) return output::fitted_spectrum_table(*surface.fitted);
     const auto& curve = surface.used().curve;
@@ -54,9 +54,9 @@ Surface surface(const Items& items, const answers::AnalysisRequest& request, con
     return surface;
 }
 
-answers::ScaleFunction scale_function(const std::string& verb) {
-    if (verb == "sdrp") return answers::ScaleFunction::differences;
-    if (verb == "acf") return answers::ScaleFunction::autocorrelation;
+answers::ScaleFunction scale_function(const std::string& command) {
+    if (command == "sdrp") return answers::ScaleFunction::differences;
+    if (command == "acf") return answers::ScaleFunction::autocorrelation;
     return answers::ScaleFunction::variable_bandwidth;
 }
 
@@ -67,7 +67,7 @@ void bind_analysis(nb::module_& module) {
     bind_options(request, fields::Asked<answers::AnalysisRequest>::memory);
     request.def(
         "require_valid", [](const answers::AnalysisRequest& asked) { (void)asked.analysis(); },
-        "raises InvalidArgument for what is malformed");
+        "raises InvalidArgument for malformed values");
 }
 
 void bind_texture(nb::module_& module) {
@@ -85,7 +85,7 @@ void bind_texture(nb::module_& module) {
             });
         },
         nb::arg("items"), nb::arg("request"), nb::arg("every_measurement"),
-        "as `setae params --standard --json` prints them");
+        "as printed by `setae params --standard --json`");
 }
 
 void bind_adhesion(nb::module_& module) {
@@ -94,7 +94,7 @@ void bind_adhesion(nb::module_& module) {
     bind_asked(solids);
     solids.def(
         "require_valid", [](const answers::AdhesionRequest& request) { (void)request.study({}); },
-        "raises InvalidArgument for what is missing or malformed");
+        "raises InvalidArgument for missing or malformed values");
     module.def(
         "adhesion_of_files",
         [](const Items& items, const answers::AnalysisRequest& request, const answers::AdhesionRequest& solids,
@@ -109,7 +109,7 @@ void bind_adhesion(nb::module_& module) {
             });
         },
         nb::arg("items"), nb::arg("analysis"), nb::arg("solids"), nb::arg("every_measurement"),
-        "as `setae adhesion --json` prints it");
+        "as printed by `setae adhesion --json`");
     module.def(
         "adhesion_of_surface",
         [](const Surface& surface, const answers::AdhesionRequest& solids) {
@@ -166,7 +166,7 @@ void bind_surfaces(nb::module_& module) {
                 return output::as_text(answers::to_json(parameters));
             });
         },
-        nb::arg("items"), nb::arg("analysis"), nb::arg("every_measurement"), "as `setae params --json` prints them");
+        nb::arg("items"), nb::arg("analysis"), nb::arg("every_measurement"), "as printed by `setae params --json`");
     bind_texture(module);
     using Scales = answers::FunctionsOfScale;
     nb::class_<Scales>(module, "FunctionsOfScale")
@@ -207,7 +207,7 @@ void bind_surfaces(nb::module_& module) {
                 return output::as_text(answers::to_json(found));
             });
         },
-        nb::arg("items"), nb::arg("tip_radius"), nb::arg("every_measurement"), "as `setae check --json` prints it");
+        nb::arg("items"), nb::arg("tip_radius"), nb::arg("every_measurement"), "as printed by `setae check --json`");
     nb::class_<Surface>(module, "Surface")
         .def("json",
              [](const Surface& surface) {

@@ -11,13 +11,13 @@
 namespace setae::python {
 namespace {
 
-/// Heights that setae made, and what `--json` says of them.
+/// Simulated heights, with their `--json`.
 struct Made {
     std::shared_ptr<Heights> heights;
     std::string json;
 };
 
-/// A tip, and the surface where it is certain.
+/// An estimated tip, and the surface where it is certain.
 struct TipAndSurface {
     std::shared_ptr<Heights> tip, surface;
     std::string json;
@@ -51,7 +51,7 @@ void bind_synthesis(nb::module_& module) {
                 return 0;
             });
         },
-        nb::arg("heights"), nb::arg("file"), "in the format that the file's ending names");
+        nb::arg("heights"), nb::arg("file"), "writes heights; the ending of the file gives the format");
     nb::class_<answers::BlindTipRequest> tip(module, "BlindTipRequest");
     tip.def(nb::init<>());
     bind_asked(tip);

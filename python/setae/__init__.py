@@ -6,7 +6,7 @@
 >>> psd = setae.power_spectrum(scan, tip_radius="10 ± 2 nm")                    # doctest: +SKIP
 >>> w = setae.work_of_adhesion(scan, E="1.9 MPa", W_int="37 mJ/m2", gamma="25 mJ/m2")   # doctest: +SKIP
 
-Numbers are SI and carry unit, ±, band and source; what has a unit goes in as a text with it. docs/guides/python.md is the guide.
+Results are in SI with unit, standard error, band and source. Arguments with a unit are texts with the unit. The guide is docs/guides/python.md.
 """
 
 from __future__ import annotations

@@ -10,7 +10,7 @@ from typing import NoReturn
 
 
 def program() -> pathlib.Path:
-    """The program that came with this package."""
+    """The program that is installed with this package."""
     return pathlib.Path(__file__).parent / "bin" / "setae"
 
 

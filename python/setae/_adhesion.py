@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What roughness makes of adhesion."""
+"""Work of adhesion on rough surfaces."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ from ._spectra import Surface, analysis_of, shared_options
 
 
 class WorkOfAdhesion(Answer):
-    """W_app and what it rests on, as ``setae adhesion --json`` prints it. ``float()`` is W_app of contact without load [J/m²].
+    """W_app and the quantities that it depends on, as printed by ``setae adhesion --json``. ``float()`` is W_app without load [J/m²].
 
-    ``w["answers"]``: that of each theory, with what it assumes.  ``w["work_of_adhesion_modified"]``, ``w["stored_energy"]``, ``w["true_area_ratio"]`` … by the names of the JSON; ``w["scales"]``: what waves
-    of each scale gain and store.
+    ``w["answers"]``: W_app of each theory, with its assumptions.  ``w["work_of_adhesion_modified"]``, ``w["stored_energy"]``,
+    ``w["true_area_ratio"]`` … by the names of the JSON.  ``w["scales"]``: energy that waves of each scale gain and store.
     """
 
     @property
@@ -59,8 +59,8 @@ def work_of_adhesion(
 
     The result is that of simulated patches that store U_el/(A W), W = W_int r − γ1 (r − 1). In full contact it is W − U_el/A_app, the
     full-contact balance (Eq. 7), with r = A_true/A_app and U_el/A_app = (E*/8) ∫ q C1D dq [Dalvi et al., PNAS 116 (2019) 25484, Eq. 7 and 8].
-    Other theories are in ``["answers"]``. The first argument is a surface of :func:`surface`, or measurements, which are averaged as by the
-    program. Pull-off force and loss of a sphere (radius, preload) are lower bounds, which approach those of JKR as the roughness tends to zero.
+    Other theories are in ``["answers"]``. The first argument is a surface of :func:`surface`, or measurements, which are averaged as by
+    ``setae adhesion``. Pull-off force and loss of a sphere (radius, preload) are lower bounds, which approach those of JKR as the roughness tends to zero.
 
     Parameters
     ----------
@@ -99,7 +99,7 @@ def work_of_adhesion(
     solids.require_valid()
     if isinstance(surface, Surface):
         if measurement:
-            raise TypeError(f"{', '.join(measurement)}: the surface is analysed already; say it to setae.surface")
+            raise TypeError(f"{', '.join(measurement)}: the surface is analysed already; give this argument to setae.surface")
         return WorkOfAdhesion(_setae.adhesion_of_surface(surface.analysed(), solids))
     names = ("instrument", "tip_radius", "resolution", "trend", "size", "unit", "keep_values")
     shared = shared_options(*(measurement.pop(name, None) for name in names))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Answers that are columns of numbers."""
+"""Results with columns of numbers."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Columns:
-    """Columns of numbers by name, each with its unit, on setae's memory: they cannot be written to."""
+    """Columns of numbers by name, each with its unit. The arrays are memory of setae and read-only."""
 
     columns: dict[str, Array]
     units: dict[str, str]
-    text: str | Callable[[], str] = field(repr=False)  #: what ``json()`` gives, or what makes it when it is first asked for
+    text: str | Callable[[], str] = field(repr=False)  #: text of ``json()``, or a function that makes the text at the first call
 
     def json(self) -> str:
-        """The bytes that the verb prints with ``--json``."""
+        """The bytes that the command prints with ``--json``."""
         if not isinstance(self.text, str):
             self.__dict__["text"] = self.text()
         return cast("str", self.text)
@@ -40,12 +40,12 @@ class Columns:
 
     @property
     def data(self) -> Json:
-        """The same as dictionaries and lists, made anew each time."""
+        """The JSON as dictionaries and lists; every call makes new ones."""
         return json.loads(self.json())
 
     @property
     def n(self) -> int:
-        """Measurements it rests on."""
+        """Number of measurements that the result depends on."""
         return len(self.data["measurements"])
 
     @property

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Contact of rough surfaces: pressed on an elastic body without and with adhesion, and Persson's theory of it."""
+"""Contact of rough surfaces with an elastic body, without and with adhesion, and Persson's theory."""
 
 from __future__ import annotations
 
@@ -24,9 +24,9 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, repr=False)
 class Contact(Answer):
-    """A rigid rough surface pressed on an elastic body, as ``setae contact solve --json`` says it.
+    """A rigid rough surface pressed on an elastic body, as printed by ``setae contact solve --json``.
 
-    ``pressures`` [Pa], below 0 where it is drawn, and ``gaps`` [m]: maps, first index x; of a line one row.
+    ``pressures`` [Pa], negative for tension, and ``gaps`` [m] are maps with the first index x; a line gives one row.
     """
 
     pressures: Array = field(compare=False)
@@ -43,7 +43,7 @@ class Contact(Answer):
 
 
 def made_surface(pixels: int | str | None, cell: Text | None, surface: str | None, seed: int) -> Any:
-    """What a surface that is made from a spectrum is told."""
+    """Options of a surface that is made from a spectrum."""
     return filled(_setae.MadeSurfaceRequest(), pixels=None if pixels is None else str(pixels), cell=cell, surface=surface, seed=seed)
 
 
@@ -77,11 +77,11 @@ def contact(
 ) -> Contact:
     """A rigid rough surface pressed on an elastic body without friction: p ≥ 0, g ≥ 0, p g = 0 [Johnson 1985, ch. 13].
 
-    One of pressure, displacement and mean_gap is given. With W_int and range the bodies attract each other, V(0) = −W_int and
-    V'(0) = W_int/range; the equilibrium is the one reached from large distance, without hardness and free edges.
+    One of pressure, displacement and mean_gap is given. With W_int and range the bodies attract each other: V(0) = −W_int and
+    dV/dg = W_int/range at g = 0. The result is the equilibrium that is reached from a large distance, without hardness and free edges.
 
     If the file is the table of a spectrum, or a study, a surface is made from it (pixels, cell, surface, seed) with the waves of the spectrum
-    that the grid holds. Measured heights are levelled as before a spectrum, unless they are periodic. A map that is not periodic and is
+    that fit on the grid. Measured heights are levelled as before a spectrum, unless they are periodic. A map that is not periodic and is
     repeated raises the warning MAP_NOT_PERIODIC.
 
     Parameters
@@ -164,7 +164,7 @@ def contact(
 
 @dataclass(frozen=True, eq=False, repr=False)
 class _ContactLoop(Columns):
-    """Steps of a contact that comes and goes."""
+    """Steps of approach and retraction."""
 
     quantities: tuple[Quantity, ...] = field(default=())
 
@@ -175,7 +175,7 @@ class _ContactLoop(Columns):
 
     @property
     def complete(self) -> bool:
-        """It came to its end, and every step converged."""
+        """True if the loop reached its end and every step converged."""
         return bool(self.data["status"] == "complete")
 
     def __repr__(self) -> str:
@@ -184,9 +184,9 @@ class _ContactLoop(Columns):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class ContactSweep(_ContactLoop):
-    """A loop from far into contact and back, a row a step, as ``setae contact sweep --json`` says it; ``quantities``: works and losses.
+    """Approach and retraction with one row per step, as printed by ``setae contact sweep --json``; ``quantities``: works and losses.
 
-    ``maps``: by name of a state its pressures [Pa], below 0 where it is drawn, and gaps [m], where they were asked for.
+    ``maps``: pressures [Pa], negative for tension, and gaps [m] by the name of the state, if maps were asked for.
     """
 
     maps: Mapping[str, tuple[Array, Array]] = field(default_factory=dict)
@@ -300,10 +300,10 @@ def contact_sweep(
 
 @dataclass(frozen=True, eq=False, repr=False)
 class ContactFront(_ContactLoop):
-    """A soft sphere on a rough surface and back, a row a step, as ``setae contact front --json`` says it; ``quantities``: works, jumps, losses.
+    """Loop of a soft sphere on a rough surface, one row per step, as printed by ``setae contact front --json``; ``quantities``: works, jumps, losses.
 
-    ``edge``: where a duration was given "time", "frame", "displacement", "force", "radius_1" … while it touches; ``save_edge("edge.csv")`` writes
-    what :func:`contact_line` reads.
+    ``edge``: with a duration the columns "time", "frame", "displacement", "force", "radius_1" … during contact. ``save_edge("edge.csv")``
+    writes a table for :func:`contact_line`.
     """
 
     edge: Mapping[str, Array] = field(default_factory=dict)
@@ -312,7 +312,7 @@ class ContactFront(_ContactLoop):
     def save_edge(self, file: Path) -> None:
         """Writes the edge as a table."""
         if not self.edge:
-            raise InvalidArgument("no edge was kept; expected a duration")
+            raise InvalidArgument("no edge was kept; expected the argument duration")
         self.handle.save_edge(path(file))
 
 
@@ -423,7 +423,7 @@ def contact_front(
 
 
 class PerssonContact(Columns):
-    """Contact by Persson's theory: against pressure or, of one pressure, against the waves up to q alone."""
+    """Contact by Persson's theory: against pressure or, for one pressure, against q with only the waves up to q."""
 
     def __repr__(self) -> str:
         return f"PerssonContact({', '.join(self.columns)})"
@@ -518,13 +518,15 @@ def persson(
 
 
 class ContactComparison(Columns):
-    """Solved contacts of surfaces with a spectrum and Persson's theory of it, against pressure: "mean_gap" is the mean over surfaces,
-    "mean_gap_standard_error" its error, "mean_gap_persson" the theory's; likewise of "area_fraction", "contact_stiffness", "stored_energy".
+    """Solved contacts of surfaces with one spectrum, and Persson's theory, against pressure.
+
+    "mean_gap" is the mean over surfaces, "mean_gap_standard_error" is its standard error, and "mean_gap_persson" is the value of the theory.
+    The quantities "area_fraction", "contact_stiffness" and "stored_energy" have columns with the same endings.
     """
 
     @property
     def n(self) -> int:
-        """Surfaces behind every mean."""
+        """Number of surfaces in every mean."""
         return int(self.data["surfaces"])
 
     def __repr__(self) -> str:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Containers of contact.engineering, and the formats that are read and written."""
+"""Containers of contact.engineering, and the supported formats."""
 
 from __future__ import annotations
 
@@ -10,20 +10,20 @@ from . import _setae
 from ._options import Path, Text, filled, path, text
 from ._quantities import Answer
 
-#: A value of all files, or of each by its name.
+#: One value for all files, or a value per file by its name.
 Stated = Union[Text, int, Mapping[str, Union[Text, int]], None]
 
 
 class Container(Answer):
-    """A container that was written, as ``setae container write --json`` says it."""
+    """A written container, as printed by ``setae container write --json``."""
 
 
 class ContainerReport(Answer):
-    """What containers hold and what is wrong in them, as ``setae container check --json`` says it."""
+    """Content and problems of containers, as printed by ``setae container check --json``."""
 
 
 class Formats(Answer):
-    """Every format that is read or written: "formats" of topographies, "force_curves", "micrographs"."""
+    """All supported formats: "formats" of topographies, "force_curves", "micrographs"."""
 
 
 def stated(values: Stated) -> list[str]:
@@ -49,7 +49,7 @@ def write_container(
     keep_values: bool = False,
     skip_failed: bool = False,
 ) -> Container:
-    """Writes a container that contact.engineering opens: measured files become one surface, containers among them keep theirs.
+    """Writes a container for contact.engineering. Measured files become one surface; containers keep their surfaces.
 
     Missing size, unit, channel and detrend are given for all files, or by file: ``unit={"scan.npy": "nm"}``.
 
@@ -96,12 +96,12 @@ def write_container(
 
 
 def check_container(*files: Path) -> ContainerReport:
-    """What containers hold, what is wrong in them, and whether they are the same after writing and reading."""
+    """Content and problems of containers, and their differences after writing and reading."""
     return ContainerReport(_setae.check_containers([path(file) for file in files]))
 
 
 def formats() -> Formats:
-    """Every format that is read or written.
+    """All formats that are read or written.
 
     >>> "x3p" in [entry["identifier"] for entry in formats().data["formats"]]
     True

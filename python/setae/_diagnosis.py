@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is wrong with measurements."""
+"""Problems of measurements."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from ._scan import Measured, items
 
 @dataclass(frozen=True)
 class Finding:
-    """Something wrong with a measurement, and how large its effect is in numbers."""
+    """A problem of a measurement, with the size of its effects."""
 
     alert: Alert
     effects: tuple[Quantity, ...]
@@ -24,7 +24,7 @@ class Finding:
 
 
 class Diagnosis(Answer):
-    """What was found, as ``setae check --json`` prints it; empty where nothing was."""
+    """Problems of measurements, as printed by ``setae check --json``; empty if there are none."""
 
     @property
     def findings(self) -> tuple[Finding, ...]:
@@ -45,9 +45,9 @@ class Diagnosis(Answer):
 
 def check(measurements: Measured, *, tip_radius: Text | None = None, size: Text | None = None, unit: str | None = None, keep_values: bool = False,
           skip_failed: bool = False) -> Diagnosis:
-    """What is wrong with measurements, each alone and compared with each other, how large its effect is, what to do.
+    """Problems of single measurements and differences between them, with the size of the effect and a remedy.
 
-    Spikes, scars, noise, quantised heights, offsets of scan lines, curves that turn back … (docs/reference/diagnostics.md).
+    Tests look for spikes, scars, noise, quantised heights, offsets of scan lines, curves that turn back … (docs/reference/diagnostics.md).
 
     >>> import numpy, setae
     >>> heights = 1e-9 * numpy.random.default_rng(1).standard_normal((64, 64))

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What setae raises."""
+"""Exceptions of setae."""
 
 from __future__ import annotations
 
 
 class Error(Exception):
-    """Root of everything setae raises: what, where, got, expected and the remedy, in one line.
+    """Base class of all exceptions of setae. The message states in one line what happened, where, the value, the expected value and the remedy.
 
-    Its parts, where the message has them: ``file``, ``line`` or ``offset`` (bytes) in it, ``got`` and ``expected``.
+    Attributes, if the message contains them: ``file``, ``line`` or ``offset`` (bytes) in the file, ``got`` and ``expected``.
 
     >>> import setae
     >>> try:
@@ -25,7 +25,7 @@ class Error(Exception):
 
 
 class InvalidArgument(Error, ValueError):
-    """An argument outside the domain its documentation states."""
+    """An argument outside its documented domain."""
 
 
 class FileError(Error, OSError):
@@ -33,12 +33,12 @@ class FileError(Error, OSError):
 
 
 class FormatError(Error, ValueError):
-    """A file whose content breaks its format, or whose format nobody knows."""
+    """A file with content that violates its format, or with an unknown format."""
 
 
 class UndefinedDataError(Error, ArithmeticError):
-    """Too few defined values for the quantity asked for."""
+    """Too few defined values for a quantity."""
 
 
 class InternalError(Error):
-    """A state setae promised could not happen: please report it."""
+    """An impossible state, caused by an error in setae: please report it."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What belongs to contact experiments: lenses, cameras, recordings, micrographs, force curves, means over replicates."""
+"""Contact experiments: lenses, cameras, recordings, micrographs, force curves, means over replicates."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def paths(files: Paths) -> list[str]:
 
 
 class Lens(Answer):
-    """A lens by its section, as ``setae jkr lens --json`` prints it."""
+    """Radius and shape of a lens, as printed by ``setae jkr lens --json``."""
 
     @property
     def radius(self) -> Quantity:
@@ -52,23 +52,23 @@ def lens(file: Path, *, x: str | None = None, z: str | None = None, start: Text 
 
 
 class Camera(Answer):
-    """A camera's scale, as ``setae jkr camera --json`` prints it."""
+    """Scale of a camera, as printed by ``setae jkr camera --json``."""
 
     @property
     def pixel_size(self) -> Quantity:
-        """[m] at the picture's centre."""
+        """Pixel size [m] at the centre of the picture."""
         found: Quantity = self["pixel_size"]
         return found
 
 
 def camera(pictures: Paths, pitch: Text) -> Camera:
-    """Size of a pixel and distortion, from pictures of a ruling whose lines are ``pitch`` apart, "10 um" or "10 ± 0.02 um"."""
+    """Pixel size and distortion from pictures of a ruling. ``pitch`` is the distance of its lines, "10 um" or "10 ± 0.02 um"."""
     return Camera(_setae.camera_scale(paths(pictures), text(pitch)))
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Recording(Columns):
-    """What was found in the frames of a recording, a row a frame."""
+    """Results of a recording, one row per frame."""
 
     handle: Any = field(default=None, repr=False)
 
@@ -77,7 +77,7 @@ class Recording(Columns):
 
     @property
     def alerts(self) -> tuple[Alert, ...]:
-        """Notes on the recording stand in ``data["notes"]``."""
+        """Always empty; notes on the recording are in ``data["notes"]``."""
         return ()
 
     def save(self, file: Path) -> None:
@@ -85,11 +85,11 @@ class Recording(Columns):
 
 
 class ContactRadii(Recording):
-    """Contact radii of a recording, a row a frame; ``save("radius.csv")`` writes what ``loop(…, camera=…)`` reads."""
+    """Contact radii of a recording, one row per frame; ``save("radius.csv")`` writes a table for ``loop(…, camera=…)``."""
 
     @property
     def n(self) -> int:
-        """Frames that were measured."""
+        """Number of frames with a contact radius."""
         return int(self.data["summary"]["measured"])
 
     def __repr__(self) -> str:
@@ -162,21 +162,21 @@ def contact_radii(
 
 @dataclass(frozen=True, eq=False, repr=False)
 class ContactLine(Recording):
-    """The edge of a contact, as ``setae jkr line --json`` says it: a row a frame; ``edge``: "time", "frame", "radius_1" … at every angle [m].
+    """The edge of a contact, as printed by ``setae jkr line --json``, one row per frame; ``edge``: "time", "frame", "radius_1" … at every angle [m].
 
-    ``save("edge.csv")`` writes what :func:`contact_line` reads again.
+    ``save("edge.csv")`` writes a table for :func:`contact_line`.
     """
 
     edge: dict[str, Any] = field(default_factory=dict, repr=False)
 
     @property
     def n(self) -> int:
-        """Frames."""
+        """Number of frames."""
         return len(self["time"])
 
     @property
     def roughness_exponent(self) -> Quantity | None:
-        """ζ of ⟨|r_n|²⟩ ∝ n^−(1 + 2ζ); None where too few frames or places say anything."""
+        """ζ of ⟨|r_n|²⟩ ∝ n^−(1 + 2ζ); None for too few frames or places."""
         roughness = self.data["roughness"]
         return None if roughness is None else quantity_from(roughness["exponent"])
 
@@ -245,13 +245,13 @@ def contact_line(
 
 @dataclass(frozen=True, repr=False)
 class Contour(Answer):
-    """The contour in a micrograph, as ``setae contour --json`` says it; ``profiles`` are texts of files, the longest first."""
+    """The contour in a micrograph, as printed by ``setae contour --json``; ``profiles`` are texts of profile files, the longest first."""
 
     profiles: tuple[str, ...] = field(default=(), compare=False)
     overlay: bytes = field(default=b"", compare=False)  #: the picture with the edge drawn in, PNG
 
     def save(self, file: Path, segment: int = 0) -> None:
-        """Writes a profile, which :func:`read` opens."""
+        """Writes a profile as a file for :func:`read`."""
         with open(file, "w", encoding="utf-8") as written:
             written.write(self.profiles[segment])
 
@@ -276,11 +276,11 @@ def contour(
     image: int | str | None = None,
     ignore_stated_pixel_size: bool = False,
 ) -> Contour:
-    """The profile of a sample seen from its side: DM3, DM4, TIFF, PNG, JPEG, SER, EMD or MRC.
+    """The profile of a sample in a picture of its side: DM3, DM4, TIFF, PNG, JPEG, SER, EMD or MRC.
 
-    pixel: its size, where the file does not state it; or scale_bar: what the bar in the picture stands for; or calibration: a file of it.
+    pixel: size of a pixel, if the file does not state it; or scale_bar: length of the scale bar; or calibration: a calibration file.
     vacuum: "bright", "dark" or "automatic".  shape: "envelope", "cut" or "parametric".  hidden: "x,y,width,height" of parts without sample.
-    image: of a file of several, by its number, counted from 0, or its title; without it the first picture.
+    image: number, counted from 0, or title of an image in a file of several images; default: the first picture.
     """
     request = filled(
         _setae.ContourRequest(),
@@ -303,7 +303,7 @@ def contour(
 
 
 class ForceCurves(Answer):
-    """Fits of a force curve ("segments", "summary"), or of every curve of a file ("curves"), as ``setae jkr fit --json`` prints them."""
+    """Fits of a force curve ("segments", "summary"), or of every curve of a file ("curves"), as printed by ``setae jkr fit --json``."""
 
 
 def force_curves(
@@ -324,7 +324,7 @@ def force_curves(
     sensitivity: Text | None = None,
     curve_number: int | None = None,
 ) -> ForceCurves:
-    """Fits of force curves: force and displacement only, with the contact found where the force leaves the baseline.
+    """Fits of force curves (force and displacement). The contact begins where the force leaves the baseline.
 
     Parameters
     ----------
@@ -373,7 +373,7 @@ def force_curves(
 
 
 class Replicates(Answer):
-    """Means over surfaces, lenses, spots and repeats, as ``setae jkr summary --json`` prints them."""
+    """Means over surfaces, lenses, spots and repeats, as printed by ``setae jkr summary --json``."""
 
 
 def replicates(

@@ -21,33 +21,33 @@ if TYPE_CHECKING:
 
 
 class LoopFit(Answer):
-    """Everything that is fitted to a loop, as ``setae jkr fit --json`` prints it: ``fit["loading"]["fits"]["joint"]``, ``fit["pull_off"]`` …"""
+    """All fits to a loop, as printed by ``setae jkr fit --json``: ``fit["loading"]["fits"]["joint"]``, ``fit["pull_off"]`` …"""
 
     @property
     def E_star(self) -> Quantity:
-        """Contact modulus of loading [Pa], by the fit that counts."""
+        """Contact modulus of loading [Pa] from the primary fit."""
         found: Quantity = self["loading"]["contact_modulus"]
         return found
 
     @property
     def W(self) -> Quantity:
-        """Work of adhesion of loading [J/m²], by the fit that counts."""
+        """Work of adhesion of loading [J/m²] from the primary fit."""
         found: Quantity = self["loading"]["work_of_adhesion"]
         return found
 
     @property
     def loss(self) -> Quantity | None:
-        """Energy of the closed loop [J]; None where it could not be had, which ``fit["loop_reason"]`` says."""
+        """Energy of the closed loop [J]; None if it is unknown, with the reason in ``fit["loop_reason"]``."""
         loop = self["loop"]
         return None if loop is None else loop["energy"]
 
     def __repr__(self) -> str:
-        lost = "" if self.loss is None else f", E_loss = {self.loss}"
-        return f"LoopFit(E* = {self.E_star}, W = {self.W}{lost})"
+        loss = "" if self.loss is None else f", E_loss = {self.loss}"
+        return f"LoopFit(E* = {self.E_star}, W = {self.W}{loss})"
 
 
 class MachineStiffness(Answer):
-    """Stiffness of the machine, as ``setae jkr stiffness --json`` prints it."""
+    """Stiffness of the testing machine, as printed by ``setae jkr stiffness --json``."""
 
     @property
     def stiffness(self) -> Quantity:
@@ -57,12 +57,12 @@ class MachineStiffness(Answer):
 
 
 class LoopEnergy(Answer):
-    """Where the energy of a loop goes, as ``setae jkr energy --json`` prints it."""
+    """Energy budget of a loop, as printed by ``setae jkr energy --json``."""
 
 
 @dataclass(frozen=True, eq=False)
 class Loop:
-    """A loop as it was read, in SI, and what is known of the bodies."""
+    """A loop in SI, and the properties of its bodies."""
 
     file: str
     files: tuple[tuple[str, Any], ...] = field(default=(), repr=False)
@@ -80,7 +80,7 @@ class Loop:
 
     @property
     def columns(self) -> dict[str, Array]:
-        """"force" [N], "displacement" [m], "contact_radius" [m], "time" [s], as far as the file has them."""
+        """"force" [N], "displacement" [m], "contact_radius" [m], "time" [s], if the file contains them."""
         return self._opened.columns
 
     @property
@@ -139,7 +139,7 @@ class Loop:
         machine_stiffness : str or Quantity
             stiffness of the testing machine, where the displacement is that of the stage, such as "30 ± 1 N/m"
         rigid_contact : str or Quantity
-            file of a loop on a rigid body, from which the machine stiffness is measured
+            file of a loop on a rigid body that gives the stiffness of the testing machine
         contact_point : str or Quantity, default 'auto'
             contact point of force-displacement fits: auto, fit, a method such as jump_in, or a displacement
         segments : Sequence[str] or str
@@ -167,7 +167,7 @@ class Loop:
         whole_retraction : bool, default False
             fit of the retraction from the largest force on, pinned stretch included
         retraction_modulus_free : bool, default False
-            E* as a free parameter of the retraction fit (S2)
+            E* as a free parameter of the retraction fit (Eq. S2)
         """
         wanted = {
             "models": texts(models),
@@ -182,11 +182,11 @@ class Loop:
         return LoopFit(self._answer(wanted, dict(settings)).fit)
 
     def energy(self, **settings: Unpack[LoopSettings]) -> LoopEnergy:
-        """Where the energy goes: work in and out, jumps, the smooth sphere's own loss, loss per area."""
+        """Energy budget: work in and out, jumps, loss of a smooth sphere, loss per area."""
         return LoopEnergy(self._answer({}, dict(settings)).energy)
 
     def machine_stiffness(self) -> MachineStiffness:
-        """Of a loop on something rigid: slope of force against the stage's position."""
+        """Stiffness from a loop on a rigid body: slope of force against the position of the stage."""
         return MachineStiffness(_setae.machine_stiffness(self._opened))
 
     def plot(self, ax: Any = None) -> Any:
@@ -198,7 +198,7 @@ class Loop:
 
 def files_of(*, frame_rate: float | None = None, fringes: bool = False, curve_number: int | None = None,
              columns: Mapping[str, str] | None = None, **texts: Text | None) -> dict[str, Any]:
-    """Attributes of LoopFiles; what is not named is left open."""
+    """Attributes of LoopFiles; arguments that are not given keep their defaults."""
     names = ("mapping", "camera", "camera_mapping", "clock_offset", "pixel", "spring_constant", "sensitivity")
     return {
         **{name: text(texts.get(name)) for name in names},
@@ -224,7 +224,7 @@ def bodies_of(*, radius: Text | None = None, lens_height: Text | None = None, la
 
 
 def checked_bodies(given: Mapping[str, Any]) -> _setae.LoopBodies:
-    """The bodies; what is wrong with them is raised."""
+    """The bodies. Raises an error for wrong values."""
     bodies = filled(_setae.LoopBodies(), **given)
     bodies.check()
     return bodies

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Arguments as the library reads them: texts with their units, by its own parser."""
+"""Arguments as texts with units for the parser of the library."""
 
 from __future__ import annotations
 
@@ -11,16 +11,16 @@ from typing import Any, TypeVar, Union
 
 from ._quantities import Quantity
 
-#: What has a unit: a text such as "10 ± 2 nm", or a quantity that setae gave. A bare number is refused: it has none.
+#: A value with a unit: a text such as "10 ± 2 nm", or a quantity from setae. A number without unit is refused.
 Text = Union[str, Quantity]
 #: A file by its path.
 Path = Union[str, "os.PathLike[str]"]
-#: The mappings that go by their names.
+#: Folder of the mappings that are found by their names.
 MAPPINGS = str(pathlib.Path(__file__).parent / "share" / "setae" / "mappings")
 
 
 def text(value: Text | float | None) -> str:
-    """The text that the library's parser reads; it says what is wrong with it."""
+    """The text for the parser of the library, which reports errors in it."""
     if value is None:
         return ""
     if isinstance(value, Quantity):
@@ -34,7 +34,7 @@ def text(value: Text | float | None) -> str:
 
 
 def texts(value: Sequence[str] | str) -> list[str]:
-    """A list of texts, of which one may be given alone."""
+    """A list of texts from a list or a single text."""
     return [value] if isinstance(value, str) else list(value)
 
 
@@ -42,7 +42,7 @@ Request = TypeVar("Request")
 
 
 def filled(request: Request, **given: Any) -> Request:
-    """A request of the library with what is given; None leaves its own default."""
+    """A request of the library with the given values; None keeps the default of the library."""
     for name, value in given.items():
         if value is None:
             continue
@@ -55,7 +55,7 @@ def filled(request: Request, **given: Any) -> Request:
 
 
 def named(value: int | str | None) -> str | None:
-    """A channel or image by its number, counted from 0, or its name, as the library takes it."""
+    """A channel or image by its number, counted from 0, or its name, as a text for the library."""
     return None if value is None else str(value)
 
 

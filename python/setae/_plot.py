@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Pictures by matplotlib, which is an optional extra: ``pip install setae[plot]``."""
+"""Plots with matplotlib, an optional dependency: ``pip install setae[plot]``."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Numbers that leave setae: never without unit, uncertainty, band and source."""
+"""Results of setae: numbers with unit, uncertainty, band and source."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ Json = Any
 
 
 def number(value: Json) -> float:
-    """A number of JSON: null is NaN, infinity a text."""
+    """A number of JSON: null is NaN, infinity is a text."""
     if value is None:
         return math.nan
     return float(value)
@@ -34,7 +34,7 @@ class Interval:
 
 @dataclass(frozen=True)
 class Band:
-    """Range of wavevectors that a number rests on [1/m]."""
+    """Range of wavevectors that a number depends on [1/m]."""
 
     lower: float
     upper: float
@@ -42,7 +42,7 @@ class Band:
 
 @dataclass(frozen=True)
 class Alert:
-    """Something the reader of a number must know: which alert, about what, why, what to do."""
+    """A warning about a number: code, subject, message and action."""
 
     code: str
     subject: str
@@ -55,10 +55,10 @@ class Alert:
 
 @dataclass(frozen=True)
 class Quantity:
-    """A number in SI with what is known of it. ``float()`` gives its value.
+    """A number in SI with its uncertainty and source. ``float()`` gives its value.
 
-    ``standard_error`` is NaN where none is known. ``interval`` is at its own level, 95 % as a rule; ``method`` says how both were
-    found. ``band``: wavevectors it rests on; ``n``: measurements, points or pairs; ``source``: formula and where it is from.
+    ``standard_error`` is NaN if it is unknown. ``interval`` has its own level, usually 95 %. ``method`` describes how both were found.
+    ``band``: wavevectors that the number depends on; ``n``: measurements, points or pairs; ``source``: formula with reference.
 
     >>> import setae
     >>> E = setae.Quantity("youngs_modulus", "E", 0.7e6, "Pa", standard_error=0.02e6)
@@ -87,7 +87,7 @@ class Quantity:
         return _setae.format_uncertain(self.value, self.standard_error, self.unit)
 
     def to_html(self) -> str:
-        """The number with its ± and interval, as a study's report shows it."""
+        """The number with ± and interval as in the report of a study."""
         between = (self.interval.lower, self.interval.upper, self.interval.level) if self.interval else None
         return _setae.quantity_html(self.value, self.standard_error, self.unit, between)
 
@@ -113,7 +113,7 @@ def alerts_from(entries: Json) -> tuple[Alert, ...]:
 
 
 def quantity_from(entry: Mapping[str, Json]) -> Quantity:
-    """A quantity of the program's JSON."""
+    """A quantity from the JSON of the program."""
     interval, band = entry.get("interval"), entry.get("band")
     return Quantity(
         quantity=entry["quantity"],
@@ -137,7 +137,7 @@ def is_quantity(entry: Json) -> bool:
 
 
 def part(entry: Json) -> Any:
-    """A part of an answer, which cannot be changed: quantities, answers of their own, tuples."""
+    """A read-only part of an answer: a quantity, another answer, a tuple or a value."""
     if is_quantity(entry):
         return quantity_from(entry)
     if isinstance(entry, dict):
@@ -147,7 +147,7 @@ def part(entry: Json) -> Any:
 
 @dataclass(frozen=True, repr=False)
 class Answer(Mapping[str, Any]):
-    """What was computed, by the names of the program's JSON: ``answer["loading"]["contact_modulus"]`` is a :class:`Quantity`.
+    """Results by the names of the JSON: ``answer["loading"]["contact_modulus"]`` is a :class:`Quantity`.
 
     >>> answer = Answer('{"n": 3, "rms_slope": {"quantity": "rms_slope", "symbol": "s", "value": 0.5, "unit": "1"}}')
     >>> answer["n"], float(answer["rms_slope"]), list(answer)
@@ -166,7 +166,7 @@ class Answer(Mapping[str, Any]):
 
     @property
     def data(self) -> Json:
-        """The same as dictionaries and lists, made anew each time."""
+        """The JSON as dictionaries and lists; every call makes new ones."""
         return json.loads(self.text)
 
     def __getstate__(self) -> dict[str, Any]:
@@ -186,7 +186,7 @@ class Answer(Mapping[str, Any]):
 
     @property
     def quantities(self) -> tuple[Quantity, ...]:
-        """Those that stand in it directly, or in its list "quantities"."""
+        """The quantities at the top level, and those of the list "quantities"."""
         data = self._data
         entries: Sequence[Json] = data if isinstance(data, list) else [*data.values(), *data.get("quantities", ())]
         return tuple(quantity_from(entry) for entry in entries if is_quantity(entry))
@@ -198,8 +198,8 @@ class Answer(Mapping[str, Any]):
 
     def __repr__(self) -> str:
         quantities = self.quantities
-        said = [f"{q.symbol or q.quantity} = {q}" for q in quantities[:6]] if quantities else list(self._data)
-        return f"{type(self).__name__}({', '.join(map(str, said))})"
+        parts = [f"{q.symbol or q.quantity} = {q}" for q in quantities[:6]] if quantities else list(self._data)
+        return f"{type(self).__name__}({', '.join(map(str, parts))})"
 
     def _repr_html_(self) -> str:
         rows = "".join(
@@ -207,5 +207,5 @@ class Answer(Mapping[str, Any]):
             f"<td>{q.to_html()}</td></tr>"
             for q in self.quantities
         )
-        remarks = "".join(f"<li>{html.escape(str(alert))}</li>" for alert in self.alerts)
-        return f"<table>{rows}</table>" + (f"<ul>{remarks}</ul>" if remarks else "")
+        warnings = "".join(f"<li>{html.escape(str(alert))}</li>" for alert in self.alerts)
+        return f"<table>{rows}</table>" + (f"<ul>{warnings}</ul>" if warnings else "")

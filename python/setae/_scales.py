@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 class FunctionOfScale(Columns):
-    """A function of a distance, of one measurement or combined from several."""
+    """A function of a distance, from one measurement or combined from several."""
 
     @property
     def quantity(self) -> str:
@@ -26,7 +26,7 @@ class FunctionOfScale(Columns):
 
     @property
     def distance(self) -> Array:
-        """[m]"""
+        """Distances [m]."""
         return self.columns["distance"]
 
     @property
@@ -37,13 +37,13 @@ class FunctionOfScale(Columns):
         return f"FunctionOfScale({self.quantity} [{self.units[self.quantity]}] at {len(self.distance)} distances, {self.n} measurements)"
 
     def plot(self, ax: Any = None, **style: Any) -> Any:
-        """On axes of matplotlib, both logarithmic."""
+        """Plots the function on logarithmic axes of matplotlib."""
         from ._plot import plot_function_of_scale
 
         return plot_function_of_scale(self, ax, **style)
 
 
-def found(verb: str, measurements: Measured, asked: dict[str, Any], options: dict[str, Any]) -> FunctionOfScale:
+def function_of_scale(command: str, measurements: Measured, asked: dict[str, Any], options: dict[str, Any]) -> FunctionOfScale:
     names = ("instrument", "tip_radius", "resolution", "trend", "size", "unit", "keep_values")
     shared = shared_options(*(options.pop(name, None) for name in names))
     request = _setae.ScaleRequest()
@@ -56,7 +56,7 @@ def found(verb: str, measurements: Measured, asked: dict[str, Any], options: dic
         raise TypeError(f"unknown argument '{next(iter(options))}'")
     for name, value in asked.items():
         setattr(request, name, value)
-    answer = _setae.functions_of_scale(verb, items(measurements, shared), analysis_of(memory=memory), request)
+    answer = _setae.functions_of_scale(command, items(measurements, shared), analysis_of(memory=memory), request)
     return FunctionOfScale(answer.columns, answer.units, answer.json)
 
 
@@ -69,7 +69,7 @@ def scale_dependent(
     along: str = "x",
     **options: Any,
 ) -> FunctionOfScale:
-    """Slope (order 1), curvature (2) or third derivative (3) as a function of scale, as ``setae sdrp``.
+    """Slope (order 1), curvature (order 2) or third derivative (order 3) as a function of scale, as ``setae sdrp``.
 
     [h(x + s) − h(x)]/s over d = s; [h(x − s) − 2h(x) + h(x + s)]/s² over d = 2s.
 
@@ -88,7 +88,7 @@ def scale_dependent(
     """
     lengths: list[Any] = [distance] if not isinstance(distance, (list, tuple)) else list(distance)
     asked = {"order": order, "distance": ",".join(map(text, lengths)), "statistic": statistic, "along": along}
-    return found("sdrp", measurements, asked, options)
+    return function_of_scale("sdrp", measurements, asked, options)
 
 
 def autocorrelation(
@@ -113,11 +113,11 @@ def autocorrelation(
     >>> bool(numpy.isclose(A.value.max(), (3e-9) ** 2))
     True
     """
-    return found("acf", measurements, {"area": area, "slope": slope, "longest": text(longest)}, options)
+    return function_of_scale("acf", measurements, {"area": area, "slope": slope, "longest": text(longest)}, options)
 
 
 def variable_bandwidth(measurements: Measured, *, area: bool = False, **options: Any) -> FunctionOfScale:
-    """Rms height in pieces of every length about their own line (area: plane), as ``setae vbw``.
+    """Rms height in cells of every length after subtraction of the best line (area: plane), as ``setae vbw``.
 
     Parameters
     ----------
@@ -126,4 +126,4 @@ def variable_bandwidth(measurements: Measured, *, area: bool = False, **options:
     **options
         keywords of measurements, as those of `power_spectrum`, and of ScaleRequest
     """
-    return found("vbw", measurements, {"area": area}, options)
+    return function_of_scale("vbw", measurements, {"area": area}, options)

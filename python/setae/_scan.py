@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Measured heights: a file's channel or an array, and the steps that are done to them."""
+"""Measured heights from a channel of a file or an array, and their processing steps."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 def lengths(size: Text | tuple[Text, ...]) -> list[float]:
-    """Lengths in metres, as the library reads them.
+    """Lengths in metres.
 
     >>> lengths("2 um x 1 m")
     [2e-06, 1.0]
@@ -29,7 +29,7 @@ def lengths(size: Text | tuple[Text, ...]) -> list[float]:
 
 
 class Info(Answer):
-    """What files hold, as ``setae info --json`` prints it."""
+    """Content of files, as printed by ``setae info --json``."""
 
     @property
     def channels(self) -> tuple[Json, ...]:
@@ -45,7 +45,7 @@ class Info(Answer):
 
 @dataclass(frozen=True)
 class Step:
-    """What one step of a pipeline did."""
+    """Record of one step of a pipeline."""
 
     step: str
     numbers: tuple[Quantity, ...]
@@ -56,7 +56,7 @@ class Step:
 
 
 class Processing(Answer):
-    """What the steps of a scan did, as ``setae level --json`` prints it."""
+    """Records of the steps of a scan, as printed by ``setae level --json``."""
 
     @property
     def steps(self) -> tuple[Step, ...]:
@@ -75,10 +75,10 @@ class Processing(Answer):
 
 @dataclass(frozen=True, eq=False)
 class Scan:
-    """A map, a line or a traced curve, and the steps that are done to it before it is analysed.
+    """A map, a line or a traced curve, with the processing steps before its analysis.
 
-    ``heights`` is an array of NumPy in metres, first index x, NaN where undefined; nothing is read before it is asked for.
-    Every method gives another scan, with one step more.
+    ``heights`` is an array of NumPy in metres, first index x, NaN where undefined. Heights are read at the first use.
+    Every processing method returns a new scan with one more step.
     """
 
     file: str
@@ -129,22 +129,22 @@ class Scan:
 
     @property
     def heights(self) -> Array:
-        """Heights [m] behind all steps: a view of setae's memory that cannot be written to, or the very array that was given."""
+        """Heights [m] after all steps: a read-only view of memory of setae, or the given array itself."""
         return cast("Array", self._heights.array)
 
     @property
     def positions(self) -> Array | None:
-        """x of every point of a traced curve [m]; None of what lies on a grid."""
+        """x of every point of a traced curve [m]; None for heights on a grid."""
         return cast("Array | None", self._heights.positions)
 
     @property
     def size(self) -> tuple[float, ...]:
-        """Extent along x, and y of a map [m]: points times pixel size."""
+        """Extent along x, for maps also along y [m]: points times pixel size."""
         return tuple(self._heights.size)
 
     @property
     def pixel_size(self) -> tuple[float, ...]:
-        """Extent over points [m]."""
+        """Extent over number of points [m]."""
         return tuple(extent / points for extent, points in zip(self.size, self.heights.shape))
 
     @property
@@ -157,22 +157,22 @@ class Scan:
 
     @property
     def unit(self) -> str:
-        """The file's own unit; ``heights`` are metres all the same."""
+        """The unit of the file; ``heights`` are in metres for every unit."""
         return self._heights.unit
 
     @property
     def attributes(self) -> dict[str, str]:
-        """Further entries of the file's header."""
+        """Further entries of the header of the file."""
         return self._heights.attributes
 
     @property
     def alerts(self) -> tuple[Alert, ...]:
-        """What was made of the heights when the file was read: values taken as undefined, points averaged."""
+        """Warnings about reading the heights: values taken as undefined, points averaged."""
         return alerts_from(json.loads(self._heights.alerts))
 
     @property
     def processing(self) -> Processing:
-        """What the steps did.
+        """Records of the steps.
 
         >>> import numpy, setae
         >>> ramp = setae.scan(numpy.arange(64.0).reshape(8, 8), size="8 um x 8 um", unit="nm").level()
@@ -182,17 +182,17 @@ class Scan:
         return Processing(self._processed[1])
 
     def process(self, step: str, **parameters: Text | float | bool) -> Scan:
-        """One step more, by its name in docs/reference/processing-steps.md: ``scan.process("gaussian_filter", cutoff="8 um")``."""
+        """Adds a step by its name in docs/reference/processing-steps.md: ``scan.process("gaussian_filter", cutoff="8 um")``."""
         line = step
         for name, value in parameters.items():
             word = str(value).lower() if isinstance(value, bool) else text(value)
             line += f' {name}="{word}"' if " " in word else f" {name}={word}"
         changed = dataclasses.replace(self, steps=(*self.steps, line))
-        changed._item  # noqa: B018  a step that is none is refused here
+        changed._item  # noqa: B018  raises an error for an unknown step
         return changed
 
     def level(self, by: str = "plane", **parameters: Text | float | bool) -> Scan:
-        """Subtracts what ``by`` names: "mean", "plane", "polynomial", "facet" …"""
+        """Subtracts the trend ``by``: "mean", "plane", "polynomial", "facet" …"""
         return self.process(f"level_{by}", **parameters)
 
     def despike(self, **parameters: Text | float | bool) -> Scan:
@@ -215,7 +215,7 @@ class Scan:
         resolution: Text | None = None,
         trend: str | None = None,
     ) -> Scan:
-        """The same with what its file does not say: "stylus", "afm", "tem" or "optical"; the tip's radius with its ±."""
+        """The scan with metadata that its file does not contain: "stylus", "afm", "tem" or "optical"; radius of the tip with its ±."""
         given: dict[str, Any] = {
             name: text(value)
             for name, value in (("instrument", instrument), ("tip_radius", tip_radius), ("resolution", resolution), ("trend", trend))
@@ -224,13 +224,13 @@ class Scan:
         return dataclasses.replace(self, **given)
 
     def plot(self, ax: Any = None) -> Any:
-        """The heights on axes of matplotlib."""
+        """Plots the heights on axes of matplotlib."""
         from ._plot import plot_scan
 
         return plot_scan(self, ax)
 
     def save(self, file: Path) -> None:
-        """Writes the heights behind all steps, in the format that the ending names: .x3p, .sdf, .gwy, .nc, .npy, .txt or .csv."""
+        """Writes the heights after all steps. The ending gives the format: .x3p, .sdf, .gwy, .nc, .npy, .txt or .csv."""
         _setae.write_heights(self._heights, path(file))
 
     def to_xarray(self) -> Any:
@@ -274,13 +274,13 @@ def read(
     resolution: Text | None = None,
     trend: str | None = None,
 ) -> Scan:
-    """A channel of a file by its number, counted from 0, or its name; without ``channel`` the preferred one of heights.
+    """A channel of a file by its number, counted from 0, or its name; without ``channel`` the preferred channel of heights.
 
-    size, unit, layout: what the file leaves open, as ``--size``, ``--unit`` and ``--as`` of the program.
-    keep_values: values that mark missing heights, such as −9999, stay heights; else they are undefined, see ``Scan.alerts``.
+    size, unit, layout: metadata that the file does not contain, as ``--size``, ``--unit`` and ``--as`` of the program.
+    keep_values: values that mark missing heights, such as −9999, stay heights. Otherwise they are undefined, with a warning in ``Scan.alerts``.
 
     :raises FileError: for a path that cannot be read
-    :raises FormatError: for content that nothing reads, or that is damaged
+    :raises FormatError: for content of an unknown format, or damaged content
     """
     scan = Scan(
         path(file),
@@ -299,14 +299,14 @@ def read(
 
 
 def channels(file: Path, **stated: Any) -> tuple[Scan, ...]:
-    """All channels of heights of a file, or measurements of a container; ``stated`` as of :func:`read`."""
+    """All channels of heights of a file, or measurements of a container; ``stated``: arguments of :func:`read`."""
     first = read(file, **stated)
     return tuple(dataclasses.replace(first, channel=index) for index in _setae.channels(first._item, True))
 
 
 def info(*paths: Path, heights: bool | None = None, size: Text | None = None, unit: str | None = None, layout: str | None = None,
          channel: int | str | None = None, keep_values: bool = False) -> Info:
-    """What files or folders hold. heights: read them (True), not (False), or of files up to 64 MB (None)."""
+    """Content of files or folders. heights: read (True), not read (False), or read from files up to 64 MB (None)."""
     item = _setae.Item("")
     item.set_file(text(size), text(unit), text(layout), named(channel), keep_values)
     return Info(_setae.contents([path(entry) for entry in paths], item, heights))
@@ -315,10 +315,9 @@ def info(*paths: Path, heights: bool | None = None, size: Text | None = None, un
 def scan(heights: Any, size: Text | tuple[Text, ...] | None = None, unit: str | None = None, *, periodic: bool = False, name: str = "array",
          instrument: str | None = None, tip_radius: Text | None = None, resolution: Text | None = None,
          trend: str | None = None) -> Scan:
-    """Heights from elsewhere: an array with its size and unit, a DataArray of xarray with coordinates, a topography of
-    SurfaceTopography.
+    """Heights from an array with size and unit, a DataArray of xarray with coordinates, or a topography of SurfaceTopography.
 
-    An array of float64 in metres that is C-contiguous is not copied: ``scan(array, …).heights is array``. Others are converted.
+    An array of float64 in metres that is C-contiguous is not copied: ``scan(array, …).heights is array``. Other arrays are converted.
 
     >>> import numpy
     >>> wave = scan(3e-9 * numpy.cos(2 * numpy.pi * 8 * numpy.arange(512) / 512), size="2 um", unit="m")
@@ -330,21 +329,21 @@ def scan(heights: Any, size: Text | tuple[Text, ...] | None = None, unit: str | 
     array, extent, is_periodic = as_heights(heights, size, unit, periodic)
     made = Scan(name, instrument=text(instrument), tip_radius=text(tip_radius), resolution=text(resolution), trend=text(trend),
                 source=(array, extent, is_periodic))
-    made._item  # noqa: B018  what is wrong with it is said here
+    made._item  # noqa: B018  raises an error for wrong arguments
     return made
 
 
-def held(heights: _setae.Heights, name: str) -> Scan:
-    """Heights that setae made, not copied."""
+def scan_of(heights: _setae.Heights, name: str) -> Scan:
+    """A scan of heights from setae, without a copy."""
     return Scan(name, source=(heights.array, heights.size, heights.periodic))
 
 
-#: What is analysed: scans, files, arrays with a size of their own.
+#: Measurements: scans, files, arrays with a size.
 Measured = Union[Scan, Path, Any]
 
 
 def items(measurements: Measured, shared: dict[str, Any]) -> list[_setae.Item]:
-    """Measurements of one surface, each with what is said of all where it says nothing itself."""
+    """Measurements of one surface. Options of all measurements apply where a measurement has none of its own."""
     single = isinstance(measurements, (Scan, str, pathlib.PurePath)) or not hasattr(measurements, "__iter__") or is_array(measurements)
     listed: list[Any] = [measurements] if single else list(cast(Any, measurements))
     found = []
@@ -361,5 +360,5 @@ def items(measurements: Measured, shared: dict[str, Any]) -> list[_setae.Item]:
 
 
 def is_array(value: Any) -> bool:
-    """Whether it is heights, not a list of measurements."""
+    """True for an array of heights, False for a list of measurements."""
     return hasattr(value, "physical_sizes") or hasattr(value, "__array__") or hasattr(value, "dims")

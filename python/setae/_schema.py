@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What JSON holds: names, types, units and meanings."""
+"""JSON Schemas: names, types, units and meanings."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ from typing import Any
 from . import _setae
 
 
-def schema(verb: str) -> dict[str, Any]:
-    """JSON Schema (draft 2020-12) of what ``setae VERB --json`` prints and ``.json()`` of the function's answer gives; "study": of study.json.
+def schema(command: str) -> dict[str, Any]:
+    """JSON Schema (draft 2020-12) of the output of ``setae COMMAND --json`` and of ``.json()`` of results; "study": of study.json.
 
     >>> import setae
     >>> setae.schema("psd")["properties"]["wavevector"]["unit"]
     '1/m'
     """
-    found: dict[str, Any] = json.loads(_setae.schema(verb))
+    found: dict[str, Any] = json.loads(_setae.schema(command))
     return found

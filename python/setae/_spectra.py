@@ -50,7 +50,7 @@ def analysis_of(
 
 
 class Spectrum(Columns):
-    """A spectrum: columns along the wavevector."""
+    """A spectrum with columns along the wavevector."""
 
     @property
     def q(self) -> Array:
@@ -72,7 +72,7 @@ class Spectrum(Columns):
         return self.columns["standard_error"]
 
     def plot(self, ax: Any = None, **style: Any) -> Any:
-        """The spectrum on axes of matplotlib, both logarithmic."""
+        """Plots the spectrum on logarithmic axes of matplotlib."""
         from ._plot import plot_spectrum
 
         return plot_spectrum(self, ax, **style)
@@ -80,7 +80,7 @@ class Spectrum(Columns):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class PowerSpectrum(Spectrum):
-    """A spectrum: of one measurement mode by mode, of several in the bins of the combined grid."""
+    """A spectrum of the modes of one measurement, or of several measurements in the bins of the combined grid."""
 
     @property
     def band(self) -> Band:
@@ -90,7 +90,7 @@ class PowerSpectrum(Spectrum):
 
     @property
     def fit(self) -> dict[str, Quantity]:
-        """Parameters of the self-affine fit, by name; empty where none was asked for."""
+        """Parameters of the self-affine fit, by name; empty without a fit."""
         fit = self.data.get("fit")
         return {entry["quantity"]: quantity_from(entry) for entry in fit["parameters"]} if fit else {}
 
@@ -98,8 +98,8 @@ class PowerSpectrum(Spectrum):
         return f"PowerSpectrum({len(self.q)} of {', '.join(self.columns)}, {self.n} measurements)"
 
     def _repr_html_(self) -> str:
-        remarks = "".join(f"<li>{html.escape(str(alert))}</li>" for alert in self.alerts)
-        return f"<b>{html.escape(repr(self))}</b><ul>{remarks}</ul>"
+        warnings = "".join(f"<li>{html.escape(str(alert))}</li>" for alert in self.alerts)
+        return f"<b>{html.escape(repr(self))}</b><ul>{warnings}</ul>"
 
 
 def power_spectrum(
@@ -129,13 +129,13 @@ def power_spectrum(
     """The power spectral density of one measurement, or of all measurements of one surface.
 
     C1D(q) = \\|h(q)\\|²/L [m³], h(q) = ∫ h exp(−iqx) dx, two-sided and averaged over ±q, so that h_rms² = (1/π) ∫ C1D dq
-    [Jacobs, Junge, Pastewka, Surf. Topogr. 5 (2017) 013001]. What tip or resolution cannot show is cut.
+    [Jacobs, Junge, Pastewka, Surf. Topogr. 5 (2017) 013001]. The range that tip or resolution limit is excluded.
 
     measurements: a scan, a file, an array of another package, or a list of them.  isotropic: also C_iso [m⁴] by the transform.
-    abel: also C_iso by the inverse Abel transform.  fit: a self-affine surface.  tip_radius …: of every measurement that does not say it itself.
-    skip_failed: a measurement that cannot be read is left out with an alert; else its error is raised.
+    abel: also C_iso by the inverse Abel transform.  fit: a self-affine surface.  tip_radius …: for every measurement that does not state its own value.
+    skip_failed: a measurement that cannot be read is left out with a warning; otherwise its error is raised.
 
-    A wave of amplitude A over the length L has A² L/4 in its own mode:
+    A wave of amplitude A over the length L has A² L/4 in its mode:
 
     >>> import numpy, setae
     >>> wave = setae.scan(3e-9 * numpy.cos(2 * numpy.pi * 8 * numpy.arange(512) / 512), size="2 um", unit="m")
@@ -160,7 +160,7 @@ def power_spectrum(
 
 
 class Parameters(Answer):
-    """Parameters of heights and of the spectrum, as ``setae params --json`` prints them; by name, the first measurement's first."""
+    """Parameters from heights and from the spectrum by name, as printed by ``setae params --json``; of several, the first measurement."""
 
     def __getitem__(self, name: str) -> Any:
         for entry in self._data:
@@ -173,11 +173,11 @@ class Parameters(Answer):
 
     @property
     def headline(self) -> dict[str, Quantity]:
-        """Those to quote: rms height, slope, curvature and true area of the waves inside the reliable band."""
+        """The parameters to quote: rms height, slope, curvature and true area of the waves inside the reliable band."""
         return {entry["quantity"]: quantity_from(entry) for entry in self._data if entry["headline"]}
 
     def of(self, file: str) -> dict[str, Quantity]:
-        """Those of one measurement, or of what is called "combined"."""
+        """The parameters of one measurement, or those called "combined"."""
         return {entry["quantity"]: quantity_from(entry) for entry in self._data if entry["file"] == file}
 
 
@@ -200,7 +200,7 @@ def parameters(
     bootstrap_resamples: int | None = None,
     skip_failed: bool = False,
 ) -> Parameters:
-    """Roughness parameters from heights and from the spectrum, the same arguments as :func:`power_spectrum`.
+    """Roughness parameters from heights and from the spectrum, with the arguments of :func:`power_spectrum`.
 
     >>> import numpy, setae
     >>> wave = setae.scan(3e-9 * numpy.cos(2 * numpy.pi * 8 * numpy.arange(512) / 512), size="2 um", unit="m")
@@ -214,13 +214,13 @@ def parameters(
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Surface(Spectrum):
-    """A surface of several measurements: its spectrum and the moments that follow, with their ±.
+    """A surface from several measurements: the spectrum and its moments with their standard errors.
 
-    ``json()`` is what a study's JSON holds under the surface's name.
+    ``json()`` is the entry of the surface in the JSON of a study.
     """
 
     moments: tuple[Quantity, ...] = ()
-    arguments: tuple[Any, ...] = field(default=(), repr=False)  #: it is made of again in another process
+    arguments: tuple[Any, ...] = field(default=(), repr=False)  #: arguments for the analysis in another process
     handle: Any = field(default=None, repr=False)
 
     def __getstate__(self) -> dict[str, Any]:
@@ -234,7 +234,7 @@ class Surface(Spectrum):
 
     @property
     def method(self) -> str:
-        """Whose spectrum it is: "likelihood", "average", "given"."""
+        """Origin of the spectrum: "likelihood", "average" or "given"."""
         return str(self.data["spectrum_method"])
 
     @property
@@ -254,7 +254,7 @@ class Surface(Spectrum):
         return f"<table>{rows}</table>"
 
     def analysed(self) -> _setae.Surface:
-        """setae's own, computed again where it came from another process."""
+        """The surface of the library; it is computed again in another process."""
         if self.handle is not None:
             found: _setae.Surface = self.handle
             return found
@@ -285,9 +285,10 @@ def surface(
     bootstrap_resamples: int | None = None,
     skip_failed: bool = False,
 ) -> Surface:
-    """All measurements of one surface as one spectrum: fitted to all at once by likelihood, or their "average".
+    """One spectrum of all measurements of a surface: a likelihood fit to all measurements, or their average.
 
-    spectrum: "likelihood" or "average"; without it the likelihood of several, the average of one. Everything else as of :func:`power_spectrum`.
+    spectrum: "likelihood" or "average"; default: "likelihood" for several measurements, "average" for one. Other arguments are those of
+        :func:`power_spectrum`.
     """
     shared = shared_options(instrument, tip_radius, resolution, trend, size, unit, keep_values)
     options = (text(longest), text(shortest), text(window), text(contours), text(conversion), memory, bootstrap_resamples)

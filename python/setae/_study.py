@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Studies: surfaces, elastomers and loops of one file, and what they say together."""
+"""Studies: surfaces, elastomers and loops of one study file, and their results."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from ._quantities import Answer, Quantity
 
 @dataclass(frozen=True)
 class Figure:
-    """A figure of a study; a notebook shows it."""
+    """A figure of a study, which notebooks display."""
 
     handle: _setae.StudyFigure
 
@@ -30,18 +30,18 @@ class Figure:
 
     @property
     def reason(self) -> str:
-        """Why it cannot be drawn; empty where it can."""
+        """Reason why the figure cannot be drawn; empty if it can be drawn."""
         return self.handle.reason
 
     def _repr_svg_(self) -> str | None:
         return None if self.reason else self.handle.drawn("svg").decode()
 
     def csv(self) -> str:
-        """Its numbers."""
+        """The numbers of the figure as CSV."""
         return self.handle.drawn("csv").decode()
 
     def save(self, file: Path) -> pathlib.Path:
-        """Writes it as the name ends: .svg, .pdf, .png, .csv. Drawing takes gnuplot."""
+        """Writes the figure; the ending gives the format: .svg, .pdf, .png or .csv. Drawing needs gnuplot."""
         target = pathlib.Path(file)
         target.write_bytes(self.handle.drawn(target.suffix.lstrip(".")))
         return target
@@ -51,7 +51,7 @@ class Figure:
 
 
 class Figures(Mapping[str, Figure]):
-    """Figures of a study by what ``setae plot --figure`` calls them."""
+    """Figures of a study by the identifiers of ``setae plot --figure``."""
 
     def __init__(self, run: _setae.StudyRun) -> None:
         self._figures = {figure.identifier: Figure(figure) for figure in _setae.figures_of(run)}
@@ -67,7 +67,7 @@ class Figures(Mapping[str, Figure]):
 
 
 class StudyResult(Answer):
-    """What a study says, as its study.json: "surfaces", "pairs", "fits", "experiments" … and its figures and report."""
+    """Results of a study, as in study.json: "surfaces", "pairs", "fits", "experiments" …, with figures and report."""
 
     handle: _setae.StudyRun
     file: str
@@ -80,11 +80,11 @@ class StudyResult(Answer):
         return result
 
     def __reduce__(self) -> Any:
-        raise TypeError("a study's result is not pickled: run the study again, what was computed is kept")
+        raise TypeError("the result of a study cannot be pickled; run the study again, with the results kept in the cache")
 
     @property
     def work_of_adhesion(self) -> Quantity | None:
-        """W_int as the study found it; None where no fit gave it."""
+        """Fitted W_int; None without a fit."""
         found: Quantity | None = self.get("work_of_adhesion")
         return found
 
@@ -97,30 +97,30 @@ class StudyResult(Answer):
         return self.handle.summary(width)
 
     def budget(self, width: int = 100) -> str:
-        """Which input gives how much of each ±, as text."""
+        """Contributions of the inputs to each standard error, as text."""
         return self.handle.budget(width)
 
     def next_measurements(self, target: str = "W_int") -> Answer:
-        """What one further measurement would leave of a number's ±, as ``setae study --next --json`` prints it."""
+        """Standard error of ``target`` after one further measurement, as printed by ``setae study --next --json``."""
         return Answer(self.handle.next_measurements(target))
 
     def predict(self, *, trials: int = 0, seed: int = 1, threads: int = 0) -> Answer:
-        """Hysteresis of every pair, W_ret, pull-off and loss, and the law that says the measured ones, as ``setae predict --json`` prints it."""
+        """W_ret, pull-off force and loss of every pair, with the retraction models, as printed by ``setae predict --json``."""
         return Answer(self.handle.predict(trials, seed, threads))
 
     def conform(self, **patches: Any) -> Answer:
-        """Random patches with the spectra and U_el/(A W) of the study's pairs: whether a soft body conforms to them; ``patches`` as of :func:`conform`."""
+        """Random patches with the spectra and U_el/(A W) of the pairs of the study; ``patches``: arguments of :func:`conform`."""
         return conform(self, **patches)
 
     def report(self, file: Path | None = None) -> str:
-        """The report, one page of HTML that needs no network; written to ``file`` where one is named."""
+        """The report, one HTML page that works offline; written to ``file`` if it is given."""
         page = self.handle.report(f"setae study {self.file}")
         if file is not None:
             pathlib.Path(file).write_text(page, encoding="utf-8")
         return page
 
     def write(self) -> tuple[str, ...]:
-        """Writes study.json and the tables into the study's output folder; names of the files."""
+        """Writes study.json and the tables to the output folder of the study; returns the names of the files."""
         return tuple(self.handle.write_tables())
 
     def __repr__(self) -> str:
@@ -134,13 +134,13 @@ class StudyResult(Answer):
 
 @dataclass(frozen=True)
 class Study:
-    """A study's file that was read without an error."""
+    """A study file that was read without an error."""
 
     file: str
     title: str
 
     def run(self, *, output: Path | None = None, cache: Path | None = None, keep: bool = True) -> StudyResult:
-        """Runs it. What was computed before is taken from the cache, which the program uses, too; ``keep=False`` does without."""
+        """Runs the study. Earlier results come from the cache, which the program shares; ``keep=False`` uses no cache."""
         folder = (path(cache) if cache is not None else "") if keep else None
         run = _setae.run_study(self.file, "" if output is None else path(output), folder, MAPPINGS)
         return StudyResult.of(run, self.file)
@@ -160,9 +160,9 @@ def conform(
     seed: int | None = None,
     loops: bool = False,
 ) -> Answer:
-    """Whether a soft body is in full contact with a rough one: random patches solved with adhesion, as ``setae lab conform --json``.
+    """Contact of random patches with adhesion, as ``setae lab conform --json``: full contact or partial contact.
 
-    With a study, the patches have the spectra and the U_el/(A W) of its pairs; without it energy_shares states U_el/(A W).
+    With a study, the patches have the spectra and U_el/(A W) of its pairs. Without a study, energy_shares gives U_el/(A W).
 
     Parameters
     ----------
@@ -209,7 +209,7 @@ def conform(
 
 
 def study(file: Path) -> Study:
-    """Reads a study; what is wrong with its file is raised, with its line.
+    """Reads a study. Errors in the file are raised with the line number.
 
     :raises FormatError: for an unknown key, a missing or wrong unit, a name that is not declared
     """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Surfaces that are made, and the tip that a map shows."""
+"""Simulated surfaces, and the tip estimated from a map."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ from typing import Any
 from . import _setae
 from ._options import Path, Text, filled, path, text
 from ._quantities import Answer, Quantity
-from ._scan import Measured, Scan, held, items
+from ._scan import Measured, Scan, items, scan_of
 
 
 @dataclass(frozen=True, repr=False)
 class Synthesis(Answer):
-    """A surface or line that was made, as ``setae synthesize --json`` says it; ``scan`` holds its heights."""
+    """A simulated surface or line, as printed by ``setae synthesize --json``; ``scan`` contains its heights."""
 
     scan: Scan = field(compare=False)
 
@@ -122,14 +122,14 @@ def synthesize(
     )
     file = "" if output is None else path(output)
     made = _setae.synthesize(request, file)
-    return Synthesis(made.json, held(made.heights, file or "synthesized"))
+    return Synthesis(made.json, scan_of(made.heights, file or "synthesized"))
 
 
 @dataclass(frozen=True, repr=False)
 class Tip(Answer):
-    """The bluntest tip that could have made a map, as ``setae tip --json`` says it.
+    """The bluntest tip that could have made a map, as printed by ``setae tip --json``.
 
-    ``scan``: the tip, apex up.  ``surface``: the map without it where that is certain, NaN elsewhere.
+    ``scan``: the tip, apex up.  ``surface``: the surface without the tip where it is certain, NaN elsewhere.
     """
 
     scan: Scan = field(compare=False)
@@ -137,7 +137,7 @@ class Tip(Answer):
 
     @property
     def radius(self) -> Quantity:
-        """Of a parabola through the apex; the tip is no blunter."""
+        """Radius of a parabola through the apex, an upper bound."""
         return self.quantities[0]
 
 
@@ -164,11 +164,11 @@ def tip(measurement: Measured, *, points: int = 21, threshold: Text | None = Non
     """
     request = filled(_setae.BlindTipRequest(), points=points, threshold=threshold, rounds=rounds)
     found = _setae.blind_tip(one(measurement, size, unit, keep_values), request)
-    return Tip(found.json, held(found.tip, "tip"), held(found.surface, "surface"))
+    return Tip(found.json, scan_of(found.tip, "tip"), scan_of(found.surface, "surface"))
 
 
 def one(measurement: Measured, size: Text | None, unit: str | None, keep_values: bool, trend: str | None = None) -> Any:
-    """The one measurement that is meant."""
+    """The single measurement of a call."""
     found = items(measurement, {"stated_size": text(size), "stated_unit": text(unit), "keep_values": keep_values, "trend": text(trend)})
     if len(found) != 1:
         raise TypeError(f"{len(found)} measurements; expected one")

@@ -12,7 +12,7 @@ from ._spectra import Parameters, shared_options
 
 
 class Texture(Parameters):
-    """Parameters of a standard, as ``setae params --standard --json`` prints them: ``texture(…)["Sq"]`` by symbol or by name."""
+    """Parameters of a standard by symbol or by name, ``texture(…)["Sq"]``, as printed by ``setae params --standard --json``."""
 
     def __getitem__(self, name: str) -> Any:
         for entry in self._data:
@@ -44,7 +44,7 @@ def texture(
     keep_values: bool = False,
     skip_failed: bool = False,
 ) -> Texture:
-    """Parameters of "iso25178" (maps) or "iso21920" (lines; of maps the mean over scan lines).
+    """Parameters of "iso25178" (maps) or "iso21920" (lines; for maps the mean over scan lines).
 
     The formulas are in docs/reference/parameters.md.
 

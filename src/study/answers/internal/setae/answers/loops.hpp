@@ -176,7 +176,7 @@ struct setae::fields::Asked<setae::answers::LoopSettings> {
             .of(positive(dimension::stiffness))
             .such_as("30 ± 1 N/m"),
         option<&R::rigid_contact>("rigid_contact",
-                                  "file of a loop on a rigid body, from which the machine stiffness is measured"),
+                                  "file of a loop on a rigid body that gives the stiffness of the testing machine"),
         option<&R::contact_point>(
             "contact_point",
             "contact point of force-displacement fits: auto, fit, a method such as jump_in, or a displacement")
@@ -214,7 +214,7 @@ struct setae::fields::Asked<setae::answers::LoopSettings> {
         option<&R::no_drift>("no_drift", "constant zero of force, from the free flight before contact: drift none"),
         option<&R::whole_retraction>("whole_retraction",
                                      "fit of the retraction from the largest force on, pinned stretch included"),
-        option<&R::modulus_free>("retraction_modulus_free", "E* as a free parameter of the retraction fit (S2)"),
+        option<&R::modulus_free>("retraction_modulus_free", "E* as a free parameter of the retraction fit (Eq. S2)"),
     };
 };
 
