@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// bare_calls HEIGHTS.npy CALLS: seconds of wall and of processor that the library alone takes for the spectrum of a map
-// of 10 um or a line of 1 um in memory, on one thread: the least of five runs of CALLS calls, over CALLS.
-// python/benchmarks/calls.py does the same through the package.
+// bare_calls HEIGHTS.npy CALLS: wall and processor seconds of the library for the spectrum of a map of 10 um or a line
+// of 1 um in memory, on one thread: minimum of five runs of CALLS calls, over CALLS.
+// python/benchmarks/calls.py measures the same calls of the package.
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>

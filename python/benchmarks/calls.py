@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""calls.py FOLDER_OF_PROGRAMS: how long the package takes beside the C++ library, the program and SurfaceTopography, as a table.
+"""calls.py FOLDER_OF_PROGRAMS: times of the package, the C++ library, the program and SurfaceTopography as a table.
 
 FOLDER_OF_PROGRAMS is build/bin, with python_calls, which does the same by the library alone, and setae. Each time is the least of several
 runs, alternating, and the sum of all threads' seconds of the processor where that is said. SurfaceTopography is called where it is there.
@@ -56,7 +56,7 @@ def least(call) -> float:
 
 
 def row_of_files(program: pathlib.Path, files: list[str], field) -> tuple[str, ...]:
-    """Files listed with what is in their heights, and each read for itself."""
+    """Times for listing the content of files, and for reading each file."""
     about = {"size": "1 um x 1 um", "unit": "nm", "layout": "matrix"}
     typed = ["--size", "1 um x 1 um", "--unit", "nm", "--as", "matrix"]
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
- * What code in this module that was not compiled for a shared library finds under the names stderr and stdout: the linker's --wrap
- * sends it here, where the addresses are known at link time. */
+ * stderr and stdout for code of this module that was not compiled for a shared library. The option --wrap of the linker replaces
+ * them by these variables, whose addresses are known at link time. */
 #include <stdio.h>
 
 extern FILE* __real_stderr;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Data and the program beside the package."""
+"""Data and the program of the build tree."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ PROGRAM = os.environ["SETAE_PROGRAM"]
 
 @pytest.fixture(scope="session")
 def data(tmp_path_factory: pytest.TempPathFactory) -> pathlib.Path:
-    """The tutorial's laboratory: two surfaces, two elastomers, eight loops, of known truth."""
+    """Simulated data of the tutorial: two surfaces, two elastomers, eight loops, with true values."""
     folder = tmp_path_factory.mktemp("laboratory") / "mine"
     subprocess.run([PROGRAM, "lab", "make", ROOT / "examples/tutorial/recipe.toml", "-o", folder], check=True, stdout=subprocess.DEVNULL)
     return folder
@@ -23,7 +23,7 @@ def data(tmp_path_factory: pytest.TempPathFactory) -> pathlib.Path:
 
 @pytest.fixture(scope="session")
 def printed():
-    """What the program prints with --json."""
+    """Runs the program with --json and returns its output."""
 
     def run(*arguments: object) -> str:
         done = subprocess.run([PROGRAM, *map(str, arguments), "--json"], capture_output=True, text=True)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Topographies of SurfaceTopography go in and come back, and their spectra are its own; run by an interpreter that has it."""
+"""Topographies of SurfaceTopography as arguments and results, with equal spectra; needs an interpreter with SurfaceTopography."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ assert back.unit == "m" and back.is_periodic and np.array_equal(back.heights(), 
 
 q, density = theirs.power_spectrum_from_profile(window="None", reliable=False, resampling_method=None)
 psd = setae.power_spectrum(theirs, window="none", trend="none")
-n = len(q) - 1  # their last point is before the Nyquist wavevector, their first is q = 0
+n = len(q) - 1  # SurfaceTopography: the last point is before the Nyquist wavevector, the first is q = 0
 np.testing.assert_allclose(1e9 * q[1:], psd.q[:n], rtol=1e-12)
 np.testing.assert_allclose(1e-27 * density[1:], psd.C1D[:n], rtol=1e-12)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Arrays in and out: no copy where none is needed, the right numbers or a clear exception for everything else."""
+"""Arrays as arguments and results: no copy if none is needed; correct numbers or a clear exception otherwise."""
 
 from __future__ import annotations
 
@@ -80,7 +80,7 @@ def test_a_file_that_changed_is_read_as_it_is(tmp_path, age):
     np.savetxt(file, wide, fmt="%+.6e")
     assert scan.heights.shape == (2 * N, N // 2)
     scans = [written(heights, age) for heights in (first, other)]
-    for scan in scans:  # the file that both are of
+    for scan in scans:  # both scans are of this file
         np.testing.assert_allclose(scan.heights, other.T, rtol=1e-6)
 
 
@@ -99,7 +99,7 @@ def test_other_layouts_are_the_same_heights(same):
     np.testing.assert_array_equal(density(same(rough())), density(rough()))
 
 
-def test_an_array_that_cannot_be_written_to_is_taken_as_it_is():
+def test_a_read_only_array_is_not_copied():
     array = rough()
     array.flags.writeable = False
     assert scan_of(array).heights is array
@@ -113,7 +113,7 @@ def test_float32_and_integers_are_converted():
     np.testing.assert_array_equal(density(steps, unit="nm"), density(steps * 1e-9))
 
 
-def test_what_is_in_memory_is_not_written_to():
+def test_arrays_in_memory_are_not_changed():
     array = rough()
     before = array.copy()
     scan = scan_of(array).level("polynomial").despike()
@@ -164,12 +164,12 @@ def test_masked_and_undefined_heights_are_nan():
         (np.ones((8, 8)), {"trend": "cubic"}, setae.InvalidArgument, "cubic"),
     ],
 )
-def test_what_is_no_measurement_is_refused(array, arguments, error, words):
+def test_wrong_measurements_are_refused(array, arguments, error, words):
     with pytest.raises(error, match=words):
         scan_of(array, **arguments)
 
 
-def test_a_step_that_is_none_is_refused():
+def test_an_unknown_step_is_refused():
     with pytest.raises(setae.InvalidArgument, match="level_plane"):
         scan_of(rough()).process("level_plan")
     with pytest.raises(setae.InvalidArgument, match="threshold"):
@@ -207,7 +207,7 @@ def test_xarray():
 
 def test_like_surface_topography():
     class Topography:
-        """What SurfaceTopography calls its own."""
+        """The interface of a topography of SurfaceTopography."""
 
         physical_sizes, unit, is_periodic, is_uniform = (5.0, 5.0), "µm", True, True
 
@@ -234,7 +234,7 @@ def test_plots():
     assert len(line.plot().lines[0].get_xdata()) == N
 
 
-def test_a_channel_goes_by_number_or_name(tmp_path):
+def test_channels_have_numbers_and_names(tmp_path):
     rng = np.random.default_rng(3)
     first, second = rng.normal(size=(6, 5)), rng.normal(size=(6, 5))
     np.savez(tmp_path / "maps.npz", other=first, Height=second, index=np.arange(9.0))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Examples in docstrings and guides do what they say, notebooks run, types are right."""
+"""Examples in docstrings and guides give the printed output, notebooks run, types are correct."""
 
 from __future__ import annotations
 
@@ -28,14 +28,14 @@ def test_examples_in_docstrings(name):
     assert doctest.testmod(module, optionflags=doctest.NORMALIZE_WHITESPACE).failed == 0
 
 
-def test_every_public_name_says_what_it_is():
+def test_every_public_name_has_a_docstring():
     silent = [name for name in setae.__all__ if name != "__version__" and not (getattr(setae, name).__doc__ or "").strip()]
     assert not silent
 
 
 @pytest.mark.parametrize("notebook", NOTEBOOKS, ids=lambda path: path.stem)
 def test_notebooks_run(notebook, tmp_path):
-    """In a folder that holds examples, as the notebook says."""
+    """Runs in a folder with examples, as the notebook describes."""
     (tmp_path / "examples").symlink_to(ROOT / "examples")
     few = {**os.environ, "SETAE_NOTEBOOK_FILES": "20"}
     subprocess.run([sys.executable, notebook], cwd=tmp_path, check=True, stdout=subprocess.DEVNULL, env=few)
@@ -49,7 +49,7 @@ def blocks(page: pathlib.Path) -> str:
 
 
 def test_the_guide_runs(data, tmp_path):
-    """Its blocks one after the other, beside the tutorial's files."""
+    """Runs the blocks one after the other in the folder of the tutorial files."""
     shutil.copytree(data, tmp_path / "mine")
     source = blocks(ROOT / "docs/guides/python.md")
     assert "setae.work_of_adhesion" in source
@@ -57,7 +57,7 @@ def test_the_guide_runs(data, tmp_path):
 
 
 def test_types(tmp_path):
-    """mypy --strict, of the package, the notebooks and the guide."""
+    """mypy --strict for the package, the notebooks and the guide."""
     pytest.importorskip("mypy")
     (tmp_path / "guide.py").write_text(blocks(ROOT / "docs/guides/python.md"))
     package = pathlib.Path(setae.__file__).parent

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is raised says what, where, got and expected, and is what Python's own code catches."""
+"""Exceptions state what happened, where, the value and the expected value, and are subclasses of Python's own."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def test_a_truncated_file(tmp_path):
 
 
 def test_an_error_of_one_measurement_is_its_own(tmp_path):
-    """Not that of a surface it belongs to; and it can be left out instead."""
+    """The error names the file of the measurement, which can be left out instead."""
     (tmp_path / "good.csv").write_text("x [um],h [nm]\n" + "".join(f"{i},{(i * 7) % 5}\n" for i in range(64)))
     (tmp_path / "bad.csv").write_text("x [um],h [nm]\n0,1\n1,two\n")
     files = [tmp_path / "good.csv", tmp_path / "bad.csv"]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Keywords, their types and the sections "Parameters" are those that the library's description of options gives."""
+"""Keywords, their types and the sections "Parameters" agree with the descriptions of options in the library."""
 
 import pathlib
 import subprocess

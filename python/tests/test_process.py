@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a process may do with the package: end while a thread computes, import it anew, fork."""
+"""Processes with the package: end while a thread computes, repeated import, fork."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ thread.start()
 time.sleep(0.2)
 child = os.fork()
 if child == 0:
-    sys.exit(0)  # runs what is registered for the end
+    sys.exit(0)  # runs the functions registered for the end
 _, status = os.waitpid(child, 0)
 print("end", os.waitstatus_to_exitcode(status), flush=True)
 """

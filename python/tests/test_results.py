@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Results are small, frozen, and go wherever Python sends them."""
+"""Results are small, frozen, and can be copied and pickled."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def test_a_quantity_is_a_number_in_si(scan):
     assert math.isnan(setae.parameters(scan)["rms_slope"].standard_error)
 
 
-def test_what_comes_out_may_go_in():
+def test_results_are_valid_arguments():
     radius = setae.Quantity("tip_radius", "R", 1e-8, "m", standard_error=2e-9)
     wave = setae.scan(1e-9 * np.sin(np.arange(512.0)), size="2 um", unit="m")
     by_quantity = setae.power_spectrum(wave, tip_radius=radius, instrument="afm")
@@ -68,7 +68,7 @@ def test_results_are_frozen(scan):
         setae.parameters(scan)["rms_slope"] = 1.0
 
 
-def test_a_notebook_shows_them(scan):
+def test_results_have_html_for_notebooks(scan):
     surface = setae.surface(scan)
     work = setae.work_of_adhesion(surface, E="0.7 MPa", W_int="37 mJ/m2", gamma="25 mJ/m2")
     for shown in (scan, scan.level(), setae.power_spectrum(scan), setae.parameters(scan), surface, work, work.estimate, scan.level().processing):
@@ -78,7 +78,7 @@ def test_a_notebook_shows_them(scan):
     assert repr(work) == f"WorkOfAdhesion(W_app = {work.estimate})" and "mJ/m²" in repr(work)
 
 
-def test_a_fit_says_its_numbers_first(data):
+def test_a_fit_begins_with_its_numbers(data):
     fit = setae.loop(data / "loops/rougher_soft.csv", radius="1.25 mm").fit()
     assert repr(fit) == f"LoopFit(E* = {fit.E_star}, W = {fit.W}, E_loss = {fit.loss})"
 
@@ -97,14 +97,14 @@ def test_columns_of_a_loop_are_chosen(data, tmp_path):
         setae.loop(table, radius="1.25 mm", columns={"force": "Kraft[uN]"}).fit()
 
 
-def test_one_model_may_be_named_alone(data):
+def test_one_model_may_be_given_as_a_text(data):
     loop = setae.loop(data / "loops/rougher_soft.csv", radius="1.25 mm")
     assert loop.fit(models="jkr").json() == loop.fit(models=["jkr"]).json()
     with pytest.raises(setae.InvalidArgument, match="unknown contact model 'jkk'"):
         loop.fit(models="jkk")
 
 
-def test_other_packages_take_them(scan):
+def test_other_packages_accept_results(scan):
     pandas, xarray = pytest.importorskip("pandas"), pytest.importorskip("xarray")
     psd = setae.power_spectrum(scan)
     frame = psd.to_pandas()
@@ -130,8 +130,8 @@ def test_parts_of_an_answer(scan):
         setae.work_of_adhesion(setae.surface(scan), E="0.7 MPa", W_int="37 mJ/m2", gamma="25 mJ/m2", tip_radius="3 nm")
 
 
-def test_measured_values_say_what_inputs_of_loops_add(data, tmp_path):
-    """W ∝ F/R, E_loss ∝ F: one per cent of the lens and two of the force, planted in a study."""
+def test_budgets_contain_inputs_of_loops(data, tmp_path):
+    """W ∝ F/R, E_loss ∝ F: a study with known errors, one per cent of the radius of the lens and two of the force."""
     text = (data / "study.toml").read_text().replace('file = "', f'file = "{data}/')
     text = text.replace('sphere_radius = "0.00125 m"', 'sphere_radius = "lens = 0.00125 ± 0.0000125 m"')
     text = text.replace("[[experiments]]\n", '[[experiments]]\nforce_calibration = "cell = 1 ± 0.02"\n')

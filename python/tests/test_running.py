@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Other threads run meanwhile, Ctrl-C is heard, nothing leaks."""
+"""Other threads run during a call, Ctrl-C interrupts a call, no memory leaks."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def large(points: int) -> setae.Scan:
     return setae.scan(heights, size="10 um x 10 um", unit="m")
 
 
-def test_other_threads_run_meanwhile():
+def test_other_threads_run_during_a_call():
     scan, beats, over = large(1024), [], threading.Event()
 
     def beat() -> None:
@@ -74,7 +74,7 @@ def test_ctrl_c():
     time.sleep(0.5)
     os.kill(process.pid, signal.SIGINT)
     assert process.stdout.readline() == "interrupted\n"
-    assert int(process.stdout.readline()) > 10  # and it goes on
+    assert int(process.stdout.readline()) > 10  # the process continues
     assert process.wait() == 0
 
 
@@ -83,7 +83,7 @@ def resident() -> int:
         return int(file.read().split()[1]) * os.sysconf("SC_PAGE_SIZE")
 
 
-def test_ten_thousand_calls_leave_nothing():
+def test_ten_thousand_calls_leak_no_memory():
     heights = 1e-9 * np.random.default_rng(1).standard_normal((32, 32))
 
     def call(i: int) -> None:
@@ -101,11 +101,11 @@ def test_ten_thousand_calls_leave_nothing():
     for i in range(10_000):
         call(i)
     setae.limit_threads(0)
-    # an array of 8 KiB a call would be 80 MB
+    # an array of 8 KiB per call would be 80 MB
     assert resident() - before < 4 << 20
 
 
-def test_maps_that_are_made_leave_nothing():
+def test_simulated_maps_leak_no_memory():
     def call(seed: int) -> None:
         made = setae.synthesize(hurst=0.8, rolloff="1 um", short_cutoff="80 nm", rms_height="20 nm", size="5 um", pixels=256, seed=seed)
         small = setae.scan(made.scan.heights[::8, ::8], size="5 um x 5 um", unit="m", periodic=True)
@@ -116,12 +116,12 @@ def test_maps_that_are_made_leave_nothing():
     before = resident()
     for seed in range(100):
         call(seed)
-    # a map of 512 KiB a call would be 50 MB
+    # a map of 512 KiB per call would be 50 MB
     assert resident() - before < 8 << 20
 
 
-def test_the_end_of_python_is_quiet():
-    """Scans and results that modules still hold are let go without a word."""
+def test_the_end_of_python_has_no_output():
+    """Scans and results in modules are released without messages."""
     source = """
 import setae
 made = setae.synthesize(hurst=0.8, rolloff="1 um", short_cutoff="80 nm", rms_height="20 nm", size="5 um", pixels=32)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Schemas say what is printed: the JSON of every verb, and of studies, holds no other names, types or units."""
+"""The JSON of every command, and of studies, has only the names, types and units of its schema."""
 
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ from conftest import PROGRAM, ROOT
 
 Json = Any
 HERE = pathlib.Path(__file__).parent
-VERBS = subprocess.run([PROGRAM, "schema"], capture_output=True, text=True, check=True).stdout.split("\n")[:-1]
+COMMANDS = subprocess.run([PROGRAM, "schema"], capture_output=True, text=True, check=True).stdout.split("\n")[:-1]
 
 
-#: What no run of tests/cli prints as JSON.
+#: Commands that no test in tests/cli runs with --json.
 OTHERS = [
     "lab loops --runs 2 --snr 30 -o {0}/loops",
     "lab contours --runs 1 --size 240 --kind 'SNR 2 + overhangs' -o {0}/contours.csv",
@@ -39,23 +39,23 @@ OTHERS = [
 
 
 def closed(schema: Json) -> Json:
-    """The same where names that it does not know are errors."""
+    """The schema with unknown names as errors."""
     if isinstance(schema, dict):
         made = {key: closed(value) for key, value in schema.items()}
         return {**made, "additionalProperties": False} if "properties" in made and "additionalProperties" not in made else made
     return [closed(entry) for entry in schema] if isinstance(schema, list) else schema
 
 
-VALIDATORS = {verb: jsonschema.Draft202012Validator(closed(setae.schema(verb))) for verb in VERBS}
+VALIDATORS = {command: jsonschema.Draft202012Validator(closed(setae.schema(command))) for command in COMMANDS}
 
 
-def verb_of(words: list[str]) -> str | None:
-    """The longest verb that a command line begins with."""
-    return max((verb for verb in VERBS if words[: len(verb.split())] == verb.split()), key=len, default=None)
+def command_of(words: list[str]) -> str | None:
+    """The longest command at the beginning of a command line."""
+    return max((command for command in COMMANDS if words[: len(command.split())] == command.split()), key=len, default=None)
 
 
 def cases_with_json() -> list[tuple[pathlib.Path, str]]:
-    """File and name of the runs of tests/cli that ask for JSON."""
+    """File and name of the tests of tests/cli with --json."""
     files = sorted((ROOT / "tests/cli").glob("*.toml"))
     return [(file, name) for file in files for name, case in tomllib.loads(file.read_text()).items() if "--json" in case["command"]]
 
@@ -67,20 +67,20 @@ def run_case(case: tuple[pathlib.Path, str], runner: pathlib.Path, kept: pathlib
 
 @pytest.fixture(scope="module")
 def printed_json(tmp_path_factory: pytest.TempPathFactory, data: pathlib.Path, printed: Callable[..., str]) -> dict[str, list[Json]]:
-    """What the runs of tests/cli and the others print as JSON, by verb, and study.json of two studies."""
+    """JSON of the runs of tests/cli and of OTHERS by command, and study.json of two studies."""
     kept = tmp_path_factory.mktemp("kept")
     runner = pathlib.Path(PROGRAM).with_name("cli_case")
-    found: dict[str, list[Json]] = {verb: [] for verb in VERBS}
+    found: dict[str, list[Json]] = {command: [] for command in COMMANDS}
     with ThreadPoolExecutor(os.cpu_count()) as threads:
         list(threads.map(lambda case: run_case(case, runner, kept), cases_with_json()))
         others = [shlex.split(words.format(kept / "others", data)) for words in OTHERS]
         for words, text in zip(others, threads.map(lambda words: printed(*words), others)):
-            found[verb_of(words) or ""].append(json.loads(text))
+            found[command_of(words) or ""].append(json.loads(text))
     for words in kept.glob("????????"):
-        told, printed = words.read_text().split("\n")[:-1], pathlib.Path(f"{words}.out").read_text()
-        verb = verb_of(told)
-        if verb and "--json" in told and printed:
-            found[verb].append(json.loads(printed))
+        typed, printed = words.read_text().split("\n")[:-1], pathlib.Path(f"{words}.out").read_text()
+        command = command_of(typed)
+        if command and "--json" in typed and printed:
+            found[command].append(json.loads(printed))
     for study in (ROOT / "examples/nanodiamond/published.toml", data / "study.toml"):
         folder = kept / study.stem
         subprocess.run([PROGRAM, "study", study, "--output", folder], check=True, capture_output=True)
@@ -93,7 +93,7 @@ def resolved(schema: Json, whole: Json) -> Json:
 
 
 def wrong_units(value: Json, schema: Json, whole: Json, place: str = "") -> Iterator[str]:
-    """Places of quantities and columns whose unit is not the one that the schema states."""
+    """Places of quantities and columns whose unit differs from the schema."""
     inner = resolved(schema, whole)
     for one in schema.get("anyOf", []):
         yield from wrong_units(value, one, whole, place)
@@ -112,13 +112,13 @@ def wrong_units(value: Json, schema: Json, whole: Json, place: str = "") -> Iter
         yield from wrong_units(entry, own, whole, f"{place}.{name}")
 
 
-@pytest.mark.parametrize("verb", VERBS)
-def test_what_is_printed_is_what_the_schema_says(verb: str, printed_json: dict[str, list[Json]]) -> None:
-    schema = setae.schema(verb)
+@pytest.mark.parametrize("command", COMMANDS)
+def test_printed_json_matches_the_schema(command: str, printed_json: dict[str, list[Json]]) -> None:
+    schema = setae.schema(command)
     jsonschema.Draft202012Validator.check_schema(schema)
-    assert printed_json[verb], "no run prints it"
-    for printed in printed_json[verb]:
-        errors = [f"{error.json_path}: {error.message[:200]}" for error in VALIDATORS[verb].iter_errors(printed)]
+    assert printed_json[command], "no run has this output"
+    for printed in printed_json[command]:
+        errors = [f"{error.json_path}: {error.message[:200]}" for error in VALIDATORS[command].iter_errors(printed)]
         assert not errors, "\n".join(errors)
         assert not list(wrong_units(printed, schema, schema))
 
@@ -133,13 +133,13 @@ def names_in(schema: Json) -> Iterator[tuple[str, Json]]:
             yield from names_in(entry)
 
 
-@pytest.mark.parametrize("verb", VERBS)
-def test_every_name_has_a_meaning(verb: str) -> None:
-    assert setae.schema(verb)["description"]
-    assert not [name for name, entry in names_in(setae.schema(verb)) if not entry.get("description")]
+@pytest.mark.parametrize("command", COMMANDS)
+def test_every_name_has_a_meaning(command: str) -> None:
+    assert setae.schema(command)["description"]
+    assert not [name for name, entry in names_in(setae.schema(command)) if not entry.get("description")]
 
 
-def test_a_wrong_answer_is_seen(printed_json: dict[str, list[Json]]) -> None:
+def test_a_wrong_answer_is_detected(printed_json: dict[str, list[Json]]) -> None:
     wrong = copy.deepcopy(printed_json["psd"][0])
     wrong["wavevector"] = "long"
     assert not VALIDATORS["psd"].is_valid(wrong)
@@ -147,6 +147,6 @@ def test_a_wrong_answer_is_seen(printed_json: dict[str, list[Json]]) -> None:
     assert list(wrong_units({"C1D": [1.0], "units": {"C1D": "m4"}}, setae.schema("psd"), setae.schema("psd")))
 
 
-def test_a_verb_without_one_says_which_have() -> None:
+def test_a_command_without_schema_lists_commands_with_schema() -> None:
     with pytest.raises(setae.InvalidArgument, match="contact solve"):
         setae.schema("plots")

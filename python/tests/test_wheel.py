@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The wheel as a stranger installs it: a new environment, no compiler, nothing of the build tree on its paths."""
+"""The wheel in a new environment, without a compiler and without the build tree on its paths."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ WHEELS = sorted(pathlib.Path(os.environ["SETAE_WHEELS"]).glob("*.whl"))
 
 
 def require_wheel() -> None:
-    """Where every test must run, a missing wheel is a failure."""
+    """A missing wheel is a failure if every test must run."""
     if WHEELS:
         return
     assert os.environ.get("SETAE_NO_SKIPS") != "1", "no wheel in build/wheels; ./setup python makes one"
@@ -28,7 +28,7 @@ def require_wheel() -> None:
 
 @pytest.fixture(scope="module")
 def python(tmp_path_factory: pytest.TempPathFactory) -> pathlib.Path:
-    """An interpreter that has the wheel, and NumPy from the environment of the tests."""
+    """An interpreter with the wheel, and NumPy from the environment of the tests."""
     require_wheel()
     folder = tmp_path_factory.mktemp("environment")
     subprocess.run([sys.executable, "-m", "venv", folder], check=True)
@@ -47,13 +47,13 @@ def run(*command: object, cwd: pathlib.Path) -> str:
     return subprocess.run([*map(str, command)], cwd=cwd, env=alone, check=True, capture_output=True, text=True).stdout
 
 
-def test_it_is_small_and_says_where_it_runs():
+def test_size_and_platform_of_the_wheel():
     require_wheel()
     assert WHEELS[0].stat().st_size < 40e6
     assert "manylinux_2_" in WHEELS[0].name
 
 
-def test_licences_of_what_it_holds_go_with_its_own():
+def test_the_wheel_contains_the_licences_of_its_parts():
     require_wheel()
     told = subprocess.run([sys.executable, ROOT / "packaging/sbom.py", WHEELS[0]], capture_output=True, text=True, check=True).stdout
     packages = json.loads(told)["packages"]
@@ -63,7 +63,7 @@ def test_licences_of_what_it_holds_go_with_its_own():
     assert all(package["versionInfo"] for package in packages)
 
 
-def test_the_notebook_runs_with_it(python, tmp_path):
+def test_the_notebook_runs_with_the_wheel(python, tmp_path):
     (tmp_path / "examples").symlink_to(ROOT / "examples")
     shown = run(python, "-c", "import setae; print(setae.__file__, setae.version())", cwd=tmp_path)
     assert str(python.parents[1]) in shown
@@ -71,13 +71,13 @@ def test_the_notebook_runs_with_it(python, tmp_path):
     assert (tmp_path / "mine/report.html").exists()
 
 
-def test_it_holds_the_program(python, tmp_path):
+def test_the_wheel_contains_the_program(python, tmp_path):
     version = run(python, "-c", "import setae; print(setae.version())", cwd=tmp_path)
     assert run(python.parent / "setae", "--version", cwd=tmp_path) == f"setae {version}"
     assert run(python, "-m", "setae", "--version", cwd=tmp_path) == f"setae {version}"
 
 
-def test_mappings_come_along(python, tmp_path):
+def test_the_wheel_contains_mappings(python, tmp_path):
     (tmp_path / "curve.txt").write_bytes((ROOT / "tests/cli/data/loop_eoh.txt").read_bytes())
     columns = run(python, "-c", "import setae; print(*setae.loop('curve.txt', mapping='eoh').columns)", cwd=tmp_path)
     assert "force" in columns
