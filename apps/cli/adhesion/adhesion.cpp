@@ -62,7 +62,7 @@ ExitCode run(const Arguments& arguments) {
         print_json(answers::to_json(adhesion));
         return code;
     }
-    const auto others = show_of_reading(adhesion.alerts());
+    const auto others = show_reading_warnings(adhesion.alerts());
     print(output::adhesion_answer(adhesion.result));
     // the text of the result reports where a work of adhesion is floored
     std::erase_if(adhesion.quantities, [](const auto& q) { return q.quantity.ends_with("_floored"); });

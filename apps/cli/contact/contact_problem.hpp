@@ -21,10 +21,10 @@ struct ContactSurface : answers::ContactSurfaceRequest {
     answers::ProcessingRequest processing;
 
     void add_to(Options& options);
-    /// answers::contact_surface(). @throws InvalidArgument for no file, and as it does.
+    /// answers::contact_surface(). @throws InvalidArgument without a file, and as contact_surface().
     [[nodiscard]] processing::PipelineResult processed(answers::BeyondMap beyond, parallel::Threads threads) const;
-    /// answers::contact_surfaces() of contacts that end within a map. @throws InvalidArgument for no file, and as it
-    /// does.
+    /// answers::contact_surfaces() for contacts that end within a map. @throws InvalidArgument without a file, and as
+    /// contact_surfaces().
     [[nodiscard]] std::vector<processing::PipelineResult> realisations(int count, parallel::Threads threads) const;
 };
 

@@ -200,7 +200,7 @@ ExitCode run(const Arguments& a) {
         const auto& outcome = outcomes[i];
         if (!outcome.picture) {
             ++failed;
-            complain(outcome.error);
+            print_message(outcome.error);
             study::add_failure(table, pictures[i], outcome.error);
             json.push_back({{"image", {{"file", pictures[i]}}}, {"error", outcome.error}});
             continue;

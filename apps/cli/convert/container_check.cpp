@@ -29,7 +29,7 @@ constexpr const char* explanation =
     "COPY_DIFFERS     The original, scaled once and levelled, differs from its processed copy by more than 1e-3 of the rms.\n"
     "NOT_IN_SCHEMA    contact.engineering may refuse this entry.\n"
     "UNKNOWN_FIELD    The field is kept when the container is written again.\n"
-    "difference       between the container and what setae writes from it and reads again: index and members\n"
+    "difference       between the container and its copy written by setae: index and members\n"
     "exit code        0: every part can be read and is unchanged after writing\n"
     "                 1: a part cannot be read or differs after writing\n"
     "                 2: the file is no container\n";

@@ -33,7 +33,7 @@ struct Arguments {
 
 ExitCode run(const Arguments& arguments) {
     const auto written = answers::write_container(arguments.request);
-    for (const auto& failure : written.failures) complain(failure);
+    for (const auto& failure : written.failures) print_message(failure);
     answers::require_written(written);
     show(written.draft.alerts);
     if (arguments.common.json) print_json(answers::to_json(written));

@@ -79,7 +79,7 @@ ExitCode run(const Arguments& arguments) {
     const bool writes = !arguments.output.empty() || !arguments.folder.empty();
     if (!arguments.processing.given() && writes) {
         pipeline.entries.push_back({processing::LevelPlane{}});
-        complain("no step given; level_plane subtracts the best plane; choose another step with --step NAME");
+        print_message("no step given; level_plane subtracts the best plane; choose another step with --step NAME");
     }
     if (pipeline.entries.empty()) throw InvalidArgument("no step; expected --pipeline p.yml or --step level_plane");
     if (!arguments.written_pipeline.empty()) study::write_pipeline(arguments.written_pipeline, pipeline);

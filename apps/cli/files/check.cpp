@@ -50,7 +50,7 @@ ExitCode run(const Arguments& arguments) {
     for (const auto& path : arguments.files)
         suspects.push_back({path, [path, &arguments] { return answers::measurements_of(path, arguments.file); }});
     const auto diagnosis = answers::diagnosis(suspects, arguments.request, arguments.common.workers());
-    for (const auto& failure : diagnosis.failures) complain(failure);
+    for (const auto& failure : diagnosis.failures) print_message(failure);
     if (arguments.common.json) {
         print_json(answers::to_json(diagnosis));
     } else {

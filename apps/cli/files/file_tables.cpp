@@ -361,7 +361,7 @@ std::optional<TidyTable> with_shorter_names(TidyTable table, std::size_t width) 
 }
 
 /// The table without the columns that Detail::little leaves out.
-TidyTable with_little(const TidyTable& table) {
+TidyTable compact_table(const TidyTable& table) {
     static const std::set<std::string> dispensable{"format", "frames", "undefined", "instrument", "radius up to"};
     TidyTable kept{table.title, {}, std::vector<std::vector<TidyTable::Cell>>(table.rows.size())};
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
@@ -402,7 +402,7 @@ std::string text_of(Listing listing, const Kind& kind, std::size_t width) {
     const auto notes = hint(listing);
     if (const auto fitting = with_shorter_names(by_folder(usual), width))
         return tables::as_text_within(*fitting, width) + notes;
-    if (const auto fitting = with_shorter_names(with_little(by_folder(made(Detail::little))), width))
+    if (const auto fitting = with_shorter_names(compact_table(by_folder(made(Detail::little))), width))
         return tables::as_text_within(*fitting, width) + notes + "  --long also lists format and instrument\n";
     return tables::as_text_within(usual, width) + notes;
 }

@@ -32,7 +32,7 @@ constexpr const char* explanation =
 struct Arguments {
     Common common;
     answers::FileRequest file;
-    answers::ContentsRequest request;  ///< but for what the file leaves open
+    answers::ContentsRequest request;  ///< without the metadata given by `file`
     bool all = false;
 };
 
@@ -52,11 +52,11 @@ bool show_warnings(const answers::Contents& contents, bool json) {
     }
     for (const auto& file : contents.files) {
         for (const auto& channel : file.channels) {
-            if (!channel.heights.error.empty()) complain(channel.heights.error);
+            if (!channel.heights.error.empty()) print_message(channel.heights.error);
             any_bad_channel |= channel.info.format.empty() || !channel.heights.error.empty();
         }
     }
-    for (const auto& failed : contents.failed) complain(failed.reason);
+    for (const auto& failed : contents.failed) print_message(failed.reason);
     return any_bad_channel;
 }
 

@@ -163,7 +163,7 @@ ExitCode run(const Arguments& arguments) {
                 tables::write_csv((std::filesystem::path(arguments.course) / name).string(), table_of(loop, course));
             if (!arguments.figures.empty()) figures.add(loop, course);
         } catch (const UndefinedDataError& error) {
-            complain(fmt::format("{}: no course of the energy: {}", loop.file, error.what()));
+            print_message(fmt::format("{}: no course of the energy: {}", loop.file, error.what()));
         }
     });
     if (arguments.common.json && !list.empty()) print_json(list.size() == 1 ? list.front() : list);

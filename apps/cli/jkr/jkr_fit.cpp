@@ -120,19 +120,19 @@ void print_loop(const std::string& file, const loops::LoopAnalysis& a) {
     const auto value = [](const Estimate& v, const char* unit) { return format_uncertain(v, unit); };
     if (a.contact_points) {
         const auto& points = *a.contact_points;
-        tables::TidyTable beside{
+        tables::TidyTable contact_points{
             "", {"  contact point by", "minus the one used [nm]", "±", "E* [MPa]", "W [mJ/m²]"}, {}};
         for (const auto& estimate : points.estimates) {
             if (!estimate.contact_point) continue;
             const auto& fit = estimate.fit;
-            beside.rows.push_back(
+            contact_points.rows.push_back(
                 {"  " + loops::contact_point_name(estimate.method),
                  fmt::format("{:.4g}", 1e9 * (estimate.contact_point->value - points.contact_point.value)),
                  fmt::format("{:.2g}", 1e9 * estimate.contact_point->standard_error),
                  fit ? fmt::format("{:.4g}", 1e-6 * fit->contact_modulus.value) : "–",
                  fit ? fmt::format("{:.4g}", 1e3 * fit->work_of_adhesion.value) : "–"});
         }
-        text += tables::as_text_within(beside, width);
+        text += tables::as_text_within(contact_points, width);
         line("spread of contact points", fmt::format("{} ({:.2g} % of the penetration), dW/dδ0 {:.3g} mJ/m² per nm",
                                                      format_value(points.spread, "m"), 100.0 * points.spread_share,
                                                      1e-6 * points.work_by_contact_point));
@@ -175,7 +175,7 @@ public:
         try {
             scans_.push_back({drawn.name, loops::scan_ranges(loop.analysis, loop.bodies, loop.options)});
         } catch (const UndefinedDataError& error) {
-            complain(fmt::format("{}: no figure of ranges: {}", loop.file, error.what()));
+            print_message(fmt::format("{}: no figure of ranges: {}", loop.file, error.what()));
         }
     }
 
@@ -225,22 +225,23 @@ ExitCode fit_curves(const Arguments& arguments, const std::vector<std::string>& 
 }
 
 /// Adds the branch of a loop to a shared fit, if the loop has this branch.
-void share(const AnalysedLoop& loop, const study::LoopModelOptions& models, std::vector<loops::GlobalBranch>& shared) {
+void add_to_shared_fit(const AnalysedLoop& loop, const study::LoopModelOptions& models,
+                       std::vector<loops::GlobalBranch>& shared) {
     try {
         shared.push_back(study::branch_to_share(loop.file, loop.analysis, loop.bodies, loop.options, models));
     } catch (const UndefinedDataError& error) {
-        complain(fmt::format("{}: excluded from the shared fit: {}", loop.file, error.what()));
+        print_message(fmt::format("{}: excluded from the shared fit: {}", loop.file, error.what()));
     }
 }
 
 /// Name of the file of a loop; with the folder if several files have this name.
-std::string name_among(const std::vector<std::string>& files, const std::string& file) {
+std::string unique_name(const std::vector<std::string>& files, const std::string& file) {
     const auto name = [](const std::string& path) { return std::filesystem::path(path).filename().string(); };
     return std::ranges::count(files, name(file), name) == 1 ? name(file) : file;
 }
 
 /// All results of a loop; warnings that concern every number come first.
-void print_whole(const AnalysedLoop& loop, const study::LoopModelOptions& models) {
+void print_all_results(const AnalysedLoop& loop, const study::LoopModelOptions& models) {
     const auto& alerts = loop.analysis.alerts;
     const auto others = std::find_if_not(alerts.begin(), alerts.end(), study::names_cause);
     show({alerts.begin(), others});
@@ -249,7 +250,7 @@ void print_whole(const AnalysedLoop& loop, const study::LoopModelOptions& models
     show({others, alerts.end()});
 }
 
-/// Fits the loops among the files, and a shared fit if it is asked for.
+/// Fits the loops among the files, and a shared fit if the options ask for one.
 ExitCode fit_loops(const Arguments& arguments, const LoopAnalysisRequest& request, output::Json& list,
                    std::optional<loops::GlobalFit>& global) {
     auto fits = output::fits_table();
@@ -265,13 +266,13 @@ ExitCode fit_loops(const Arguments& arguments, const LoopAnalysisRequest& reques
         if (!arguments.output.empty())
             write_figure(file_figures::loop_figure(drawn_loop(loop), arguments.figure.look()), arguments.output,
                          arguments.common.json);
-        if (models.shared()) share(loop, models, shared);
+        if (models.shared()) add_to_shared_fit(loop, models, shared);
         if (arguments.common.json) {
             list.push_back(answers::fit_json(loop, models));
             return;
         }
-        output::add_loop_row(rows, name_among(files, loop.file), loop.analysis);
-        if (!in_rows) print_whole(loop, models);
+        output::add_loop_row(rows, unique_name(files, loop.file), loop.analysis);
+        if (!in_rows) print_all_results(loop, models);
         else if (models.any()) print_models(loop.file, answers::models_of(loop, models));
     });
     if (code == ExitCode::nothing_done) return code;

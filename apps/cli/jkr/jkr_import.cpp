@@ -108,16 +108,16 @@ output::Json json_of(const tables::ColumnGuess& guess) {
 std::string summary(const Table& table) {
     std::string text = fmt::format("{} samples\n", table.rows());
     for (const auto& column : table.columns) {
-        double least = undefined, most = undefined;
+        double smallest = undefined, largest = undefined;
         Index defined = 0;
         for (const double value : column.values) {
             if (std::isnan(value)) continue;
-            least = defined == 0 ? value : std::min(least, value);
-            most = defined == 0 ? value : std::max(most, value);
+            smallest = defined == 0 ? value : std::min(smallest, value);
+            largest = defined == 0 ? value : std::max(largest, value);
             ++defined;
         }
-        text += fmt::format("  {:<16} {} … {}{}\n", column.name, format_value(least, column.unit),
-                            format_value(most, column.unit),
+        text += fmt::format("  {:<16} {} … {}{}\n", column.name, format_value(smallest, column.unit),
+                            format_value(largest, column.unit),
                             defined == table.rows() ? "" : fmt::format(", {} defined", defined));
     }
     return text;
@@ -145,26 +145,26 @@ std::string output_of(const Arguments& arguments, const std::string& file) {
 }
 
 /// The mapping for a file: given by the user, or guessed from its columns.
-struct Understood {
+struct FileMapping {
     std::optional<tables::ColumnGuess> guess;
     std::optional<tables::Mapping> mapping;
 };
 
-Understood understood(const Arguments& arguments, const std::string& file) {
+FileMapping file_mapping(const Arguments& arguments, const std::string& file) {
     const auto chosen = arguments.loops.chosen();
     if (const auto mapping = arguments.loops.mapping())
         return {.mapping = tables::with_results(tables::read_mapping(*mapping), chosen)};
     if (!is_foreign_table(file)) return {};
-    Understood result{.guess = tables::guess_columns(file, table_options(arguments))};
+    FileMapping result{.guess = tables::guess_columns(file, table_options(arguments))};
     if (!arguments.common.json) print(tables::describe(*result.guess));
-    const auto wanted =
+    const auto required =
         arguments.loops.camera.empty() ? tables::LoopColumns::complete : tables::LoopColumns::force_record;
     try {
-        result.mapping = tables::mapping_from(*result.guess, chosen, wanted);
+        result.mapping = tables::mapping_from(*result.guess, chosen, required);
     } catch (const FormatError& error) {
         auto help = tables::fitting_mappings_remark(file, mapping_folder());
         if (!arguments.save_map.empty()) {
-            bytes::write_whole_file(arguments.save_map, tables::mapping_template(*result.guess, chosen, wanted));
+            bytes::write_whole_file(arguments.save_map, tables::mapping_template(*result.guess, chosen, required));
             help += fmt::format("; {} written; replace each \"?\" in this file and give the file with --mapping",
                                 arguments.save_map);
         }
@@ -175,10 +175,10 @@ Understood understood(const Arguments& arguments, const std::string& file) {
 }
 
 void import(const Arguments& arguments, const std::string& file, output::Json& list) {
-    const auto how = understood(arguments, file);
-    if (how.mapping && !arguments.save_map.empty()) tables::write_mapping(arguments.save_map, *how.mapping);
+    const auto mapped = file_mapping(arguments, file);
+    if (mapped.mapping && !arguments.save_map.empty()) tables::write_mapping(arguments.save_map, *mapped.mapping);
     const auto opened =
-        how.mapping ? study::open_loop(arguments.loops.source(file), *how.mapping) : arguments.loops.open(file);
+        mapped.mapping ? study::open_loop(arguments.loops.source(file), *mapped.mapping) : arguments.loops.open(file);
     auto metadata = tables::loop_metadata(opened.table);
     metadata.emplace("source", std::filesystem::path(file).filename().string());
     for (const auto& [key, value] : assignments(arguments.entries, "--set")) metadata[key] = value;
@@ -195,8 +195,8 @@ void import(const Arguments& arguments, const std::string& file, output::Json& l
                           {"alerts", output::to_json(opened.alerts)}};
         for (const auto& column : opened.table.columns)
             json["columns"].push_back({{"name", column.name}, {"unit", column.unit}});
-        if (how.guess) json["guess"] = json_of(*how.guess);
-        if (how.mapping) json["mapping"] = tables::as_toml(*how.mapping);
+        if (mapped.guess) json["guess"] = json_of(*mapped.guess);
+        if (mapped.mapping) json["mapping"] = tables::as_toml(*mapped.mapping);
         if (opened.clock)
             json["clock"] = {
                 {"offset", output::to_json(output::quantity("clock_offset", "t0", opened.clock->offset, "s"))},
@@ -226,7 +226,7 @@ ExitCode run(const Arguments& arguments) {
 
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
-    ask_for_loops(options, arguments->loops);
+    add_loop_options(options, arguments->loops);
     options.add("--encoding", arguments->encoding, "encoding of the text; default: detected")
         .one_of({"utf-8", "utf-16", "latin-1"});
     options.add("--separator", arguments->separator, "separator of the columns; default: detected")
@@ -238,7 +238,7 @@ Action declare(Options& options) {
     options.add("--set", arguments->entries,
                 "KEY=VALUE that is written into the loop file, such as sphere_radius=\"1.25 mm\" or surface=UNCD");
     options.add("--save-map", arguments->save_map,
-                "file for the mapping, a template for --map; a \"?\" marks what the table does not state");
+                "file for the mapping, a template for --map; a \"?\" marks missing metadata");
     options.add("-o,--output", arguments->output, "loop file, or folder of loop files; without it nothing is written");
     options.example("setae jkr import force_curve.txt -o loop.csv",
                     "loop file from a table; the columns are guessed and printed");

@@ -157,8 +157,8 @@ ExitCode run(const Arguments& arguments) {
     } else {
         print(as_text(answer));
     }
-    for (const auto& frame : kept.left_out) complain(frame);
-    for (const auto& note : answer.notes) complain(note);
+    for (const auto& frame : kept.left_out) print_message(frame);
+    for (const auto& note : answer.notes) print_message(note);
     return kept.left_out.empty() ? ExitCode::done : ExitCode::some_failed;
 }
 

@@ -75,7 +75,7 @@ ExitCode run(const Arguments& arguments) {
     const auto figure = study_figures::forest_plot(tables.data, model, {.quantity = tables.data.quantity});
     const auto json = answers::to_json(summary);
     for (const auto& bad : tables.bad_rows)
-        complain(fmt::format("{}: {}; this row is excluded", bad.place, bad.reason));
+        print_message(fmt::format("{}: {}; this row is excluded", bad.place, bad.reason));
     if (!arguments.figure.empty()) write_figure(arguments.figure, tables, figure);
     if (!arguments.output.empty()) write_folder(arguments.output, tables, model, json, figure);
     if (arguments.common.json) print_json(json);

@@ -9,7 +9,7 @@
 
 namespace setae::cli {
 
-void ask_for_loops(Options& options, answers::LoopFiles& loops) {
+void add_loop_options(Options& options, answers::LoopFiles& loops) {
     loops.mapping_folder = mapping_folder();
     options
         .add(
@@ -22,7 +22,7 @@ void ask_for_loops(Options& options, answers::LoopFiles& loops) {
 }
 
 void LoopAnalysisRequest::add_to(Options& options) {
-    ask_for_loops(options, loops);
+    add_loop_options(options, loops);
     options.ask(bodies);
     options.ask(analysis);
 }
@@ -49,7 +49,7 @@ ExitCode for_each_loop(const LoopAnalysisRequest& request, parallel::Threads thr
         });
         for (const auto& result : results) {
             if (result.loop) show_loop(*result.loop);
-            else complain(result.error);
+            else print_message(result.error);
             done += result.loop ? 1 : 0;
         }
     }

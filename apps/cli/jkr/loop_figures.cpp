@@ -15,9 +15,9 @@ std::string figure_name(const std::string& file) { return std::filesystem::path(
 void write_loop_figures(const std::vector<study_figures::StudyFigure>& figures, const std::string& folder,
                         parallel::Threads threads) {
     for (const auto& figure : figures)
-        if (!figure.drawable()) complain(fmt::format("no figure {}: {}", figure.name, figure.reason));
+        if (!figure.drawable()) print_message(fmt::format("no figure {}: {}", figure.name, figure.reason));
     for (const auto& written : study_figures::write_figures(figures, {.folder = folder, .threads = threads}))
-        if (!written.error.empty()) complain(fmt::format("{}: {}", written.name, written.error));
+        if (!written.error.empty()) print_message(fmt::format("{}: {}", written.name, written.error));
 }
 
 }  // namespace setae::cli

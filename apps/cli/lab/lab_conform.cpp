@@ -76,7 +76,7 @@ ExitCode write(const answers::PatchSurveyAnswer& answer, const ConformArguments&
 }
 
 ExitCode show(const answers::PatchSurveyAnswer& answer, const ConformArguments& arguments) {
-    for (const auto& skipped : answer.skipped) complain(skipped);
+    for (const auto& skipped : answer.skipped) print_message(skipped);
     if (arguments.common.json) {
         print_json(answers::to_json(answer));
     } else {

@@ -78,7 +78,7 @@ output::Json mechanism_json(const validation::LawSummary& row) {
 }
 
 /// Simulates loops of a recipe with known retraction models and analyses them.
-ExitCode find_mechanisms(const Arguments& arguments) {
+ExitCode recover_mechanisms(const Arguments& arguments) {
     if (arguments.recipe.empty())
         throw InvalidArgument(
             "no recipe; expected a TOML file whose loops get the mechanisms, see docs/guides/laboratory.md");
@@ -90,7 +90,7 @@ ExitCode find_mechanisms(const Arguments& arguments) {
                                                    .folder = arguments.output,
                                                    .threads = arguments.common.workers(),
                                                    .progress = progress_of(data_sets)});
-    for (const auto& failed : found.failed) complain(fmt::format("seed {}: {}", failed.seed, failed.reason));
+    for (const auto& failed : found.failed) print_message(fmt::format("seed {}: {}", failed.seed, failed.reason));
     if (found.recoveries.empty()) return ExitCode::nothing_done;
     const auto rows = validation::summary(found.recoveries);
     const auto table = validation::law_summary_table(rows);
@@ -116,7 +116,7 @@ ExitCode find_mechanisms(const Arguments& arguments) {
     return found.failed.empty() ? ExitCode::done : ExitCode::some_failed;
 }
 
-ExitCode cover(const Arguments& arguments) {
+ExitCode fit_simulated_loops(const Arguments& arguments) {
     auto options = arguments.options;
     options.threads = arguments.common.workers();
     options.progress = progress_of(options.runs);
@@ -140,11 +140,11 @@ ExitCode cover(const Arguments& arguments) {
 }
 
 ExitCode run(const Arguments& arguments) {
-    if (!arguments.mechanisms.empty()) return find_mechanisms(arguments);
+    if (!arguments.mechanisms.empty()) return recover_mechanisms(arguments);
     if (!arguments.recipe.empty())
         throw InvalidArgument(
             "a recipe without --mechanism; expected --mechanism, or no recipe: the command then simulates its own loops");
-    return cover(arguments);
+    return fit_simulated_loops(arguments);
 }
 
 }  // namespace

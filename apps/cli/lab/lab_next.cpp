@@ -56,7 +56,7 @@ ExitCode run(const NextArguments& arguments) {
                                                                   .folder = arguments.output,
                                                                   .threads = arguments.common.workers(),
                                                                   .progress = progress_of(arguments.runs)});
-    for (const auto& failed : found.failed) complain(fmt::format("seed {}: {}", failed.seed, failed.reason));
+    for (const auto& failed : found.failed) print_message(fmt::format("seed {}: {}", failed.seed, failed.reason));
     if (found.trials.empty()) return ExitCode::nothing_done;
     const auto rows = validation::summary(found.trials);
     const auto table = validation::next_summary_table(arguments.target, rows);

@@ -89,9 +89,9 @@ std::string tables_of(const std::string& title, const std::vector<Quantity>& lis
 /// Parameters of a standard, measurement by measurement.
 ExitCode run_standard(const Arguments& arguments) {
     const auto answer = answers::texture_of(arguments.surface.surface(), arguments.texture, arguments.common.workers());
-    for (const auto& failure : answer.failures) complain(failure);
+    for (const auto& failure : answer.failures) print_message(failure);
     if (answer.list.empty()) return ExitCode::nothing_done;
-    const auto others = show_of_reading(answer.alerts);
+    const auto others = show_reading_warnings(answer.alerts);
     if (arguments.common.json || arguments.texture.format == "json") print_json(answers::to_json(answer));
     else print(parameter_text(answer.list, arguments.texture.format, output_size().width));
     show(others);
@@ -119,7 +119,7 @@ ExitCode run(const Arguments& arguments) {
     const auto& surface = parameters.surface;
     const auto code = report_failures(surface);
     if (code == ExitCode::nothing_done) return code;
-    const auto others = show_of_reading(answers::alerts_of(surface));
+    const auto others = show_reading_warnings(answers::alerts_of(surface));
     if (!arguments.common.json) {
         print(answers::headline_text(parameters) + "\n");
         for (const auto& group : parameters.groups) {

@@ -6,19 +6,19 @@
 namespace setae::cli {
 namespace {
 
-std::string& remembered() {
+std::string& stored_command_line() {
     static std::string line;
     return line;
 }
 
 }  // namespace
 
-void remember_command_line(int argc, char** argv) {
-    auto& line = remembered();
+void store_command_line(int argc, char** argv) {
+    auto& line = stored_command_line();
     line = "setae";
     for (int i = 1; i < argc; ++i) line += " " + shell_word(argv[i]);
 }
 
-const std::string& command_line() { return remembered(); }
+const std::string& command_line() { return stored_command_line(); }
 
 }  // namespace setae::cli

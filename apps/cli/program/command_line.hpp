@@ -6,7 +6,7 @@
 namespace setae::cli {
 
 /// Stores the command line of the program, with "setae" as its name. Called once at the start.
-void remember_command_line(int argc, char** argv);
+void store_command_line(int argc, char** argv);
 
 /// The command line with quotes for a shell, to repeat the run.
 [[nodiscard]] const std::string& command_line();

@@ -25,7 +25,7 @@ std::string flags_of(const ProgramOption& option) {
 }
 
 /// True for options of every command, which the page lists once.
-bool of_all(const ProgramOption& option) {
+bool is_common_option(const ProgramOption& option) {
     const auto& flag = option.flags.back();
     return flag == "--help" || flag == "--json" || flag == "--explain" || flag == "--threads";
 }
@@ -41,7 +41,7 @@ std::string section(const ProgramCommand& command) {
         rows += row("`" + argument.flags.front() + "`", argument.description);
     }
     for (const auto& option : command.options)
-        if (!of_all(option)) rows += row(flags_of(option), option.description);
+        if (!is_common_option(option)) rows += row(flags_of(option), option.description);
     std::string examples = command.examples.empty() ? "" : "\nExamples:\n\n";
     for (const auto& example : command.examples)
         examples += fmt::format("    {}\n        {}\n", example.command, example.what);
@@ -68,7 +68,7 @@ std::string command_page() {
     }
     text += "\nOptions of every command:\n\n| option | meaning |\n|---|---|\n";
     for (const auto& option : any.options)
-        if (of_all(option)) text += row(flags_of(option), option.description);
+        if (is_common_option(option)) text += row(flags_of(option), option.description);
     return text + sections;
 }
 

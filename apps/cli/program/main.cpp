@@ -22,7 +22,7 @@ int run(int argc, char** argv) {
         const auto [action, exit_code] = parsed(argc, argv);
         return action ? static_cast<int>(action()) : exit_code;
     } catch (const std::exception& error) {
-        complain(reason_of(error));
+        print_message(reason_of(error));
     }
     return static_cast<int>(ExitCode::nothing_done);
 }
@@ -33,9 +33,9 @@ bool output_arrived() {
     std::cout.flush();
     const bool flushed = std::fflush(stdout) == 0;
     if (flushed && std::ferror(stdout) == 0 && std::cout) return true;
-    complain(std::string("standard output cannot be written") +
-             (errno != 0 ? std::string(" (") + std::strerror(errno) + ")" : std::string()) +
-             "; the output is not complete");
+    print_message(std::string("standard output cannot be written") +
+                  (errno != 0 ? std::string(" (") + std::strerror(errno) + ")" : std::string()) +
+                  "; the output is not complete");
     return false;
 }
 
@@ -47,7 +47,7 @@ int main(int argc, char** argv) {
     setae::parallel::keep_freed_memory();
     // a file above `ulimit -f` is refused with a reason and removed; the program does not end by a signal
     setae::platform::survive_full_files();
-    remember_command_line(argc, argv);
+    store_command_line(argc, argv);
     const int exit_code = run(argc, argv);
     return output_arrived() ? exit_code : static_cast<int>(ExitCode::nothing_done);
 }

@@ -28,18 +28,18 @@ void print(const std::string& text) {
     std::fwrite(shown.data(), 1, shown.size(), stdout);
 }
 
-void complain(const std::string& message) {
+void print_message(const std::string& message) {
     std::fflush(stdout);  // so that both streams have the right order on one terminal
     std::fputs(fmt::format("setae: {}\n", one_line(fields::spelled(message, option_spelling()))).c_str(), stderr);
 }
 
 void show(const std::vector<Alert>& alerts) {
     for (const auto& alert : alerts)
-        complain(fmt::format("{}: {}: {}{}", alert.code, alert.subject, alert.message,
-                             alert.action.empty() ? "" : "; " + alert.action));
+        print_message(fmt::format("{}: {}: {}{}", alert.code, alert.subject, alert.message,
+                                  alert.action.empty() ? "" : "; " + alert.action));
 }
 
-std::vector<Alert> show_of_reading(std::vector<Alert> alerts) {
+std::vector<Alert> show_reading_warnings(std::vector<Alert> alerts) {
     const auto others = std::stable_partition(alerts.begin(), alerts.end(),
                                               [](const Alert& alert) { return output::concerns_reading(alert.code); });
     show({alerts.begin(), others});
@@ -52,10 +52,10 @@ ExitCode for_each_item(const std::vector<std::string>& items, const std::functio
         try {
             body(item);
         } catch (const Error& error) {
-            complain(error.what());
+            print_message(error.what());
             ++failed;
         } catch (const std::exception& error) {
-            complain(reason_of(error, item));
+            print_message(reason_of(error, item));
             ++failed;
         }
     }

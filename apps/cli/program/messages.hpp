@@ -18,12 +18,12 @@ void print(const std::string& text);
 void spell_options_by(fields::Spelling spelling);
 
 /// Prints a message, "setae: …", on standard error.
-void complain(const std::string& message);
+void print_message(const std::string& message);
 /// Prints warnings on standard error, one per line.
 void show(const std::vector<Alert>& alerts);
 
 /// Prints the warnings about reading of files and returns the others. Called before results are printed.
-[[nodiscard]] std::vector<Alert> show_of_reading(std::vector<Alert> alerts);
+[[nodiscard]] std::vector<Alert> show_reading_warnings(std::vector<Alert> alerts);
 
 /// Runs body for every item. A setae::Error of one item is printed; the other items are run.
 [[nodiscard]] ExitCode for_each_item(const std::vector<std::string>& items,

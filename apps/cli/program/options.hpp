@@ -41,8 +41,8 @@ public:
     Option& offering(const std::vector<std::string>& words);
     /// A text that `read` accepts. The message of its InvalidArgument is the error of the option.
     Option& read_by(const std::function<void(const std::string&)>& read);
-    Option& between(int least, int greatest);
-    Option& between(double least, double greatest);
+    Option& between(int min, int max);
+    Option& between(double min, double max);
     Option& positive();
     Option& required();
     Option& excludes(const Option& other);

@@ -68,18 +68,18 @@ Option& Option::read_by(const std::function<void(const std::string&)>& read) {
         ""));
     return *this;
 }
-Option& Option::between(int least, int greatest) {
+Option& Option::between(int min, int max) {
     return read_by([=](const std::string& text) {
         long value = 0;
-        if (!CLI::detail::lexical_cast(text, value) || value < least || value > greatest)
-            throw InvalidArgument(fmt::format("'{}', expected a whole number from {} to {}", text, least, greatest));
+        if (!CLI::detail::lexical_cast(text, value) || value < min || value > max)
+            throw InvalidArgument(fmt::format("'{}', expected a whole number from {} to {}", text, min, max));
     });
 }
-Option& Option::between(double least, double greatest) {
+Option& Option::between(double min, double max) {
     return read_by([=](const std::string& text) {
         double value = 0.0;
-        if (!CLI::detail::lexical_cast(text, value) || !(value >= least && value <= greatest))
-            throw InvalidArgument(fmt::format("'{}', expected a number from {} to {}", text, least, greatest));
+        if (!CLI::detail::lexical_cast(text, value) || !(value >= min && value <= max))
+            throw InvalidArgument(fmt::format("'{}', expected a number from {} to {}", text, min, max));
     });
 }
 Option& Option::positive() { return within(domain::positive); }
@@ -329,20 +329,20 @@ std::string parse_error_message(const CLI::App& program, const CLI::ParseError& 
     const bool of_command = &command != &program;
     const auto help = of_command ? "see `setae help " + path_of(command) + "`" : "see `setae --help`";
     const auto words = program.remaining(true);
-    std::string said = error.what();
+    std::string message = error.what();
     if (command.get_require_subcommand_min() > 0) {
-        said = words.empty() ? "expected a subcommand" : unknown_command(command, words);
+        message = words.empty() ? "expected a subcommand" : unknown_command(command, words);
     } else if (dynamic_cast<const CLI::ExtrasError*>(&error)) {
         std::vector<std::string> flags;
         for (const auto* option : command.get_options())
             for (const auto& name : option->get_lnames()) flags.push_back("--" + name);
         const auto word = words.empty() ? std::string() : words.front();
         const auto nearest = nearest_match(word, flags);
-        said = word.starts_with("-") ? fmt::format("unknown option '{}'", word)
-                                     : fmt::format("unexpected argument '{}'", word);
-        if (word.starts_with("-") && !nearest.empty()) said += "; did you mean '" + nearest + "'?";
+        message = word.starts_with("-") ? fmt::format("unknown option '{}'", word)
+                                        : fmt::format("unexpected argument '{}'", word);
+        if (word.starts_with("-") && !nearest.empty()) message += "; did you mean '" + nearest + "'?";
     }
-    return (of_command ? path_of(command) + ": " : "") + said + (said.ends_with('?') ? " " : "; ") + help;
+    return (of_command ? path_of(command) + ": " : "") + message + (message.ends_with('?') ? " " : "; ") + help;
 }
 
 /// `help COMMAND…` as `COMMAND… --help`.
@@ -378,7 +378,7 @@ Parsed parsed(int argc, char** argv) {
     if (words.empty()) words = {"--help"};
     constexpr int nothing_done = static_cast<int>(ExitCode::nothing_done);
     if (const auto message = unknown_command(*program, words); !message.empty()) {
-        complain(message + (message.ends_with('?') ? " " : "; ") + "see `setae --help`");
+        print_message(message + (message.ends_with('?') ? " " : "; ") + "see `setae --help`");
         result.exit_code = nothing_done;
         return result;
     }
@@ -396,7 +396,7 @@ Parsed parsed(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         result.action = nullptr;
         result.exit_code = nothing_done;
-        complain(objection_to(*program, error));
+        print_message(objection_to(*program, error));
     }
     return result;
 }

@@ -10,7 +10,7 @@ namespace setae::cli {
 
 /// An option or a positional argument.
 struct ProgramOption {
-    std::vector<std::string> flags;  ///< "-o", "--output"; of an argument its name alone
+    std::vector<std::string> flags;  ///< "-o", "--output"; for an argument only its name
     std::string value;               ///< kind of value in `--help`; empty for a switch
     bool takes_value = false;
     std::string description;

@@ -53,7 +53,7 @@ ExitCode run(const Arguments& arguments) {
     const auto code = report_failures(surface);
     if (code == ExitCode::nothing_done) return code;
     auto alerts = answers::alerts_of(surface);
-    if (!arguments.common.json) alerts = show_of_reading(std::move(alerts));
+    if (!arguments.common.json) alerts = show_reading_warnings(std::move(alerts));
     write_table_or_figure(
         arguments.output, table,
         [&spectrum, &arguments] {

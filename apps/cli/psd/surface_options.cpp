@@ -24,9 +24,9 @@ ExitCode report_failures(const study::SurfaceResult& surface) {
     const auto failed = std::count_if(surface.measurements.begin(), surface.measurements.end(),
                                       [](const auto& m) { return m.failed(); });
     for (const auto& m : surface.measurements)
-        if (m.failed()) complain(m.error);
+        if (m.failed()) print_message(m.error);
     if (surface.failed()) {
-        complain(surface.error);
+        print_message(surface.error);
         return ExitCode::nothing_done;
     }
     return failed > 0 ? ExitCode::some_failed : ExitCode::done;

@@ -65,10 +65,10 @@ ExitCode run(const ScaleArguments& arguments, answers::ScaleFunction function) {
     request.surface = arguments.surface.surface();
     request.largest_map = arguments.surface.analysis().largest_map;
     const auto found = answers::functions_of_scale(function, request, arguments.common.workers());
-    for (const auto& failure : found.failures) complain(failure);
+    for (const auto& failure : found.failures) print_message(failure);
     if (found.functions.empty()) return ExitCode::nothing_done;
     auto alerts = found.alerts;
-    if (!arguments.common.json) alerts = show_of_reading(std::move(alerts));
+    if (!arguments.common.json) alerts = show_reading_warnings(std::move(alerts));
     write_table_or_figure(
         arguments.output, found.table,
         [&] {

@@ -105,7 +105,8 @@ int write_figures(const std::vector<file_figures::StudyFigure>& figures, const P
     options.cancelled = &interruption();
     int failed = 0;
     for (const auto& figure : study_figures::write_figures(figures, options))
-        if (!figure.error.empty() && failed++ == 0) complain(fmt::format("figure {}: {}", figure.name, figure.error));
+        if (!figure.error.empty() && failed++ == 0)
+            print_message(fmt::format("figure {}: {}", figure.name, figure.error));
     return failed;
 }
 
@@ -115,7 +116,7 @@ ExitCode predict(const PredictArguments& arguments, const cache::Store& store, P
     const auto result = study::run_study(study, run_options(arguments.common.workers(), store, display));
     display.finish();
     for (const auto& surface : result.surfaces)
-        if (surface.failed()) complain(fmt::format("surface {}: {}", surface.name, surface.error));
+        if (surface.failed()) print_message(fmt::format("surface {}: {}", surface.name, surface.error));
     std::optional<hysteresis::TrialOptions> trials;
     if (arguments.trials > 0)
         trials = {.runs = arguments.trials,

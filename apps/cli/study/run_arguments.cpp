@@ -36,12 +36,12 @@ void report_traffic(const cache::Store& store) {
     const auto traffic = store.traffic();
     const auto results = [](std::uint64_t n) { return fmt::format("{} result{}", n, n == 1 ? "" : "s"); };
     if (traffic.damaged > 0)
-        complain(fmt::format("cache: {} in {} damaged; computed again", results(traffic.damaged), store.folder()));
+        print_message(fmt::format("cache: {} in {} damaged; computed again", results(traffic.damaged), store.folder()));
     if (traffic.other_version > 0)
-        complain(fmt::format("cache: {} in {} of another version of setae; computed again",
-                             results(traffic.other_version), store.folder()));
+        print_message(fmt::format("cache: {} in {} of another version of setae; computed again",
+                                  results(traffic.other_version), store.folder()));
     if (traffic.not_kept > 0)
-        complain(fmt::format(
+        print_message(fmt::format(
             "cache: {} could not be kept in {}; check that it is writable and has space, or set SETAE_CACHE",
             results(traffic.not_kept), store.folder()));
 }
@@ -60,9 +60,9 @@ ExitCode until_interrupted(const cache::Store& store, ProgressDisplay& display, 
         return body();
     } catch (const Cancelled&) {
         display.finish();
-        complain(fmt::format("stopped after {} of {} steps; {}", display.last().done, display.last().total,
-                             store.enabled() ? "completed steps are kept; repeat the command to continue"
-                                             : "without a cache no step is kept"));
+        print_message(fmt::format("stopped after {} of {} steps; {}", display.last().done, display.last().total,
+                                  store.enabled() ? "completed steps are kept; repeat the command to continue"
+                                                  : "without a cache no step is kept"));
         end_as_interrupted();
     }
 }

@@ -68,17 +68,17 @@ struct Arguments {
 
 void show_failures(const study::StudyResult& result) {
     for (const auto& surface : result.surfaces) {
-        if (surface.failed()) complain(fmt::format("surface {}: {}", surface.name, surface.error));
+        if (surface.failed()) print_message(fmt::format("surface {}: {}", surface.name, surface.error));
         if (!surface.likelihood_error.empty())
-            complain(fmt::format("surface {}: {}; its results are averages over its measurements", surface.name,
-                                 surface.likelihood_error));
+            print_message(fmt::format("surface {}: {}; its results are averages over its measurements", surface.name,
+                                      surface.likelihood_error));
         for (const auto& m : surface.measurements)
-            if (m.failed()) complain(fmt::format("surface {}: {}", surface.name, m.error));
+            if (m.failed()) print_message(fmt::format("surface {}: {}", surface.name, m.error));
     }
     for (const auto& e : result.experiments)
-        if (e.failed()) complain(e.error);
+        if (e.failed()) print_message(e.error);
     for (const auto& alert : result.alerts_of_failed_parts())
-        complain(fmt::format("{}: {}", alert.subject, alert.message));
+        print_message(fmt::format("{}: {}", alert.subject, alert.message));
 }
 
 /// Prints the results and their folder.
@@ -178,10 +178,10 @@ int draw_figures(const std::vector<study_figures::StudyFigure>& figures, const s
                 results.drop("figures/" + file);
         display.finish();
         // one missing program is the reason for all failures
-        if (failed++ == 0) complain(fmt::format("figure {}: {}", figure.name, figure.error));
+        if (failed++ == 0) print_message(fmt::format("figure {}: {}", figure.name, figure.error));
     }
     if (failed > 1)
-        complain(fmt::format(
+        print_message(fmt::format(
             "{} more figures have missing files; their numbers are in the CSV files and in report.html", failed - 1));
     return failed;
 }
@@ -216,7 +216,7 @@ ExitCode run_and_write(const Arguments& arguments, const cache::Store& store, Pr
     }
     report_traffic(store);
     const bool empty = result.study.surfaces.empty() && result.study.experiments.empty();
-    if (empty) complain("the study contains no surface and no experiment");
+    if (empty) print_message("the study contains no surface and no experiment");
     if (result.successes() == 0 && (result.failures() > 0 || empty)) return ExitCode::nothing_done;
     return result.failures() + failed_figures == 0 ? ExitCode::done : ExitCode::some_failed;
 }
@@ -260,7 +260,7 @@ ExitCode explain(const Arguments& arguments) {
     print(explanation);
     if (arguments.file.empty()) return ExitCode::done;
     if (!std::filesystem::exists(arguments.file)) {
-        complain(fmt::format("{}: no such file; only formulas are printed", arguments.file));
+        print_message(fmt::format("{}: no such file; only formulas are printed", arguments.file));
         return ExitCode::done;
     }
     return run_and_show(arguments, [](const study::StudyResult& result) {

@@ -38,7 +38,7 @@ struct Arguments {
     bool force = false;
 };
 
-std::string counted(std::size_t n, const char* what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); }
+std::string counted(std::size_t n, const char* noun) { return fmt::format("{} {}{}", n, noun, n == 1 ? "" : "s"); }
 
 void print_summary(const study::StudyDraft& draft, const std::string& file) {
     print(fmt::format("{}: {} with {}, {}, {}; {} left out\n", file, counted(draft.surfaces, "surface"),
@@ -65,7 +65,7 @@ ExitCode run(const Arguments& arguments) {
             "{}: file exists; give another file with -o, or replace this file with --force", arguments.output));
     const auto draft = study::draft_study(arguments.paths, arguments.output, mapping_folder());
     if (draft.surfaces + draft.loops + draft.micrographs == 0) {
-        for (const auto& left : draft.left_out) complain(left.reason);
+        for (const auto& left : draft.left_out) print_message(left.reason);
         throw InvalidArgument("no measurement, loop, spectrum or micrograph found; nothing was written");
     }
     bytes::write_whole_file(arguments.output, draft.text);
