@@ -60,7 +60,8 @@ def work_of_adhesion(
     The result is that of simulated patches that store U_el/(A W), W = W_int r − γ1 (r − 1). In full contact it is W − U_el/A_app, the
     full-contact balance (Eq. 7), with r = A_true/A_app and U_el/A_app = (E*/8) ∫ q C1D dq [Dalvi et al., PNAS 116 (2019) 25484, Eq. 7 and 8].
     Other theories are in ``["answers"]``. The first argument is a surface of :func:`surface`, or measurements, which are averaged as by
-    ``setae adhesion``. Pull-off force and loss of a sphere (radius, preload) are lower bounds, which approach those of JKR as the roughness tends to zero.
+    ``setae adhesion``. Pull-off force and loss of a sphere (radius, preload) are lower bounds. The bounds tend to the values of JKR as the
+    roughness tends to zero.
 
     Parameters
     ----------

@@ -132,7 +132,8 @@ def power_spectrum(
     [Jacobs, Junge, Pastewka, Surf. Topogr. 5 (2017) 013001]. The range that tip or resolution limit is excluded.
 
     measurements: a scan, a file, an array of another package, or a list of them.  isotropic: also C_iso [m⁴] by the transform.
-    abel: also C_iso by the inverse Abel transform.  fit: a self-affine surface.  tip_radius …: for every measurement that does not state its own value.
+    abel: also C_iso by the inverse Abel transform.  fit: a self-affine surface.
+    tip_radius …: for every measurement that does not state its own value.
     skip_failed: a measurement that cannot be read is left out with a warning; otherwise its error is raised.
 
     A wave of amplitude A over the length L has A² L/4 in its mode:

@@ -27,7 +27,7 @@ constexpr const char* explanation =
     "E_loss         energy of the loop\n"
     "refused        records that are not analysed\n"
     "cause named    records that are refused or get a warning, with the fault named\n"
-    "silently       records with a result off by more than four standard errors and 2 %\n"
+    "silently wrong records with a result off by more than four standard errors and 2 %\n"
     "               Neither a refusal nor a warning names the fault.\n";
 
 struct Arguments {
