@@ -396,7 +396,7 @@ Parsed parsed(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         result.action = nullptr;
         result.exit_code = nothing_done;
-        print_message(objection_to(*program, error));
+        print_message(parse_error_message(*program, error));
     }
     return result;
 }
