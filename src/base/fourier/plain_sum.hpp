@@ -5,7 +5,7 @@
 
 namespace setae::fourier {
 
-/// nonuniform_transform() by the plain sum, O(n_x n_q).
+/// nonuniform_transform() by direct summation, O(n_x n_q).
 [[nodiscard]] Eigen::ArrayXcd nonuniform_transform_by_sum(const ArrayView1D& positions, const ArrayView1D& coefficients,
                                                           const ArrayView1D& wavevectors,
                                                           parallel::Threads threads = {});

@@ -14,24 +14,24 @@ public:
     static constexpr Index width = 16;
     static constexpr double oversampling = 2.0;
 
-    /// The one kernel, tabulated on first use.
+    /// The only kernel, tabulated on first use.
     static const SpreadingKernel& instance();
 
-    /// Where a point at `position` (in grid steps) spreads to: grid points first … first + width − 1 with their values.
+    /// Grid points of a point at `position` (in grid steps): first … first + width − 1 with their values.
     struct Taps {
         Index first;
         std::array<double, width> values;
     };
     [[nodiscard]] Taps at(double position) const;
 
-    /// ∫ of the kernel, taken as a function of the distance u in grid steps, times exp(−iku) du.
+    /// ∫ of the kernel, as a function of the distance u in grid steps, times exp(−iku) du.
     [[nodiscard]] double transform(double k) const;
 
 private:
     SpreadingKernel();
 
     static constexpr std::size_t degree = 21;
-    /// value of tap i = sum_p coefficient[p][i] t^p, t in −1 … 1 the place between two grid points
+    /// value of tap i = sum_p coefficient[p][i] t^p, t in −1 … 1 the position between two grid points
     std::array<std::array<double, width>, degree + 1> coefficients_;
 };
 

@@ -10,17 +10,17 @@
 
 namespace setae::parallel {
 
-/// Threads that wait between loops: starting one takes longer than a short loop.
+/// Threads that wait between loops: starting a thread takes longer than a short loop.
 ///
-/// One crew a process, which grows to as many threads as ever worked at once and ends with the process. After fork()
-/// the child begins with a crew of its own.
+/// One crew per process. It grows to the maximum number of simultaneous threads and ends with the process. After fork()
+/// the child begins with a new crew.
 class Crew {
 public:
     [[nodiscard]] static Crew& of_process();
 
-    /// Calls `work` here and on up to `helpers` threads at the same time, and returns when all have returned. A helper
-    /// that has not begun when the work here is done is not waited for. `work` throws nothing. May be called from
-    /// within `work`.
+    /// Calls `work` in this thread and in up to `helpers` threads simultaneously, and returns when all have returned. A
+    /// helper that has not begun when this thread has finished is not awaited. `work` must not throw. May be called
+    /// from within `work`.
     void run(std::size_t helpers, const std::function<void()>& work);
 
 private:
@@ -35,7 +35,7 @@ private:
 
     std::mutex mutex_;
     std::condition_variable wake_, done_;
-    std::deque<Loop*> loops_;             ///< with places
+    std::deque<Loop*> loops_;             ///< loops with places
     std::atomic<std::size_t> places_{0};  ///< of all loops
     std::size_t idle_ = 0;                ///< threads without a loop
 };

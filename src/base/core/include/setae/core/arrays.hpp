@@ -5,7 +5,7 @@
 
 namespace setae {
 
-/// Owned series of doubles: a line of heights, wavevectors, a table's column.
+/// Owned series of doubles: a line of heights, wavevectors, a column of a table.
 using Array1D = Eigen::ArrayXd;
 
 /// Owned map of doubles, row-major, shape (nx, ny): the first index is x, y lies contiguous in memory.

@@ -7,7 +7,7 @@
 
 namespace setae {
 
-/// A large value that may be missing: without it, the object takes the space of a pointer. Copies are deep.
+/// A large value that may be missing. A missing value takes only the space of a pointer. Copies are deep.
 template <class T>
 class Boxed {
 public:

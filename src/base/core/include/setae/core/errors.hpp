@@ -9,7 +9,8 @@
 
 namespace setae {
 
-/// Root of everything setae throws. A message says what, where, got, expected and the remedy; lower case, no full stop.
+/// Base class of all exceptions of setae. A message states what happened, where, what was found, what was expected and
+/// the remedy; lower case, no full stop.
 class Error : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
@@ -33,8 +34,8 @@ struct FilePosition {
     std::optional<std::uint64_t> line;
 };
 
-/// A file whose content breaks its format, or whose format nobody knows. The message begins with "path:line" or
-/// "path: at byte N".
+/// A file that violates its format, or whose format is unknown. The message begins with "path:line" or "path: at byte
+/// N".
 class FormatError : public Error {
 public:
     FormatError(const std::string& path, const FilePosition& position, const std::string& what);
@@ -46,22 +47,23 @@ public:
     using Error::Error;
 };
 
-/// The caller asked to stop before all was done.
+/// The caller requested a stop before the work was complete.
 class Cancelled : public Error {
 public:
     using Error::Error;
 };
 
-/// A state setae promised could not happen: please report it.
+/// A state that should be impossible: a defect of setae, to be reported.
 class InternalError : public Error {
 public:
     using Error::Error;
 };
 
-/// What to say of a failure, whatever threw it: the message of an Error; for others what ran out, or that it is ours to
-/// mend. What fails an item of many is caught as std::exception and said so; Cancelled is none of them and passes on.
+/// Reason of a failure for messages: the message of an Error; for other exceptions the exhausted resource, or that the
+/// failure is a defect of setae. The failure of one item of many is caught as std::exception and reported by this
+/// function. Cancelled is passed on.
 [[nodiscard]] std::string reason_of(const std::exception& failure);
-/// The same of one item, which it names.
+/// Reason of the failure of one item, with the name of the item.
 [[nodiscard]] std::string reason_of(const std::exception& failure, const std::string& item);
 
 }  // namespace setae

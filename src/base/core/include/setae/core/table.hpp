@@ -17,17 +17,17 @@ struct Column {
     Array1D values;
 };
 
-/// Columns of equal length with a free header: a loop, a spectrum, any instrument's table.
+/// Columns of equal length with a free header: a loop, a spectrum, a table of an instrument.
 struct Table {
     std::vector<Column> columns;
     std::map<std::string, std::string> metadata;
 
     [[nodiscard]] Index rows() const { return columns.empty() ? 0 : columns.front().values.size(); }
 
-    /// nullptr where the table has no such column.
+    /// nullptr if the table has no such column.
     [[nodiscard]] const Column* find(std::string_view name) const;
 
-    /// @throws InvalidArgument that lists the columns there are.
+    /// @throws InvalidArgument that lists the available columns.
     [[nodiscard]] const Array1D& at(std::string_view name) const;
 };
 

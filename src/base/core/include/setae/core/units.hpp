@@ -37,11 +37,11 @@ inline constexpr Dimension power_spectrum_1d{{3, 0, 0, 0, 0, 0}};
 inline constexpr Dimension power_spectrum_2d{{4, 0, 0, 0, 0, 0}};
 }  // namespace dimension
 
-/// Values that a quantity may have, SI.
+/// Allowed values of a quantity, SI.
 struct Domain {
     double lower = -std::numeric_limits<double>::infinity(), upper = std::numeric_limits<double>::infinity();
-    bool open = false;                     ///< `lower` itself is none
-    const char* words = "a finite value";  ///< as an error and the pages on keys say it
+    bool open = false;                     ///< `lower` itself is excluded
+    const char* words = "a finite value";  ///< wording in errors and in the pages on keys
 };
 
 namespace domain {
@@ -53,10 +53,10 @@ inline constexpr Domain poisson_ratio{0.0, 0.5, false, "from 0 to 0.5"};
 inline constexpr Domain acute_angle{0.0, 1.5707963267948966, true, "above 0 and up to 90 deg"};
 }  // namespace domain
 
-/// @throws InvalidArgument for a value that is not finite or outside a domain, quoted as it was `given`.
+/// @throws InvalidArgument for a value that is not finite or outside a domain; the message quotes `given`.
 void require_within(const Domain& domain, double value, std::string_view given);
 
-/// What a text must be: a dimension, and the values of it that make sense.
+/// Requirements on a text: dimension and domain of its value.
 struct Expected {
     Dimension dimension;
     Domain domain;
@@ -65,7 +65,7 @@ struct Expected {
 [[nodiscard]] constexpr Expected positive(const Dimension& of) { return {of, domain::positive}; }
 [[nodiscard]] constexpr Expected non_negative(const Dimension& of) { return {of, domain::non_negative}; }
 
-/// A unit as its factor to SI and its dimension: "mJ/m2" is {1e-3, surface energy}.
+/// A unit: factor to SI and dimension. "mJ/m2" is {1e-3, surface energy}.
 struct Unit {
     double factor = 1.0;
     Dimension dimension{};
@@ -76,11 +76,11 @@ struct Unit {
 /// Products with '*', '·', '.' or a blank, quotients with '/', exponents as "m2", "m^2", "m²", "m^-1", "m⁻¹"; SI
 /// prefixes from f to G; m, g, s, K, mol, A, N, J, Pa, V, Hz, F, Å, min, h, "%", "1"; µ in each of its spellings ("um",
 /// "µm" U+00B5, "μm" U+03BC, "~m"); gf, kgf, lbf, ozf, dyn, in, mil, µin, lb and oz, which are masses; words such as
-/// "Millimeter", "microns", "newtons", "inches". "°C" is refused where a difference and a reading would differ.
+/// "Millimeter", "microns", "newtons", "inches". "°C" is refused if a difference and a reading would differ.
 /// @throws InvalidArgument for text that is no unit.
 [[nodiscard]] Unit parse_unit(std::string_view text);
 
-/// Factor to SI of a unit that must have the dimension named; "A" counts as Å where a length is expected.
+/// Factor to SI of a unit that must have the given dimension; "A" counts as Å if a length is expected.
 /// @throws InvalidArgument for text that is no unit or has another dimension.
 [[nodiscard]] double unit_factor(std::string_view text, const Dimension& expected);
 
@@ -89,18 +89,18 @@ struct Unit {
 /// @throws InvalidArgument for a missing or wrong unit, a malformed number, and one outside the domain.
 [[nodiscard]] double parse_quantity(std::string_view text, const Expected& expected);
 
-/// A value and its standard error in SI, from "37.0 ± 3.7 mJ/m2", "37.0 +- 3.7 mJ/m2" or, taken for exact, without the
-/// second part; method "given". "1.2 to 1.3 mm" is a value anywhere between with the same probability: its middle and
-/// (b − a)/√12, method "rectangular", the interval being the whole range (level 1). Source: JCGM 100:2008, 4.3.7.
-/// @throws InvalidArgument as parse_quantity does, for a standard error that is negative, not finite, or larger than a
-/// value that must be above 0, and for a range whose ends are in the wrong order.
+/// A value and its standard error in SI, from "37.0 ± 3.7 mJ/m2", "37.0 +- 3.7 mJ/m2" or without the second part
+/// (exact); method "given". "1.2 to 1.3 mm" is a uniform distribution: its middle and (b − a)/√12, method
+/// "rectangular"; the interval is the whole range (level 1). Source: JCGM 100:2008, 4.3.7.
+/// @throws InvalidArgument as parse_quantity, for a standard error that is negative, not finite, or larger than a value
+/// that must be above 0, and for a range whose ends are in the wrong order.
 [[nodiscard]] Estimate parse_uncertain_quantity(std::string_view text, const Expected& expected);
 
-/// SI unit of a dimension as machine files spell it: "J/m2", "1/m", "Pa", "1".
+/// SI unit of a dimension as spelled in JSON and CSV files: "J/m2", "1/m", "Pa", "1".
 [[nodiscard]] std::string si_unit(const Dimension& dimension);
 
-/// A number for a human reader in the prefix that puts it in [1, 1000): format_value(3.7e-2, "J/m2") is "37.00 mJ/m²".
-/// Units other than those setae prints as results are left without a prefix.
+/// A number for readers, with the prefix that puts it in [1, 1000): format_value(3.7e-2, "J/m2") is "37.00 mJ/m²".
+/// Units that setae does not print as results have no prefix.
 [[nodiscard]] std::string format_value(double value, std::string_view si_unit, int significant_digits = 4);
 
 }  // namespace setae

@@ -15,16 +15,16 @@ public:
     virtual ~Ranks() = default;
     [[nodiscard]] virtual int count() const = 0;
     [[nodiscard]] virtual int own() const = 0;
-    /// What every rank has, at all of them. all: of rank r the numbers from begins[r] to begins[r + 1] − 1; its own are
-    /// there already.
+    /// Shares the numbers of all ranks. all: rank r owns the numbers from begins[r] to begins[r + 1] − 1; its own are
+    /// already there.
     virtual void share(double* all, std::span<const Index> begins) const = 0;
-    /// To every rank r the bytes from send_begins[r] to send_begins[r + 1] − 1, and from it those between the same of
-    /// receive_begins. Begins are multiples of 64.
+    /// Sends to every rank r the bytes from send_begins[r] to send_begins[r + 1] − 1, and receives from rank r the
+    /// bytes from receive_begins[r] to receive_begins[r + 1] − 1. Begins are multiples of 64.
     virtual void exchange(const void* send, std::span<const Index> send_begins, void* receive,
                           std::span<const Index> receive_begins) const = 0;
 };
 
-/// Which of the rows 0 … n − 1 of a map each process holds: a run of them, in order of ranks.
+/// The rows 0 … n − 1 of a map that each process holds: a contiguous range, in order of ranks.
 class Slab {
 public:
     /// All rows in one process.
@@ -42,13 +42,13 @@ public:
     /// Of all.
     [[nodiscard]] Index all() const { return begins_.back(); }
 
-    /// One number a row, those of this process's rows at their places: the others' come to theirs.
+    /// Shares one number per row: each process gives those of its rows and receives the others.
     void share(double* all) const;
-    /// Whether something is so in any process.
+    /// Whether the condition is true in any process.
     [[nodiscard]] bool anywhere(bool here) const;
-    /// Rows of others, such as the blocks of a spectrum, among the same processes.
+    /// Another division of rows, such as blocks of a spectrum, over the same processes.
     [[nodiscard]] Slab among_same(std::vector<Index> begins) const { return {ranks_, std::move(begins)}; }
-    /// As Ranks::exchange. Not for one process.
+    /// See Ranks::exchange. Not for one process.
     void exchange(const void* send, std::span<const Index> send_begins, void* receive,
                   std::span<const Index> receive_begins) const;
 
@@ -62,9 +62,9 @@ private:
 /// n halved as long as it is even and above `coarsest`: the side of the coarsest of nested maps.
 [[nodiscard]] Index coarsest_side_of(Index n, Index coarsest);
 
-/// Rows of a map shared as evenly as coarser maps of the same problem allow: every one of them has the halves of the
-/// same rows in the same process, and in the coarsest a process begins at a multiple of `step`.
-/// ranks: nullptr or of one process: all rows.
+/// Rows of a map, divided as evenly as the coarser maps of the same problem allow: every coarser map has the halves of
+/// the same rows in the same process, and in the coarsest map a process begins at a multiple of `step`.
+/// ranks: nullptr or one process: all rows.
 /// @throws InvalidArgument for more ranks than the coarsest map has steps.
 [[nodiscard]] Slab nested_slab(Index rows, Index coarsest, Index step, const Ranks* ranks);
 

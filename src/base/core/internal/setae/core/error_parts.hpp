@@ -8,16 +8,16 @@
 
 namespace setae {
 
-/// What the message of an Error says, part by part; empty where it does not say it.
+/// Parts of the message of an Error; empty if the message lacks the part.
 struct ErrorParts {
     std::string file;
     FilePosition position;
-    std::string got;       ///< what there was in place of …
-    std::string expected;  ///< … what was expected
+    std::string got;       ///< found
+    std::string expected;  ///< expected
 };
 
-/// The parts of a message as this project writes them: "FILE:LINE: GOT; expected EXPECTED; REMEDY", in place of the
-/// line "at byte N". of_file: the message is of a FileError or FormatError, which begins with the path.
+/// The parts of a message of this project: "FILE:LINE: GOT; expected EXPECTED; REMEDY", or "at byte N" in place of the
+/// line. of_file: the message is that of a FileError or FormatError, which begins with the path.
 [[nodiscard]] ErrorParts error_parts(std::string_view message, bool of_file);
 
 }  // namespace setae

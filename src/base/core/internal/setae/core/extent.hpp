@@ -7,7 +7,7 @@
 
 namespace setae {
 
-/// A count or place >= 0 as the standard library's containers take it.
+/// A count or index >= 0 as size type of the standard library's containers.
 [[nodiscard]] constexpr std::size_t extent(Index n) { return static_cast<std::size_t>(n); }
 
 }  // namespace setae

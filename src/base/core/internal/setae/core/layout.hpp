@@ -7,17 +7,17 @@
 
 namespace setae {
 
-/// Characters that a text takes on a screen: one for each of UTF-8, none for marks that combine.
+/// Columns of a text on a screen: one per UTF-8 character, none for combining marks.
 [[nodiscard]] std::size_t display_width(std::string_view text);
 
-/// Text in lines of at most so many characters, broken at blanks; lines after the first begin with `indent` blanks. A
-/// word longer than a line stays whole. Without a line break at the end.
+/// Text in lines of at most `width` characters, broken at blanks; lines after the first begin with `indent` blanks. A
+/// word longer than a line is not broken. No line break at the end.
 [[nodiscard]] std::string wrapped(std::string_view text, std::size_t width, std::size_t indent = 0);
 
-/// Text that begins behind so many characters, in lines of at most `width` characters that begin there, too.
+/// Text that begins after `column` characters, in lines of at most `width` characters that also begin there.
 [[nodiscard]] std::string wrapped_from(std::size_t column, std::string_view text, std::size_t width);
 
-/// The beginning of a text that takes at most so many characters, with "…" where something is left out.
+/// The beginning of a text, at most so many characters wide, with "…" if text is left out.
 [[nodiscard]] std::string shortened(std::string_view text, std::size_t width);
 
 }  // namespace setae

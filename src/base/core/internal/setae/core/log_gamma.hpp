@@ -5,7 +5,7 @@ namespace setae {
 
 /// ln |Γ(x)|; infinite at 0, −1, −2 ….
 ///
-/// As std::lgamma, which leaves the sign of Γ in a variable that all threads share.
+/// Unlike std::lgamma, it does not write the sign of Γ to a variable shared by all threads.
 [[nodiscard]] double log_gamma(double x);
 
 }  // namespace setae

@@ -11,8 +11,8 @@
 
 namespace setae {
 
-/// The number a text begins with, as std::from_chars reads it, taken off the text; nothing, and the text as it was,
-/// where it begins with none or with one out of range.
+/// The number at the beginning of a text, as std::from_chars reads it; the text is shortened by it. Empty, with the
+/// text unchanged, if there is none or it is out of range.
 template <class Number>
 [[nodiscard]] std::optional<Number> leading(std::string_view& text) {
     Number value{};
@@ -22,14 +22,14 @@ template <class Number>
     return value;
 }
 
-/// The number a text spells from its first character to its last; nothing for any other text.
+/// The number that is the whole text; empty for any other text.
 template <class Number>
 [[nodiscard]] std::optional<Number> spelled(std::string_view text) {
     const auto value = leading<Number>(text);
     return text.empty() ? value : std::nullopt;
 }
 
-/// So many numbers with a separator between them, which a text spells; blanks around them do not count.
+/// `count` numbers with a separator between them; blanks around them are ignored.
 template <class Number, std::size_t count>
 [[nodiscard]] std::optional<std::array<Number, count>> spelled_list(std::string_view text, char separator) {
     std::array<Number, count> numbers{};

@@ -8,11 +8,11 @@
 
 namespace setae {
 
-/// Mean of n > 0 values with the standard error that their scatter tells.
+/// Mean of n > 0 values with the standard error from their scatter.
 ///
 ///   m = Σ x_i/n,  SE² = Σ (x_i − m)²/(n (n − 1)),  ν = n − 1
 ///
-/// method: stands in the estimate. Of one value: itself, without a standard error.
+/// method: that of the estimate. One value: no standard error.
 [[nodiscard]] Estimate sample_mean(const ArrayView1D& values, const std::string& method);
 
 }  // namespace setae

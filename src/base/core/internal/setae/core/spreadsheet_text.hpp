@@ -6,9 +6,9 @@
 
 namespace setae {
 
-/// A cell of a table of commas that holds this text: on one line, in double quotes where it needs them, behind an
-/// apostrophe where a spreadsheet would take it for a formula, that is where it begins, blanks apart, with = + - @ or
-/// their full-width forms. Every text that leaves in such a table goes through here.
+/// A cell of a comma-separated table with this text: on one line, in double quotes if needed, after an apostrophe if a
+/// spreadsheet would take it for a formula, that is if it begins (blanks ignored) with = + - @ or their full-width
+/// forms. Every text written to such a table passes through this function.
 /// Source: RFC 4180; OWASP, CSV injection.
 [[nodiscard]] std::string spreadsheet_cell(std::string_view text);
 

@@ -5,7 +5,7 @@
 
 namespace setae {
 
-/// Sum by halving in a fixed order: rounding grows with log n, and the result never depends on threads.
+/// Sum by recursive halving in a fixed order: rounding grows with log n, and the result does not depend on threads.
 [[nodiscard]] double pairwise_sum(const ArrayView1D& values);
 
 }  // namespace setae

@@ -5,10 +5,10 @@
 
 namespace setae::parallel {
 
-/// While it lives, for_each_index() called by this thread, or by what that runs, begins no further index once
+/// While this object exists, for_each_index() called by this thread or inside it starts no further index once
 /// `cancelled` is true, and throws Cancelled.
 ///
-/// For computations that know nothing of being stopped; results then end as they can, so nobody keeps them.
+/// For computations that do not check for cancellation: their results are then incomplete and are discarded.
 class CancellationScope {
 public:
     explicit CancellationScope(const std::atomic<bool>& cancelled);
@@ -20,7 +20,7 @@ private:
     const std::atomic<bool>* outer_;
 };
 
-/// For iterations that begin no index: @throws Cancelled where a CancellationScope of this thread was asked to stop.
+/// For iterations without for_each_index(). @throws Cancelled if a CancellationScope of this thread was cancelled.
 void stop_if_cancelled();
 
 }  // namespace setae::parallel

@@ -3,12 +3,12 @@
 
 namespace setae::parallel {
 
-/// Lets the process keep up to 1.5 GiB of what it frees for its next arrays, in place of giving it back to the system
-/// and asking again; the first GiB is filled by large pages where the system has them.
+/// Keeps up to 1.5 GiB of freed memory in the process for the next arrays, instead of returning it to the system; the
+/// first GiB uses large pages where the system has them.
 ///
-/// Many small computations in a row, such as fits of thousands of loops, otherwise spend a quarter to half of their
-/// time on that, and those on large maps a fifth. Call it once, at the start of a program. glibc alone; nothing
-/// elsewhere.
+/// Without it, many small computations in a row, such as fits of thousands of loops, spend a quarter to half of their
+/// time on memory requests, and those on large maps a fifth. Call it once, at the start of a program. Only glibc; no
+/// effect elsewhere.
 void keep_freed_memory();
 
 }  // namespace setae::parallel

@@ -5,13 +5,13 @@
 
 namespace setae::platform {
 
-/// A shared library by the name of its file, which stays loaded; null where it cannot be.
+/// A shared library by its file name, which stays loaded; null if it cannot be loaded.
 [[nodiscard]] void* loaded_library(const char* name);
 
-/// Where one of its functions is; null where it has none of this name.
+/// Address of one of its functions; null if the library lacks it.
 [[nodiscard]] void* function_of(void* library, const char* name);
 
-/// Why one of these was null the last time; empty where the system does not say.
+/// Reason of the last null result; empty if the system gives none.
 [[nodiscard]] std::string reason_of_missing();
 
 }  // namespace setae::platform

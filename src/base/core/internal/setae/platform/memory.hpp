@@ -8,8 +8,8 @@ namespace setae::platform {
 /// [byte]
 [[nodiscard]] std::uint64_t memory_of_machine();
 
-/// Large pages for memory about to be filled, where the system has them: a fault a page is most of what reading from
-/// the cache costs.
+/// Requests large pages for memory to be filled, where the system has them: page faults are most of the cost of reading
+/// from the cache.
 void prefer_large_pages(void* begin, std::uint64_t bytes);
 
 }  // namespace setae::platform

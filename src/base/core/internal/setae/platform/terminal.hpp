@@ -9,7 +9,7 @@ enum class Stream { output, errors };
 
 [[nodiscard]] bool is_terminal(Stream stream);
 
-/// Columns of the terminal; 0 where the stream is none.
+/// Columns of the terminal; 0 if the stream is no terminal.
 [[nodiscard]] std::size_t columns_of(Stream stream);
 
 }  // namespace setae::platform

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// How a type is described. The rows stand below the type, in its header:
+// Description of a type. The rows follow the type in its header:
 //
 //   template <>
 //   struct fields::Described<Odds> {
@@ -14,7 +14,7 @@
 //   };
 //   static_assert(fields::complete<Odds>);
 //
-// A forgotten member and a misspelled one do not compile.
+// A forgotten or misspelled member is a compile error.
 
 #include <array>
 #include <concepts>
@@ -49,7 +49,8 @@ concept HasRows = requires { Described<T>::description; };
 
 namespace detail {
 
-/// A spelling for each member, or base. (Addresses would do, but GCC compares none in constants under its sanitizers.)
+/// A spelling for each member or base. (Addresses would also work, but GCC does not compare them in constants with
+/// sanitizers.)
 template <auto Member>
 consteval std::string_view spelling_of_member() {
     return __PRETTY_FUNCTION__;
@@ -79,7 +80,7 @@ template <class T>
 inline constexpr bool holds_error =
     std::is_same_v<T, Estimate> || std::is_same_v<T, TracedValue> || std::is_same_v<T, Quantity>;
 
-/// A value or the reason why there is none, such as loops::Outcome.
+/// A value or the reason for its absence, such as loops::Outcome.
 template <class T>
 concept WithReason = requires(const T& outcome) {
     static_cast<bool>(outcome);
@@ -87,7 +88,7 @@ concept WithReason = requires(const T& outcome) {
     { outcome.reason } -> std::convertible_to<std::string>;
 };
 
-/// The type of what may be missing.
+/// Type of an optional value.
 template <class T>
 struct Bare {
     using Type = T;
@@ -105,7 +106,7 @@ struct Bare<T> {
     using Type = std::remove_cvref_t<decltype(*std::declval<const T&>())>;
 };
 
-/// What stands in the place of a value that is missing, unless a row says otherwise.
+/// Default output of a missing value, unless the row sets another one.
 template <class T>
 inline constexpr Missing otherwise = Missing::never;
 template <class T>
@@ -125,7 +126,7 @@ consteval Kind kind_by_name() {
     else return Kind::objects_of;
 }
 
-/// What a type is in outputs, without a unit.
+/// Kind of a type in outputs, without a unit.
 template <class T>
 consteval Kind kind_of() {
     if constexpr (std::is_same_v<T, bool>) return Kind::flag;
@@ -145,7 +146,7 @@ consteval Kind kind_of() {
     } else return Kind::object;
 }
 
-/// The description of a type, or of what a list of it holds.
+/// The description of a type, or of the elements of a list.
 template <class T>
 consteval const Description* inner_of() {
     if constexpr (HasRows<T>) return &Described<T>::description;
@@ -231,7 +232,7 @@ consteval Row row_of(std::string_view name, std::string_view meaning) {
             .has_error = holds_error<Value>};
 }
 
-/// The same with a unit: a number is then a quantity, or a value where it has no symbol and no error.
+/// A row with a unit: a number is then a quantity, or a value if it has no symbol and no error.
 consteval Row with_unit(Row row, Kind of_number, std::string_view symbol, std::string_view unit) {
     row.symbol = symbol;
     row.unit = unit;
@@ -269,7 +270,7 @@ consteval Row quantity(std::string_view name, std::string_view symbol, std::stri
     return detail::with_unit(field<Member>(name, meaning), Kind::quantity, symbol, unit);
 }
 
-/// A member that is a number, or numbers, with unit alone.
+/// A member that is a number, or numbers, with unit only.
 template <auto Member>
 consteval Row value(std::string_view name, std::string_view unit, std::string_view meaning) {
     return detail::with_unit(field<Member>(name, meaning), Kind::value, {}, unit);
@@ -283,25 +284,25 @@ consteval Row made(std::string_view name, std::string_view meaning, From) {
     return row;
 }
 
-/// A quantity that is computed. One that is a setae::Quantity brings what the row does not say: its unit, its n.
+/// A computed quantity. A setae::Quantity supplies what the row lacks: unit and n.
 template <class T, class From>
 consteval Row made(std::string_view name, std::string_view symbol, std::string_view unit, std::string_view meaning,
                    From from) {
     return detail::with_unit(made<T>(name, meaning, from), Kind::quantity, symbol, unit);
 }
 
-/// A number, or numbers, with unit alone that are computed.
+/// A computed number, or computed numbers, with unit only.
 template <class T, class From>
 consteval Row made_value(std::string_view name, std::string_view unit, std::string_view meaning, From from) {
     return detail::with_unit(made<T>(name, meaning, from), Kind::value, {}, unit);
 }
 
-/// A quantity that rests on so many points.
+/// A quantity with its number of points n.
 [[nodiscard]] inline Quantity resting_on(Index n, const Estimate& estimate) {
     return {.estimate = estimate, .n = static_cast<int>(n)};
 }
 
-/// Fields of the same result that stand together under a name.
+/// Fields of the same result, grouped under a name.
 template <class T>
 consteval Row part(std::string_view name, std::string_view meaning, const Description& inner) {
     return {.name = name,
@@ -316,7 +317,7 @@ consteval Row part(std::string_view name, std::string_view meaning, const Descri
             }};
 }
 
-/// The fields of a base, among its own.
+/// The fields of a base, at the level of its own fields.
 template <class T, std::derived_from<T> Derived>
 consteval Row inherited() {
     return {.kind = Kind::object,
@@ -329,7 +330,8 @@ consteval Row inherited() {
             }};
 }
 
-/// Fields of another result, which `from` has from this one, among its own; none where it is missing.
+/// Fields of another result, which `from` takes from this one, at the level of its own fields; none if the other result
+/// is missing.
 template <class T, class From>
 consteval Row fields_of(const Description& of_other, From) {
     using Other = std::remove_cvref_t<std::invoke_result_t<From, const T&>>;
@@ -344,7 +346,7 @@ consteval Row fields_of(const Description& of_other, From) {
                 else if (other) put(&*other, *row.inner, sink);
             }};
 }
-/// All fields of it.
+/// All fields of another result.
 template <class T, class From>
 consteval Row fields_of(From from) {
     using Other = std::remove_cvref_t<std::invoke_result_t<From, const T&>>;
@@ -473,16 +475,16 @@ consteval Row objects_filled_later(std::string_view name, std::string_view meani
             }};
 }
 
-/// A field that other code writes: schemas know it.
+/// A field that other code writes; only schemas contain it.
 consteval Row written_apart(std::string_view name, std::string_view meaning) {
     return {.name = name, .meaning = meaning, .kind = Kind::text};
 }
-/// An object that other code writes.
+/// An object that other code writes; only schemas contain it.
 consteval Row written_apart(std::string_view name, std::string_view meaning, const Description& object) {
     return {.name = name, .meaning = meaning, .kind = Kind::object, .inner = &object};
 }
 
-/// A member that stands in no output by itself: computed fields are made from it.
+/// A member without its own output: computed fields use it.
 template <auto Member>
 consteval Row inner() {
     return {.member = detail::spelling_of_member<Member>()};
@@ -490,7 +492,7 @@ consteval Row inner() {
 
 namespace detail {
 
-/// Takes the place of any member in the count of members.
+/// Converts to any member type, to count members.
 struct Anything {
     template <class T>
     operator T() const;
@@ -507,14 +509,14 @@ constexpr std::size_t member_count() {
     else return N;
 }
 
-/// Whether rows name a member, those of parts included.
+/// Whether rows name a member, including rows of parts.
 constexpr bool names(std::span<const Row> rows, std::string_view member) {
     for (const auto& row : rows)
         if (row.member == member || (row.is_part && names(row.inner->rows, member))) return true;
     return false;
 }
 
-/// Each member is counted where it is named last.
+/// Number of distinct members: each member is counted at its last occurrence.
 constexpr std::size_t distinct_members(std::span<const Row> rows) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < rows.size(); ++i) {

@@ -8,22 +8,22 @@
 
 namespace setae::fields {
 
-/// What a field is: its form in every output follows from it.
+/// Kind of a field; it determines the form in every output.
 enum class Kind {
     flag,         ///< yes or no
     whole,        ///< a whole number
     number,       ///< a number without unit
     value,        ///< a number with unit
-    quantity,     ///< a number with symbol, unit and what is known of its error
+    quantity,     ///< a number with symbol, unit and error
     text,         ///< words
-    choice,       ///< one of a few words, Row::choices
+    choice,       ///< one of a few words (Row::choices)
     numbers,      ///< a list of numbers
     values,       ///< numbers with unit
     wholes,       ///< a list of whole numbers
     texts,        ///< a list of words
     matrix,       ///< rows of numbers
-    object,       ///< fields of its own, Row::inner
-    objects,      ///< a list of those
+    object,       ///< nested fields (Row::inner)
+    objects,      ///< a list of objects
     quantities,   ///< a list of quantities
     quantity_of,  ///< quantities by name
     number_of,    ///< numbers by name
@@ -32,20 +32,20 @@ enum class Kind {
     objects_of,   ///< objects by name, each with the fields of Row::inner
 };
 
-/// What stands where a result lacks the field.
+/// Output for a result that lacks the field.
 enum class Missing {
-    never,        ///< every result has it
+    never,        ///< never missing
     left_out,     ///< no field at all
     null,         ///< the field without a value
-    with_reason,  ///< the same, and why in a field NAME_reason
-    as_asked,     ///< no field where it was not asked for; without a value and with the reason where that failed
+    with_reason,  ///< null, and the reason in a field NAME_reason
+    as_asked,     ///< no field if it was not requested; null with the reason if the computation failed
 };
 
 struct Row;
 
-/// A type whose results are described: every result of that type has these fields, in this order.
+/// Description of a type: every result of this type has these fields, in this order.
 struct Description {
-    std::string_view name;     ///< in schemas, such as "odds"; empty where it stands in one place only
+    std::string_view name;     ///< in schemas, such as "odds"; empty if used in one place only
     std::string_view meaning;  ///< one sentence
     std::span<const Row> rows;
 };
@@ -63,61 +63,63 @@ public:
     virtual void number(const Row& row, double value) = 0;
     virtual void value(const Row& row, double value) = 0;
     virtual void quantity(const Row& row, const Estimate& value) = 0;
-    /// The same with name, symbol and unit that the result itself has.
+    /// A quantity whose name, symbol and unit come from the result.
     virtual void quantity(const Row& row, const Quantity& value) = 0;
     /// The fields of a quantity, among those of the open object.
     virtual void fields_of(const Quantity& value) = 0;
     virtual void text(const Row& row, std::string_view value) = 0;
-    /// Lists of numbers, words and objects: begin, each as above, end; rows of a matrix are lists within.
+    /// Lists of numbers, words and objects: begin, elements, end; rows of a matrix are nested lists.
     virtual void begin_list(const Row& row) = 0;
     virtual void end_list(const Row& row) = 0;
-    /// An object, an element of objects, or what is held by name.
+    /// An object, an element of objects, or a value held by name.
     virtual void begin(const Row& row) = 0;
     virtual void end(const Row& row) = 0;
-    /// What comes next is held under this name, Kind::quantity_of and number_of.
+    /// Name of the next value, for Kind::quantity_of and number_of.
     virtual void key(std::string_view name) = 0;
-    /// Missing::null and with_reason; the reason is empty for the former.
+    /// Missing::null and with_reason; the reason is empty for null.
     virtual void missing(const Row& row, std::string_view reason) = 0;
 };
 
-/// A field of a type: what it is called, what it means, and how it is had from a result.
+/// A field of a type: its name, its meaning, and access to its value in a result.
 struct Row {
     std::string_view name{};     ///< snake_case: the name in JSON, Python and schemas; empty where it is in no output
-    std::string_view term{};     ///< the field's term for the quantity, where the name is another
-    std::string_view symbol{};   ///< in formulas, such as "W_app"; empty where it has none
-    std::string_view unit{};     ///< SI; empty for what has none
+    std::string_view term{};     ///< the field's term for the quantity, if it differs from the name
+    std::string_view symbol{};   ///< in formulas, such as "W_app"; empty if there is none
+    std::string_view unit{};     ///< SI; empty if there is none
     std::string_view meaning{};  ///< one sentence or less
-    std::string_view source{};   ///< of a quantity: formula and where it comes from
+    std::string_view source{};   ///< of a quantity: formula and reference
     Kind kind = Kind::text;
     Missing if_missing = Missing::never;
     const Description* inner = nullptr;           ///< of objects
     std::span<const std::string_view> choices{};  ///< of Kind::choice
-    std::string_view member{};                    ///< spelling of the member or base; empty for what is computed
+    std::string_view member{};                    ///< spelling of the member or base; empty if computed
     bool is_part = false;                         ///< `inner` has further fields of the same result
-    bool among = false;                           ///< the fields of `inner` stand among the others, without a name
+    bool among = false;                           ///< the fields of `inner` are at the level of the others, without a
+                                                  ///< name
     bool has_error = false;                       ///< of a quantity: its type holds one
-    void (*put)(const void* result, const Row& row, Sink& sink) = nullptr;  ///< nullptr: in no output, or by other code
+    void (*put)(const void* result, const Row& row, Sink& sink) = nullptr;  ///< nullptr: no output, or written by other
+                                                                            ///< code
 
-    /// The field stays, without a value, where the result lacks it.
+    /// The field is null if the result lacks it.
     [[nodiscard]] consteval Row or_null() const { return with(Missing::null); }
     [[nodiscard]] consteval Row with(Missing otherwise) const {
         Row row = *this;
         row.if_missing = otherwise;
         return row;
     }
-    /// The quantity is known by this term.
+    /// The quantity has this term.
     [[nodiscard]] consteval Row as(std::string_view quantity) const {
         Row row = *this;
         row.term = quantity;
         return row;
     }
-    /// A quantity by this formula.
+    /// The quantity has this formula.
     [[nodiscard]] consteval Row from(std::string_view formula) const {
         Row row = *this;
         row.source = formula;
         return row;
     }
-    /// The words it may be.
+    /// The allowed words.
     [[nodiscard]] consteval Row one_of(std::span<const std::string_view> words) const {
         Row row = *this;
         row.kind = Kind::choice;
@@ -129,7 +131,7 @@ struct Row {
 /// The row of this name. @throws InternalError where there is none.
 [[nodiscard]] const Row& row_named(const Description& description, std::string_view name);
 
-/// Every field of a result, in order.
+/// Puts every field of a result, in order.
 void put(const void* result, const Description& description, Sink& sink);
 
 }  // namespace setae::fields

@@ -7,13 +7,13 @@
 
 namespace setae::fields {
 
-/// Values of a column in outputs at most: longer ones hold every so many samples of the record.
+/// Maximum number of values of a column in outputs; a longer record is thinned to every n-th sample.
 inline constexpr Index max_samples = 20'000;
 
-/// Every how many samples a column of so many holds, where it does not hold all of them.
+/// Thinning step of a column of this many samples; empty if the output holds all samples.
 [[nodiscard]] std::optional<Index> step_of(Index samples);
 
-/// The samples that an output holds.
+/// The samples in the output.
 [[nodiscard]] Array1D thinned(const Array1D& values);
 
 }  // namespace setae::fields

@@ -15,37 +15,37 @@
 
 namespace setae::fields {
 
-/// Where the value of an option is kept in a request.
+/// Location of the value of an option in a request.
 using Place = std::variant<bool*, int*, long*, std::uint64_t*, double*, std::string*, std::optional<long>*,
                            std::optional<std::uint64_t>*, std::optional<double>*, std::optional<std::string>*,
                            std::vector<std::string>*, std::vector<long>*, std::vector<double>*>;
 
-/// Whole numbers that an option may be, both ends among them.
+/// Allowed integers of an option, both ends included.
 struct WholeNumbers {
     int least = 0, greatest = 0;
 };
 
-/// Something a request asks for: its name, its meaning, its domain, and where its value is kept. The command line, the
-/// keys of a study, the Python package and the reference pages are made from it.
+/// An option of a request: name, meaning, domain and location of its value. The command line, the keys of a study, the
+/// Python package and the reference pages are generated from it.
 struct Option {
     std::string_view name{};                           ///< snake_case; --with-dashes on the command line
-    std::string_view meaning{};                        ///< a noun phrase that stands alone: "radius of the sphere"
+    std::string_view meaning{};                        ///< a complete noun phrase: "radius of the sphere"
     std::string_view also{};                           ///< a second, shorter name on the command line: "w"
-    std::string_view keyword{};                        ///< in Python, where it is not the name: "W_int"
+    std::string_view keyword{};                        ///< in Python, if it differs from the name: "W_int"
     std::string_view example{};                        ///< a value: "50 mJ/m2"
-    std::string_view otherwise{};                      ///< what holds where it is not given: "four pixels"
-    std::string_view word{};                           ///< of a word of the command line that may be it: "table"
-    std::optional<Expected> quantity{};                ///< of a text with a unit
-    std::string_view usual_unit{};                     ///< that a number without unit is told to have: "nm"
-    std::optional<Domain> domain{};                    ///< of a number
+    std::string_view otherwise{};                      ///< value if not given: "four pixels"
+    std::string_view word{};                           ///< for a positional argument: "table"
+    std::optional<Expected> quantity{};                ///< for a text with a unit
+    std::string_view usual_unit{};                     ///< unit of a number without unit: "nm"
+    std::optional<Domain> domain{};                    ///< for a number
     std::optional<WholeNumbers> whole{};               ///< of a whole number
-    std::span<const std::string_view> choices{};       ///< words that it may be
-    std::vector<std::string> (*offered)() = nullptr;   ///< words that shells offer; it may be others, too
-    void (*check)(const std::string& text) = nullptr;  ///< throws InvalidArgument where a text is malformed
-    bool named_each_time = false;                      ///< of several values, each of them after its name
+    std::span<const std::string_view> choices{};       ///< allowed words
+    std::vector<std::string> (*offered)() = nullptr;   ///< completions in shells; other words are allowed, too
+    void (*check)(const std::string& text) = nullptr;  ///< throws InvalidArgument for a malformed text
+    bool named_each_time = false;                      ///< the name is repeated before each of several values
     bool shows_default = false;                        ///< the value of a new request is shown as the default
-    char separator = '\0';                             ///< of several values in one word: ',' in "12,17"
-    bool is_input = false;                             ///< a file that is read
+    char separator = '\0';                             ///< between several values in one word: ',' in "12,17"
+    bool is_input = false;                             ///< an input file
     Place (*place)(void* request) = nullptr;
 
     [[nodiscard]] consteval Option of(const Expected& expected, std::string_view unit = {}) const {
@@ -126,7 +126,7 @@ struct Option {
     }
 };
 
-/// The options of a request type: specialised beside the type, with `static constexpr std::array options`.
+/// The options of a request type: specialised next to the type, with `static constexpr std::array options`.
 template <class Request>
 struct Asked;
 
@@ -140,20 +140,20 @@ Place place_of(void* request) {
 
 }  // namespace detail
 
-/// A member that is asked for.
+/// A member that is an option.
 template <auto Member>
 consteval Option option(std::string_view name, std::string_view meaning) {
     return {.name = name, .meaning = meaning, .place = detail::place_of<Member>};
 }
 
-/// The sentence of help: meaning, an example, and what holds without it.
+/// The help text: meaning, example, and value if not given.
 [[nodiscard]] std::string help_of(const Option& option);
 
-/// How a front end spells an option, with a value or an empty one; empty where it has no such option.
+/// Spelling of an option in a front end, with a value or an empty one; empty if the front end lacks the option.
 using Spelling = std::function<std::string(std::string_view name, std::string_view value)>;
 
-/// A message in which `name` or `name = value` in back quotes stands for an option, spelled as a front end does:
-/// --name "value" on the command line, name="value" in Python. Other words in back quotes stay as they are.
+/// A message in which `name` or `name = value` in back quotes is an option, spelled as in a front end: --name "value"
+/// on the command line, name="value" in Python. Other words in back quotes are unchanged.
 [[nodiscard]] std::string spelled(std::string_view message, const Spelling& spelling);
 
 }  // namespace setae::fields

@@ -14,24 +14,24 @@
 
 namespace setae::fields {
 
-/// Whether the standard error of a field stands beside it.
+/// Whether a column has its standard error next to it.
 enum class Errors { beside, left_out };
 
-/// A column of a table: a field, by its name or the names that lead to it ("likelier.model"), under a heading.
+/// A column of a table: a field, by its name or path ("likelier.model"), with a heading.
 struct Column {
     std::string_view heading{};
     std::string_view path{};
-    double unit = 1.0;  ///< of the table, in that of the field
+    double unit = 1.0;  ///< unit of the table in that of the field
     Errors errors = Errors::beside;
     const Row* row = nullptr;
 };
 
 namespace detail {
 
-/// Not defined: a view that names it does not compile.
+/// Not defined: a view with an unknown name does not compile.
 void this_type_has_no_field_of_that_name();
 
-/// None where no field has the name. (GCC compares no address with nullptr in constants under its sanitizers.)
+/// Empty if no field has the name. (GCC does not compare an address with nullptr in constants with sanitizers.)
 consteval std::optional<const Row*> find(const Description& description, std::string_view path) {
     const auto dot = path.find('.');
     for (const auto& row : description.rows) {
@@ -52,7 +52,7 @@ consteval const Row* row_of_column(const Description& description, std::string_v
 
 }  // namespace detail
 
-/// A column whose field the type has: another name does not compile.
+/// A column for a field of the type: another name does not compile.
 template <class T>
 struct ColumnOf : Column {
     consteval ColumnOf(std::string_view heading_, std::string_view path_, double unit_ = 1.0,
@@ -60,7 +60,7 @@ struct ColumnOf : Column {
         : Column{heading_, path_, unit_, errors_, detail::row_of_column(Described<T>::description, path_)} {}
     consteval ColumnOf(std::string_view heading_, std::string_view path_, Errors errors_)
         : ColumnOf(heading_, path_, 1.0, errors_) {}
-    /// A field under its own name.
+    /// A field with its own name as heading.
     consteval ColumnOf(std::string_view name) : ColumnOf(name, name) {}
 };
 
@@ -72,14 +72,14 @@ consteval std::array<Column, N> view_of(const ColumnOf<T> (&columns)[N]) {
     return view;
 }
 
-/// What a field holds in a table: words, or a number [the column's unit] and its standard error. Words are empty and
-/// numbers NaN where the result lacks the field.
+/// Content of a field in a table: words, or a number [unit of the column] and its standard error. Words are empty and
+/// numbers NaN if the result lacks the field.
 struct Cell {
     std::variant<std::string, double> value;
     double standard_error = undefined;
 };
 
-/// One cell a column.
+/// One cell per column.
 [[nodiscard]] std::vector<Cell> cells(const void* result, const Description& description, std::span<const Column> view);
 template <HasRows T>
 [[nodiscard]] std::vector<Cell> cells(const T& result, std::span<const Column> view) {
@@ -88,7 +88,7 @@ template <HasRows T>
 
 /// Whether a column holds words.
 [[nodiscard]] bool holds_words(const Column& column);
-/// Whether a column of standard errors stands beside it.
+/// Whether a column of standard errors is next to it.
 [[nodiscard]] bool has_error(const Column& column);
 
 }  // namespace setae::fields

@@ -7,7 +7,7 @@
 
 namespace setae::fourier {
 
-/// Allocates on cache lines, so that vector instructions and plans see the same alignment everywhere.
+/// Allocates on cache lines, so vector instructions and plans have the same alignment everywhere.
 template <class T>
 struct CacheLineAllocator {
     using value_type = T;
@@ -19,7 +19,7 @@ struct CacheLineAllocator {
 
     T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), alignment)); }
     void deallocate(T* memory, std::size_t) { ::operator delete(memory, alignment); }
-    /// Leaves numbers uninitialised: every transform writes its output before anyone reads it.
+    /// Leaves numbers uninitialised: every transform writes its output before it is read.
     template <class U>
     void construct(U* place) {
         ::new (static_cast<void*>(place)) U;

@@ -11,7 +11,7 @@ namespace setae::fourier {
 
 /// Some lines of a spectrum: line(m)[k] is mode k of line first + m.
 struct SpectrumBlock {
-    Index index = 0;  ///< of the block: 0 … block_count − 1, the place for its share of a reduction
+    Index index = 0;  ///< of the block: 0 … block_count − 1, its place in a reduction
     Index first = 0;
     Index lines = 0;
     Index modes = 0;
@@ -21,33 +21,33 @@ struct SpectrumBlock {
     [[nodiscard]] const Complex* line(Index m) const { return values + m * stride; }
 };
 
-/// Called once a block, from any thread; the values live until it returns.
+/// Called once per block, from any thread; the values are valid until it returns.
 using BlockConsumer = std::function<void(const SpectrumBlock&)>;
 
-/// Lines of a block; fixed, so that sums over blocks do not depend on threads.
+/// Lines per block; fixed, so that sums over blocks do not depend on threads.
 inline constexpr Index lines_per_block = 16;
 
 [[nodiscard]] constexpr Index block_count(Index lines) { return (lines + lines_per_block - 1) / lines_per_block; }
 
 /// Half spectra of the lines along x of a map: line j holds the transform of map(0 … nx−1, j), nx/2 + 1 modes.
 ///
-/// `prepare(j, line)` may change the nx values of line j before its transform (mean, window). Memory: one block a
+/// `prepare(j, line)` may change the nx values of line j before its transform (mean, window). Memory: one block per
 /// thread.
 void transform_lines(const ArrayView2D& map, const std::function<void(Index, double*)>& prepare,
                      const BlockConsumer& consume, parallel::Threads threads);
 
-/// The half spectrum of a map of shape (nx, ny), handed over in blocks.
+/// The half spectrum of a map of shape (nx, ny), passed on in blocks.
 ///
 ///   H(k, m) = sum_{i,j} h_ij exp(−2πi (ik/nx + jm/ny)),  m = 0 … ny/2 (line of the block), k = 0 … nx − 1 (its modes)
 ///
-/// `load(i, line)` writes the ny values h_i0 … h_i,ny−1; window and trend are applied there, without a copy of the map.
-/// Memory: the half spectrum, nx · (ny/2 + 1) complex values, and one block a thread. O(nx ny log(nx ny)).
+/// `load(i, line)` writes the ny values h_i0 … h_i,ny−1; `load` applies window and trend, without a copy of the map.
+/// Memory: the half spectrum, nx · (ny/2 + 1) complex values, and one block per thread. O(nx ny log(nx ny)).
 /// @throws InvalidArgument for nx or ny < 1.
 void transform_map(Index nx, Index ny, const std::function<void(Index, double*)>& load, const BlockConsumer& consume,
                    parallel::Threads threads);
 
-/// The same of a map whose lines i = rows … nx − 1 are zeros, which are neither loaded nor kept: memory rows · (ny/2 +
-/// 1) complex values. @throws InvalidArgument for rows < 1, too.
+/// The half spectrum of a map whose lines i = rows … nx − 1 are zeros, which are neither loaded nor stored: memory rows
+/// · (ny/2 + 1) complex values. @throws InvalidArgument also for rows < 1.
 void transform_padded_map(Index nx, Index ny, Index rows, const std::function<void(Index, double*)>& load,
                           const BlockConsumer& consume, parallel::Threads threads);
 

@@ -12,14 +12,14 @@ template <class Real>
 using ComplexOf = std::complex<Real>;
 using Complex = ComplexOf<double>;
 
-// Transforms of double, and of float where a search direction is all that is wanted.
+// Transforms of double; of float only for search directions.
 
 /// The half spectrum of n real values.
 ///
 ///   out_k = sum_{j=0}^{n−1} in_j exp(−2πi jk/n),  k = 0 … n/2
 ///
-/// No factor in front: the physical transform of heights a step Δ apart is Δ · out_k. The rest of the spectrum follows
-/// from out_{n−k} = conj(out_k). Plans never depend on timing, so the same input gives the same bytes in every run.
+/// No prefactor: the physical transform of heights a step Δ apart is Δ · out_k. The rest of the spectrum follows from
+/// out_{n−k} = conj(out_k). Plans never depend on timing, so every run gives the same bytes for the same input.
 template <class Real>
 class RealTransformOf {
 public:
@@ -32,8 +32,8 @@ public:
     [[nodiscard]] Index points() const { return points_; }
     [[nodiscard]] Index modes() const { return points_ / 2 + 1; }
 
-    /// `in` (n values) and `out` (modes() values) do not overlap and start on 16 bytes, as in a Buffer. Any number of
-    /// threads may call it at once. O(n log n).
+    /// `in` (n values) and `out` (modes() values) do not overlap and are aligned to 16 bytes, as in a Buffer. Any
+    /// number of threads may call it simultaneously. O(n log n).
     void forward(const Real* in, ComplexOf<Real>* out) const;
 
 private:
@@ -47,7 +47,7 @@ using RealTransform = RealTransformOf<double>;
 ///
 ///   out_j = sum_{k=0}^{n−1} in_k exp(2πi jk/n),  in_{n−k} = conj(in_k)
 ///
-/// Takes in_0 … in_{n/2}; the imaginary parts of in_0 and, for even n, of in_{n/2} are ignored. No factor in front.
+/// Takes in_0 … in_{n/2}; the imaginary parts of in_0 and, for even n, of in_{n/2} are ignored. No prefactor.
 template <class Real>
 class InverseRealTransformOf {
 public:
@@ -60,7 +60,7 @@ public:
     [[nodiscard]] Index points() const { return points_; }
     [[nodiscard]] Index modes() const { return points_ / 2 + 1; }
 
-    /// `in` (modes() values) is overwritten; otherwise as RealTransform::forward.
+    /// `in` (modes() values) is overwritten; see RealTransform::forward.
     void apply(ComplexOf<Real>* in, Real* out) const;
 
 private:
@@ -70,10 +70,10 @@ private:
 };
 using InverseRealTransform = InverseRealTransformOf<double>;
 
-/// Of i in the exponent.
+/// Sign of i in the exponent.
 enum class TransformSign { minus, plus };
 
-/// The spectrum of n complex values, in place: z_k = sum_j z_j exp(∓2πi jk/n), no factor in front.
+/// The spectrum of n complex values, in place: z_k = sum_j z_j exp(∓2πi jk/n), no prefactor.
 template <class Real>
 class ComplexTransformOf {
 public:
@@ -87,7 +87,7 @@ public:
 
     [[nodiscard]] Index points() const { return points_; }
 
-    /// `values` start on 16 bytes. Any number of threads may call it at once.
+    /// `values` are aligned to 16 bytes. Any number of threads may call it simultaneously.
     void apply(ComplexOf<Real>* values) const;
 
 private:
@@ -99,7 +99,7 @@ using ComplexTransform = ComplexTransformOf<double>;
 
 /// The spectrum of an even periodic sequence from half of it, in place.
 ///
-///   z_k = x_0 + (−1)^k x_N + 2 sum_{j=1}^{N−1} x_j cos(πjk/N),  k = 0 … N,  of x_j = x_{2N−j}
+///   z_k = x_0 + (−1)^k x_N + 2 sum_{j=1}^{N−1} x_j cos(πjk/N),  k = 0 … N,  x_j = x_{2N−j}
 class EvenTransform {
 public:
     /// points = N + 1. @throws InvalidArgument for points < 2.
@@ -110,7 +110,7 @@ public:
 
     [[nodiscard]] Index points() const { return points_; }
 
-    /// Any number of threads may call it at once.
+    /// Any number of threads may call it simultaneously.
     void apply(double* values) const;
 
 private:

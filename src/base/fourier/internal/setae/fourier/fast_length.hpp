@@ -5,7 +5,7 @@
 
 namespace setae::fourier {
 
-/// Least number >= `least`, and >= 1, without prime factors above 5: lengths that transform fast.
+/// Smallest number >= `least`, and >= 1, without prime factors above 5: fast transform lengths.
 [[nodiscard]] Index fast_length(Index least);
 
 }  // namespace setae::fourier

@@ -7,16 +7,16 @@
 
 namespace setae::numerics {
 
-/// A sequence of random numbers; its numbers are pure functions of (key, counter), so any thread may draw any of them.
+/// A sequence of random numbers; its numbers are pure functions of (key, counter), so any thread may draw any number.
 struct RandomKey {
-    std::uint64_t seed = 0;    ///< the user's
-    std::uint64_t stream = 0;  ///< which of the seed's independent sequences
+    std::uint64_t seed = 0;    ///< set by the user
+    std::uint64_t stream = 0;  ///< number of the independent sequence of this seed
 
     friend bool operator==(const RandomKey&, const RandomKey&) = default;
 };
 
-/// The key of one of many independent sequences below a key: streams that differ by key or index share no numbers, up
-/// to a collision of 64-bit hashes (10⁶ streams: 3e-8).
+/// The key of one of many independent sequences of a key: streams that differ by key or index share no numbers, except
+/// for collisions of 64-bit hashes (10⁶ streams: 3e-8).
 [[nodiscard]] RandomKey substream(RandomKey key, std::uint64_t index);
 
 /// 64 random bits: half (counter mod 2) of block (counter div 2) of Philox4x32-10 with key = seed, counter words
@@ -31,13 +31,13 @@ struct RandomKey {
 ///
 ///   n_2b = √(−2 ln u) cos φ,  n_2b+1 = √(−2 ln u) sin φ,  u = uniform 2b, φ uniform from random bits 2b + 1
 ///
-/// ln, cos and sin are polynomials with a fixed order of operations (+, −, ×, /, √ of IEEE 754 alone), within 2e-16 of
-/// the functions, so the bytes do not depend on machine, compiler or mathematics library. |n| < 8.6. A uniform and a
+/// ln, cos and sin are polynomials with a fixed order of operations (only +, −, ×, /, √ of IEEE 754), within 2e-16 of
+/// the functions, so the bytes do not depend on computer, compiler or mathematics library. |n| < 8.6. A uniform and a
 /// normal number of one key and counter share their bits: draw them from different streams. Source: Box and Muller,
 /// Ann. Math. Stat. 29 (1958) 610; coefficients of Sun's fdlibm (e_log, k_sin, k_cos).
 [[nodiscard]] double normal_number(RandomKey key, std::uint64_t counter);
 
-/// out_i = normal_number(key, first_counter + i), about 8 ns a number.
+/// out_i = normal_number(key, first_counter + i), about 8 ns per number.
 void fill_normal(RandomKey key, std::uint64_t first_counter, Eigen::Ref<Array1D> out);
 
 /// `count` numbers from first_counter on. @throws InvalidArgument for count < 0.

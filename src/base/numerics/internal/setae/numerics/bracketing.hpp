@@ -9,7 +9,7 @@
 
 namespace setae::numerics {
 
-/// Root of a continuous function between lower < upper, where its values are known and their signs differ, to so many
+/// Root of a continuous function between lower < upper, whose values there are known and differ in sign, to so many
 /// bits. Source: Alefeld, Potra, Shi, ACM TOMS 748 (1995).
 template <class Function>
 [[nodiscard]] double bracketed_root(Function&& function, double lower, double upper, double at_lower, double at_upper,
@@ -20,7 +20,7 @@ template <class Function>
     return 0.5 * (root.first + root.second);
 }
 
-/// The same between two points in either order, of which one may be the root.
+/// Root between two points in either order; one of the points may be the root.
 template <class Function>
 [[nodiscard]] double bracketed_root(Function&& function, double lower, double upper, int bits = 52) {
     if (lower > upper) std::swap(lower, upper);
@@ -31,8 +31,8 @@ template <class Function>
     return bracketed_root(function, lower, upper, at_lower, at_upper, bits);
 }
 
-/// Where a statement that holds at `inside` and not at `outside` ceases to hold: both ends of what is left after so
-/// many halvings, or when no number lies between them.
+/// Limit of a statement that is true at `inside` and false at `outside`: both ends of the interval after so many
+/// halvings, or when no number is between them.
 template <class Statement>
 [[nodiscard]] std::pair<double, double> bisected(Statement&& holds, double inside, double outside,
                                                  int halvings = std::numeric_limits<int>::max()) {
@@ -44,8 +44,7 @@ template <class Statement>
     return {inside, outside};
 }
 
-/// Where a function with one minimum between two points is smallest, by golden sections: 0.618^rounds of their
-/// distance.
+/// Minimum of a function with one minimum between two points, by golden sections, to 0.618^rounds of their distance.
 template <class Function>
 [[nodiscard]] double golden_section(Function&& function, double lower, double upper, int rounds) {
     constexpr double golden = 0.6180339887498949;

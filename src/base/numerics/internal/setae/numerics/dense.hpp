@@ -7,8 +7,7 @@
 
 namespace setae::numerics {
 
-// Dense linear algebra of sizes known at run time. It is compiled once: in every file that does it by itself it takes
-// the compiler seconds.
+// Dense linear algebra of sizes known at run time. It is compiled once, because compilation takes seconds per file.
 
 /// matrix⁻¹ right of a symmetric matrix, by LDLᵀ.
 [[nodiscard]] Eigen::MatrixXd solved_symmetric(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right);
@@ -22,22 +21,22 @@ namespace setae::numerics {
 /// Number of linearly independent columns, by Householder's QR with pivots.
 [[nodiscard]] int rank(const Eigen::MatrixXd& matrix);
 
-/// The lower triangle L of a symmetric matrix L Lᵀ, and the inverse of that matrix; nothing where it is not positive
+/// The lower triangle L of a symmetric matrix L Lᵀ, and the inverse of that matrix; empty if it is not positive
 /// definite.
 [[nodiscard]] std::optional<Eigen::MatrixXd> cholesky(const Eigen::MatrixXd& matrix);
 [[nodiscard]] std::optional<Eigen::MatrixXd> inverse_positive_definite(const Eigen::MatrixXd& matrix);
 
-/// The x of least |design x − values|, by Householder's QR with pivots.
+/// The x that minimises |design x − values|, by Householder's QR with pivots.
 [[nodiscard]] Eigen::VectorXd least_squares(const Eigen::MatrixXd& design, const Eigen::VectorXd& values);
 
-/// Eigenvalues of a symmetric matrix in rising order, their vectors in columns.
+/// Eigenvalues of a symmetric matrix in ascending order, eigenvectors in columns.
 struct SymmetricEigen {
     Eigen::VectorXd values;
     Eigen::MatrixXd vectors;
 };
 [[nodiscard]] SymmetricEigen symmetric_eigen(const Eigen::MatrixXd& matrix);
 
-/// Orthonormal basis of the space the columns span, as many as they are, by Householder's reflections.
+/// Orthonormal basis of the space of the columns, with as many vectors, by Householder's reflections.
 [[nodiscard]] Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns);
 
 /// a b and aᵀ b.

@@ -8,7 +8,7 @@
 
 namespace setae::numerics {
 
-/// Place i of n equal steps from −1 to 1; 0 where there is one point alone.
+/// Position i of n equal steps from −1 to 1; 0 for one point only.
 [[nodiscard]] inline double centred(Index i, Index n) {
     return n > 1 ? 2.0 * static_cast<double>(i) / static_cast<double>(n - 1) - 1.0 : 0.0;
 }
@@ -29,11 +29,11 @@ struct GaussRule {
 };
 [[nodiscard]] GaussRule gauss_rule(Index n);
 
-/// Solution of the normal equations G c = b, or nothing where G has, scaled to unit diagonal, a condition beyond 1e12:
+/// Solution of the normal equations G c = b; empty if G, scaled to unit diagonal, has a condition number beyond 1e12:
 /// the points then do not determine c.
 [[nodiscard]] std::optional<Array1D> solved_normal_equations(const Array2D& gram, const Array1D& moments);
 
-/// Σ a_j b_j in independent lanes, so that it vectorises and its order is fixed.
+/// Σ a_j b_j in independent lanes: vectorised, in a fixed order.
 [[nodiscard]] double dot(const double* a, const double* b, Index n);
 
 }  // namespace setae::numerics

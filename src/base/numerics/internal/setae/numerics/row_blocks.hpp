@@ -9,8 +9,8 @@
 
 namespace setae::numerics {
 
-/// Rows of a map in blocks of about 2^16 points: they depend on its shape alone, so sums added in block order are the
-/// same for any number of threads.
+/// Rows of a map in blocks of about 2^16 points. Blocks depend only on the shape of the map, so sums in block order are
+/// the same for any number of threads.
 struct RowBlocks {
     Index rows = 0;
     Index rows_per_block = 1;

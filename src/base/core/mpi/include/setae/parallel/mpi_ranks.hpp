@@ -7,8 +7,8 @@
 
 namespace setae::parallel {
 
-/// The processes of a communicator, which outlives this. MPI must be initialised; where threads are used, with
-/// MPI_THREAD_FUNNELED at least.
+/// The processes of a communicator, which outlives this object. MPI must be initialised; with threads, at least with
+/// MPI_THREAD_FUNNELED.
 class MpiRanks final : public Ranks {
 public:
     explicit MpiRanks(MPI_Comm communicator);
@@ -17,7 +17,7 @@ public:
     [[nodiscard]] int own() const override { return own_; }
     /// @throws InternalError for more than 2³¹ numbers.
     void share(double* all, std::span<const Index> begins) const override;
-    /// @throws InternalError for more than 2³⁷ bytes of a process.
+    /// @throws InternalError for more than 2³⁷ bytes per process.
     void exchange(const void* send, std::span<const Index> send_begins, void* receive,
                   std::span<const Index> receive_begins) const override;
 
