@@ -11,7 +11,7 @@
 namespace setae {
 namespace {
 
-/// Where the directions of every input stand.
+/// Column range of the directions of every input.
 class Columns {
 public:
     void add(const Components& inputs) {

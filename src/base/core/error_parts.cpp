@@ -8,14 +8,14 @@
 namespace setae {
 namespace {
 
-/// A whole number that a text is, nothing else.
+/// A text that is a whole number and nothing else.
 std::optional<std::uint64_t> whole_number(std::string_view text) {
     std::uint64_t number = 0;
     const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
     return failure == std::errc() && end == text.data() + text.size() ? std::optional(number) : std::nullopt;
 }
 
-/// Takes the path and the position from the front of a message.
+/// Removes the path and the position at the beginning of a message.
 std::string_view without_place(std::string_view message, ErrorParts& parts) {
     constexpr std::string_view at_byte = "at byte ";
     const auto end = message.find(": ");

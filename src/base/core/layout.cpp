@@ -10,7 +10,7 @@ namespace {
 
 bool combines(char32_t code) { return code >= 0x300 && code < 0x370; }
 
-/// Bytes of the next character, one where it is none.
+/// Bytes of the next character; 1 for invalid UTF-8.
 std::size_t step_of(std::string_view text) { return std::max<std::size_t>(utf8_length(text), 1); }
 
 }  // namespace

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t max_names_shown = 12;
 
-/// ASCII letters in lower case; others as they are.
+/// ASCII letters in lower case; others unchanged.
 std::string lower_case(std::string_view text) {
     std::string lower(trimmed(text));
     std::transform(lower.begin(), lower.end(), lower.begin(),
@@ -61,7 +61,7 @@ std::size_t chosen_by_name(std::string_view wanted, std::span<const std::string>
     const auto& found = whole.empty() ? beginning : whole;
     if (found.size() == 1) return found.front();
     if (found.empty()) {
-        constexpr std::size_t shortest_slip = 3;  // of fewer letters anything is near
+        constexpr std::size_t shortest_slip = 3;  // shorter words have no near matches
         const auto nearest = wanted.size() < shortest_slip ? std::string() : nearest_match(wanted, names);
         refuse(fmt::format("'{}'{}", wanted, nearest.empty() ? "" : fmt::format(" (did you mean '{}'?)", nearest)));
     }

@@ -13,7 +13,7 @@ bool is_any(char32_t character, std::initializer_list<char32_t> of) {
     return std::find(of.begin(), of.end(), character) != of.end();
 }
 
-/// Blanks of every width, and what is drawn as nothing.
+/// Blanks of every width, and invisible characters.
 bool is_blank(char32_t character) {
     return character <= 0x20 || is_any(character, {0x7f, 0xa0, 0xad, 0x1680, 0x202f, 0x205f, 0x2060, 0x3000, 0xfeff}) ||
            (character >= 0x2000 && character <= 0x200f);

@@ -85,7 +85,7 @@ double sorted_quantile(std::span<const double> increasing, double probability) {
 
 namespace {
 
-/// f(x + s e_i) − f(x − s e_i), halved: what the input's standard error moves f by.
+/// f(x + s e_i) − f(x − s e_i), halved: change of f for one standard error of the input.
 double half_difference(const std::function<double(const Array1D&)>& function, const Array1D& inputs, Index i,
                        double error) {
     Array1D above = inputs, below = inputs;

@@ -78,7 +78,7 @@ bool controls(char32_t code) {
            (code >= 0x2028 && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
 }
 
-/// Every character of text through `change`, which takes it as bytes; what is no UTF-8 is U+FFFD.
+/// Applies `change` to the bytes of every character; invalid UTF-8 becomes U+FFFD.
 template <class Change>
 std::string changed(std::string_view text, const Change& change) {
     std::string result;

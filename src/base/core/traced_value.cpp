@@ -68,7 +68,7 @@ Components combined(std::span<const Dependence> parts) {
 
 TracedValue propagated(const std::function<double(const std::vector<double>&)>& function,
                        const std::vector<TracedValue>& inputs) {
-    constexpr double min_left = 1e-3;  // of an input that an error would take below 0
+    constexpr double min_left = 1e-3;  // of an input that an error would make negative
     std::vector<double> centre;
     for (const auto& input : inputs) centre.push_back(input.value);
     std::vector<Dependence> parts;

@@ -14,16 +14,16 @@ namespace {
 
 constexpr int digits_of_errors = 2, digits_without_error = 4;
 
-/// Power of ten of a number's first digit once it is rounded to so many digits.
+/// Power of ten of the first digit of a number rounded to so many digits.
 int exponent_of(double value, int digits) {
     const auto text = fmt::format("{:.{}e}", value, digits - 1);
     return std::stoi(text.substr(text.find('e') + 1));
 }
 
-/// Numbers of one estimate, all written to one place.
+/// Numbers of one estimate, written to the same place.
 struct Place {
     int decimals = 0;  ///< < 0: tens, hundreds
-    int power = 0;     ///< of ten, taken out of all
+    int power = 0;     ///< of ten, a common factor
 
     [[nodiscard]] std::string operator()(double value) const {
         const double unit = std::pow(10.0, -std::min(decimals, 0));
@@ -35,7 +35,7 @@ struct Place {
     }
 };
 
-/// Error that sets the place: the standard error, or half the interval's half width where there is none.
+/// Error that sets the place: the standard error, or half the half width of the interval if there is none.
 double error_of(const Estimate& estimate) {
     if (estimate.uncertain()) return estimate.standard_error;
     return estimate.interval ? (estimate.interval->upper - estimate.interval->lower) / 4.0 : undefined;
@@ -62,7 +62,7 @@ std::string with_power(const std::string& text, const Place& place) {
     return fmt::format("{}×10{}", several ? "(" + text + ")" : text, superscript(place.power));
 }
 
-/// Which parts of an estimate are written.
+/// Parts of an estimate that are written.
 struct Parts {
     bool error = false, interval = false;
 };

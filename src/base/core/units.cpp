@@ -87,12 +87,12 @@ constexpr std::array<Symbol, 42> symbols{{
     {"cycles", 1.0, dimension::none, false},
     {"cycle", 1.0, dimension::none, false},
     {"cyc", 1.0, dimension::none, false},
-    {"lp", 1.0, dimension::none, false},  // pairs of lines, as optics counts periods
+    {"lp", 1.0, dimension::none, false},  // line pairs, as optics counts periods
     {"deg", pi / 180.0, dimension::none, false},
     {"-", 1.0, dimension::none, false},
 }};
 
-/// Units as words, without the 's' of several.
+/// Units as words, without the plural 's'.
 constexpr std::array<Symbol, 19> words{{
     {"meter", 1.0, dimension::length, true},
     {"metre", 1.0, dimension::length, true},
@@ -146,7 +146,7 @@ constexpr std::array<Prefix, 9> prefix_words{{{"kilo", 1e3},
                                               {"nano", 1e-9},
                                               {"pico", 1e-12}}};
 
-/// A unit among `known`, with one of `before` in front where it may have one.
+/// A unit of `known`, with a prefix of `before` if the unit allows one.
 std::optional<Unit> found(std::string_view name, std::span<const Symbol> known, std::span<const Prefix> before) {
     for (const auto& symbol : known)
         if (symbol.name == name) return Unit{symbol.factor, symbol.dimension};
@@ -170,7 +170,7 @@ std::optional<Unit> lookup(std::string_view name) {
     return found(word, words, prefix_words);
 }
 
-/// Superscripts to ASCII digits, product dots to '*', so that one grammar serves every spelling.
+/// Superscripts to ASCII digits, product dots to '*': one grammar serves every spelling.
 std::string plain(std::string_view text) {
     static constexpr std::array<std::pair<std::string_view, std::string_view>, 14> replacements{{{"⁻", "-"},
                                                                                                  {"⁰", "0"},
@@ -234,7 +234,7 @@ NumberAndRest leading_number(std::string_view text, std::string_view whole) {
     return {*number, trimmed(body)};
 }
 
-/// The unit in which such a quantity is usually stated.
+/// The usual unit of a dimension.
 std::string usual_unit(const Dimension& dimension) {
     if (dimension == dimension::length) return "um";
     if (dimension == dimension::pressure) return "MPa";
@@ -294,10 +294,10 @@ double unit_factor(std::string_view text, const Dimension& expected) {
 
 namespace {
 
-/// Powers of any quantity stay within what a double holds. The fourth power of the largest is 1e240.
+/// Powers of any quantity remain within the range of a double. The fourth power of the largest is 1e240.
 constexpr double min_magnitude = 1e-60, greatest_magnitude = 1e60;
 
-/// @throws InvalidArgument for a number that no measurement can give.
+/// @throws InvalidArgument for a number outside the range of measurements.
 void require_magnitude(double value, std::string_view given) {
     const double magnitude = std::abs(value);
     if (value == 0.0 || (magnitude >= min_magnitude && magnitude <= greatest_magnitude)) return;
@@ -323,7 +323,7 @@ double parse_quantity(std::string_view text, const Expected& expected) {
 
 namespace {
 
-/// "37.0 ± 3.7 mJ/m2", cut at the sign.
+/// "37.0 ± 3.7 mJ/m2", split at the sign.
 Estimate value_and_error(std::string_view of_value, std::string_view of_error, const Expected& expected,
                          std::string_view text) {
     const auto value = leading_number(of_value, text), error = leading_number(of_error, text);
@@ -339,7 +339,7 @@ Estimate value_and_error(std::string_view of_value, std::string_view of_error, c
     return estimate;
 }
 
-/// "1.2 to 1.3 mm", cut at the word: a value anywhere between as probable as elsewhere.
+/// "1.2 to 1.3 mm", split at the word: a uniform distribution.
 Estimate value_between(std::string_view of_lower, std::string_view of_upper, const Expected& expected,
                        std::string_view text) {
     const auto lower = leading_number(of_lower, text), upper = leading_number(of_upper, text);
@@ -413,7 +413,7 @@ struct Scale {
     std::string_view name;
 };
 
-/// Prefixed units a reader meets; the lengths leave out Å, the reciprocals follow the lengths.
+/// Prefixed units for display; lengths exclude Å, the reciprocals follow the lengths.
 std::vector<Scale> display_scales(std::string_view si) {
     if (si == "m") return {{1e-12, "pm"}, {1e-9, "nm"}, {1e-6, "µm"}, {1e-3, "mm"}, {1.0, "m"}};
     if (si == "1/m") return {{1.0, "m⁻¹"}, {1e3, "mm⁻¹"}, {1e6, "µm⁻¹"}, {1e9, "nm⁻¹"}};

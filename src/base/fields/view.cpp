@@ -6,7 +6,7 @@
 namespace setae::fields {
 namespace {
 
-/// Takes what columns ask for out of all that comes.
+/// Selects the fields of the columns.
 class Picked final : public Sink {
 public:
     explicit Picked(std::span<const Column> view) : view_(view) {
@@ -48,7 +48,7 @@ private:
 
     std::span<const Column> view_;
     std::vector<Cell> cells_;
-    std::vector<std::string_view> path_;  ///< names of the objects that are open
+    std::vector<std::string_view> path_;  ///< names of the open objects
 };
 
 }  // namespace

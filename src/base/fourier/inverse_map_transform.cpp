@@ -13,8 +13,8 @@
 namespace setae::fourier {
 namespace inverse_map {
 
-/// A half spectrum inside the map it belongs to: the complex values of lines 1 … inner lie in the rows, those of lines
-/// 0 and ny/2, which the transform along x makes real, beside it.
+/// A half spectrum inside its map: the complex values of lines 1 … inner are in the rows, those of lines 0 and ny/2,
+/// which are real after the transform along x, are separate.
 struct HalfSpectrum {
     Eigen::Ref<Array2D> map;
     Index inner;  ///< lines other than 0 and ny/2
@@ -43,7 +43,7 @@ void transform_edge(const SpectrumLine& load, const ComplexTransform& along_x, I
 void transform_block(const SpectrumLine& load, const ComplexTransform& along_x, Index block, HalfSpectrum& half) {
     const Index nx = along_x.points(), first = block * lines_per_block,
                 lines = std::min(lines_per_block, half.inner - first);
-    const Index stride = (nx + 3) / 4 * 4 + 4;  // lines of a block must not fight for the same places of the cache
+    const Index stride = (nx + 3) / 4 * 4 + 4;  // avoids that lines of a block share the same places of the cache
     thread_local Buffer<Complex> buffer;
     buffer.resize(extent(lines * stride));
     for (Index m = 0; m < lines; ++m) {

@@ -14,22 +14,22 @@
 namespace setae::fourier {
 namespace {
 
-/// Columns of the half spectrum that lie together, row by row: two cache lines a row of double. A block of them is read
-/// through when its columns are transformed, and rows are written to as many places as there are blocks.
+/// Adjacent columns of the half spectrum, stored row by row: two cache lines per row of double. A block is read
+/// completely when its columns are transformed, and each row is written to as many places as there are blocks.
 constexpr Index columns_per_block = 8;
-/// Rows handed to a thread at once.
+/// Rows per task of a thread.
 constexpr Index rows_per_task = 16;
-/// Below so many modes a second thread costs more than it brings.
+/// Below this number of modes a second thread costs more time than it saves.
 constexpr Index modes_for_threads = 128 * 64;
 
-/// On a cache line.
+/// Rounded up to a cache line.
 template <class Real>
 constexpr Index numbers_per_line = 64 / static_cast<Index>(sizeof(ComplexOf<Real>));
 
 Index blocks_of(Index n, Index block) { return (n + block - 1) / block; }
 
-/// From column to column of a block: on cache lines, and never a power of two apart, or columns fight for the same
-/// places of the cache. Blocks keep the same distance.
+/// Distance of columns of a block: a multiple of cache lines, and never a power of two, or columns would share the same
+/// places of the cache. Blocks have the same distance.
 template <class Real>
 Index stride_for(Index modes) {
     return blocks_of(modes, numbers_per_line<Real>) * numbers_per_line<Real> + numbers_per_line<Real>;
@@ -49,7 +49,7 @@ const parallel::Slab& checked_rows(const parallel::Slab& rows, Index period) {
     return rows;
 }
 
-/// A row's modes of a block: a few cache lines, for which a call costs more than the copy.
+/// The modes of a row in a block: a few cache lines, for which a call costs more than the copy.
 template <class Real>
 void copy_piece(const ComplexOf<Real>* from, ComplexOf<Real>* to) {
     using Piece = Eigen::Array<ComplexOf<Real>, columns_per_block, 1>;
@@ -80,7 +80,7 @@ void transform_along_y(Multiplier& values, parallel::Threads threads) {
     });
 }
 
-/// Of every rank's blocks of a spectrum, then how many there are.
+/// Begins of the blocks of every rank, then the number of blocks.
 std::vector<Index> begins_of_blocks(Index blocks, int ranks) {
     std::vector<Index> begins;
     for (Index rank = 0; rank <= ranks; ++rank) begins.push_back(blocks * rank / ranks);

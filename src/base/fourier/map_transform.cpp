@@ -12,8 +12,8 @@
 namespace setae::fourier {
 namespace {
 
-/// From line to line of a block: on a cache line of `Value` each, but never a power of two apart, or the lines of a
-/// block would fight for the same few places of the cache.
+/// Distance of lines of a block: a multiple of cache lines of `Value`, and never a power of two, or the lines of a
+/// block would share the same few places of the cache.
 template <class Value>
 constexpr Index padded(Index n) {
     constexpr Index line = 64 / static_cast<Index>(sizeof(Value));
@@ -82,7 +82,7 @@ void transform_padded_map(Index nx, Index ny, Index rows, const std::function<vo
         for (Index i = first; i < std::min(rows, first + lines_per_block); ++i) {
             load(i, line.data());
             Complex* spectrum = half.data() + i * modes;
-            if (are_zero(line)) std::fill_n(spectrum, modes, Complex{});  // a map within zeros has many such lines
+            if (are_zero(line)) std::fill_n(spectrum, modes, Complex{});  // a zero-padded map has many such lines
             else along_y.forward(line.data(), spectrum);
         }
     });

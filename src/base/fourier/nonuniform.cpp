@@ -48,7 +48,7 @@ struct Extent {
 
 Extent extent_of(double lowest, double highest) { return {0.5 * (lowest + highest), 0.5 * (highest - lowest)}; }
 
-/// Sums at a band of wavevectors: which way is cheapest, and that way.
+/// Sums for a band of wavevectors by the cheapest method.
 class BandTransform {
 public:
     BandTransform(const ArrayView1D& positions, const ArrayView1D& coefficients, const ArrayView1D& wavevectors,
@@ -82,7 +82,7 @@ private:
     /// Points of the grid in x, before the second oversampling.
     [[nodiscard]] double grid_steps(const Extent& q) const { return 2.0 * sigma * x_.half * q.half / pi + 2.0 * width; }
 
-    // measured: 12 ns a term of the sum, 6 ns a grid point and doubling of the grid, 150 ns a point spread or
+    // measured: 12 ns per term of the sum, 6 ns per grid point and doubling of the grid, 150 ns per point spread or
     // interpolated
     [[nodiscard]] double sum_cost(std::span<const Index> band) const {
         return 12.0 * static_cast<double>(positions_.size()) * static_cast<double>(band.size());
@@ -108,7 +108,7 @@ private:
     void by_grid(std::span<const Index> band, const Extent& q, double steps) const {
         const auto& kernel = SpreadingKernel::instance();
         const Index fine = smooth_size(sigma * steps), coarse = fine / static_cast<Index>(sigma);
-        // step of the grid in x: waves up to q.half are sampled sigma times finer than they need
+        // step of the grid in x: waves up to q.half are sampled sigma times finer than needed
         const double step = q.half > 0.0 && x_.half > 0.0 ? pi / (sigma * q.half) : std::max(x_.half, 1.0);
         const Buffer<Complex> spectrum = transformed_grid(spread(q.centre, step, coarse), coarse, fine);
         const double to_fine = static_cast<double>(fine) * step / (2.0 * pi);
@@ -139,11 +139,11 @@ private:
         return grid;
     }
 
-    /// Transform of the grid on a grid of wavevectors `fine` points long, made ready for interpolation with the kernel.
+    /// Transform of the grid on `fine` wavevectors, prepared for interpolation with the kernel.
     static Buffer<Complex> transformed_grid(const std::vector<Complex>& grid, Index coarse, Index fine) {
         const auto& kernel = SpreadingKernel::instance();
         Buffer<Complex> spectrum(static_cast<std::size_t>(fine), Complex{});
-        // the kernel's transform is even, so that l and −l share it; l = −coarse/2 lies beyond what was spread to
+        // the transform of the kernel is even, so l and −l share a value; l = −coarse/2 is outside the spread
         const auto entry = [&](Index l) { return grid[static_cast<std::size_t>(l + coarse / 2)]; };
         spectrum[0] = entry(0) / kernel.transform(0.0);
         for (Index l = 1; l < coarse / 2; ++l) {

@@ -16,7 +16,7 @@ double shape() {
     return pi * std::sqrt(stretch * stretch - 0.8);
 }
 
-/// ψ(z)/ψ(0); entire in z², so that it may be sampled a little outside −1 … 1.
+/// ψ(z)/ψ(0); entire in z², so it can be sampled slightly outside −1 … 1.
 double kernel_value(double z) {
     const double beta = shape(), square = beta * beta * (1.0 - z * z);
     // power series of I0 in (argument/2)², all terms positive for |z| <= 1
@@ -41,7 +41,7 @@ SpreadingKernel::SpreadingKernel() {
             const double t = std::cos(pi * (static_cast<double>(j) + 0.5) / nodes);
             samples[j] = kernel_value((static_cast<double>(tap) + 0.5 * (t + 1.0) - half_width) / half_width);
         }
-        // Chebyshev coefficients, then T_p written out in powers of t
+        // Chebyshev coefficients, then T_p expanded in powers of t
         std::array<double, nodes> powers{}, previous{}, current{};
         previous[0] = 1.0;
         current[1] = 1.0;

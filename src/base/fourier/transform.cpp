@@ -67,8 +67,7 @@ using fftw::planner_mutex;
 
 namespace {
 
-/// Aligned memory for the planner, which with FFTW_ESTIMATE looks at addresses only: never touched, so it costs
-/// nothing.
+/// Aligned memory for the planner, which with FFTW_ESTIMATE uses only addresses: never touched, so it costs nothing.
 template <class T>
 class Room {
 public:
@@ -153,7 +152,7 @@ RealTransformOf<Real>& RealTransformOf<Real>::operator=(RealTransformOf&&) noexc
 
 template <class Real>
 void RealTransformOf<Real>::forward(const Real* in, ComplexOf<Real>* out) const {
-    // FFTW_PRESERVE_INPUT keeps the promise of const
+    // FFTW_PRESERVE_INPUT leaves the input unchanged
     Fftw<Real>::execute_real(plan_->handle, const_cast<Real*>(in), Fftw<Real>::of(out));
 }
 

@@ -23,7 +23,7 @@ double uniform(Bits bits) { return std::bit_cast<double>(bits_of_one | (bits >> 
 double radius_from(double u) {
     constexpr Bits bits_of_root_half = 0x3fe6a09e00000000;
     const Bits shifted = std::bit_cast<Bits>(u) + (bits_of_one - bits_of_root_half);
-    // an integer below 2⁵² as a double: beside 2⁵² in the mantissa
+    // an integer below 2⁵² as a double: in the mantissa of 2⁵²
     const double exponent = std::bit_cast<double>(0x4330000000000000 | (shifted >> 52)) - (0x1p52 + 1023.0);
     const double f = std::bit_cast<double>((shifted & mantissa_mask) + bits_of_root_half) - 1.0;
     const double s = f / (2.0 + f), z = s * s, half_square = 0.5 * f * f;
@@ -43,7 +43,7 @@ struct Direction {
     double cosine, sine;
 };
 
-/// Of the angle (quarter + r) π/2: the quarter from two bits, r in (−½, ½) from the fifty below.
+/// Cosine and sine of the angle (quarter + r) π/2: quarter from two bits, r in (−½, ½) from the fifty below.
 Direction direction_from(Bits bits) {
     const Bits quarter = bits >> 62;
     const double r = std::bit_cast<double>(bits_of_one | ((bits >> 10) & mantissa_mask & ~Bits{3})) - (1.5 - 0x1p-51);
@@ -68,7 +68,7 @@ Direction direction_from(Bits bits) {
             std::bit_cast<double>(turned_s ^ ((quarter >> 1) << 63))};
 }
 
-/// Numbers made together, so that the loops over them become vector instructions.
+/// Numbers computed together, so that the compiler vectorises the loops.
 constexpr Index batch = 128;
 using Batch = std::array<Bits, batch>;
 

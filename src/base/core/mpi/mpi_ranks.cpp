@@ -9,7 +9,7 @@
 namespace setae::parallel {
 namespace {
 
-constexpr Index line = 64;  ///< bytes that go as one
+constexpr Index line = 64;  ///< bytes that are sent together
 
 /// MPI counts in int.
 struct Pieces {
@@ -27,7 +27,7 @@ Pieces pieces(std::span<const Index> begins, Index unit) {
     return result;
 }
 
-/// A line of memory as MPI sends it.
+/// MPI type of a line of memory.
 class LineType {
 public:
     LineType() {

@@ -10,8 +10,8 @@
 namespace setae::parallel {
 namespace {
 
-/// Looks that a thread takes before it sleeps: some ten microseconds for itself, then a few hundred between which
-/// others may run. The next short loop comes that soon, and to wake a thread takes as long as such a loop.
+/// Polls of a thread before it sleeps: about ten microseconds of its own, then a few hundred polls between which other
+/// threads may run. The next short loop often comes in that time, and waking a thread takes as long as such a loop.
 constexpr int looks = 400, patient_looks = 400;
 
 template <class Condition>
@@ -29,7 +29,7 @@ bool soon(const Condition& condition) {
     return condition();
 }
 
-// threads that wait outlive main(), so the crew is never destroyed
+// waiting threads outlive main(), so the crew is never destroyed
 std::atomic<Crew*> crew{nullptr};
 
 }  // namespace
@@ -37,7 +37,7 @@ std::atomic<Crew*> crew{nullptr};
 Crew& Crew::of_process() {
     static const bool first = [] {
         crew = new Crew;
-        platform::in_every_child([] { crew = new Crew; });  // threads do not follow into the child
+        platform::in_every_child([] { crew = new Crew; });  // threads do not exist in the child
         return true;
     }();
     (void)first;
@@ -60,7 +60,7 @@ void Crew::invite(Loop& loop) {
         try {
             for (; idle_ < places_; ++idle_) std::thread([this] { help(); }).detach();
         } catch (const std::system_error&) {
-            // no more threads to be had: those there are do it all
+            // no further thread can be started: the existing ones do the work
         }
     }
     wake_.notify_all();
@@ -74,7 +74,7 @@ void Crew::dismiss(Loop& loop) {
         loop.places = 0;
     }
     (void)soon([&] { return loop.active == 0; });
-    std::unique_lock lock(mutex_);  // the helper has let go of the loop, too
+    std::unique_lock lock(mutex_);  // the helper has released the loop, too
     done_.wait(lock, [&] { return loop.active == 0; });
 }
 

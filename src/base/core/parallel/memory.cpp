@@ -19,10 +19,10 @@ void keep_freed_memory() {
     constexpr int processors_per_heap = 4;
     mallopt(M_TRIM_THRESHOLD, 1536 * mebibyte);
     mallopt(M_TOP_PAD, mebibyte);
-    mallopt(M_MMAP_MAX, 0);  // memory of a mapping of its own goes back to the system as soon as it is freed
-    // an array that one thread frees is room for those of the others
+    mallopt(M_MMAP_MAX, 0);  // memory of a separate mapping is returned to the system when it is freed
+    // an array freed by one thread can be reused by others
     mallopt(M_ARENA_MAX, (Threads{}.resolved() + processors_per_heap - 1) / processors_per_heap);
-    // what is freed untouched costs nothing and stays the heap's end, which large pages then fill
+    // untouched freed memory costs nothing and remains the end of the heap, which large pages then fill
     void* const heap = std::malloc(room);
     if (heap != nullptr) platform::prefer_large_pages(heap, room);
     std::free(heap);

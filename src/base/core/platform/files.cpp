@@ -84,7 +84,7 @@ int lock_folder(const std::string& folder) {
 
 void unlock_folder(int lock) {
     if (lock < 0) return;
-    ::flock(lock, LOCK_UN);  // a child of this process may hold the descriptor still
+    ::flock(lock, LOCK_UN);  // a child of this process may still hold the descriptor
     ::close(lock);
 }
 
@@ -109,7 +109,7 @@ std::error_code take_permissions(const std::string& path, const std::string& mod
     const int file = ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC);
     if (file < 0) return last_error();
     std::error_code failure;
-    // only root may give a file to another owner; for everybody else the new file is the writer's
+    // only root may change the owner of a file; otherwise the writer owns the new file
     static_cast<void>(::fchown(file, kept.st_uid, kept.st_gid) == 0);
     if (::fchmod(file, kept.st_mode & of_all) != 0) failure = last_error();
     ::close(file);
@@ -120,7 +120,7 @@ std::error_code flush_to_disk(const std::string& path) {
     const int file = ::open(path.empty() ? "." : path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (file < 0) return last_error();
     std::error_code failure;
-    // file systems that know no flushing, EINVAL, have nothing to wait for
+    // file systems without flushing, EINVAL, have nothing to wait for
     if (::fsync(file) != 0 && errno != EINVAL) failure = last_error();
     ::close(file);
     return failure;

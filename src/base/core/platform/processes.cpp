@@ -18,7 +18,7 @@ namespace {
 
 std::error_code error_of(int number) { return {number, std::generic_category()}; }
 
-/// Waits for a child; false where it was lost.
+/// Waits for a child; false if it was lost.
 bool wait_for(pid_t child, int& status) {
     while (::waitpid(child, &status, 0) < 0)
         if (errno != EINTR) return false;
@@ -33,7 +33,7 @@ ProcessEnd end_of(int status) {
             .out_of_time = number == SIGALRM || number == SIGXCPU};
 }
 
-/// Pointers as the system takes them, a null behind the last.
+/// Pointers in the form that the system expects, with a null at the end.
 std::vector<char*> pointers_to(std::vector<std::string>& texts) {
     std::vector<char*> pointers;
     for (auto& text : texts) pointers.push_back(text.data());
@@ -41,7 +41,7 @@ std::vector<char*> pointers_to(std::vector<std::string>& texts) {
     return pointers;
 }
 
-/// Ends the child: signals kill it without a word, whatever the program does with them.
+/// Ends the child: signals kill it silently, regardless of the program's handlers.
 [[noreturn]] void perform(const std::function<void()>& use, unsigned max_seconds) {
     for (const int number : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGALRM, SIGXCPU}) ::signal(number, SIG_DFL);
     const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
@@ -53,7 +53,7 @@ std::vector<char*> pointers_to(std::vector<std::string>& texts) {
     ::alarm(max_seconds);
     try {
         use();
-    } catch (...) {  // the caller meets it, too, and knows what to say
+    } catch (...) {  // the caller meets the same error and reports it
     }
     ::_exit(0);
 }

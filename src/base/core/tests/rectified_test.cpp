@@ -45,7 +45,7 @@ TEST(Rectified, FloorsValueAndInterval) {
     EXPECT_NEAR(found.interval->upper, -92.0 + 1.959964 * 85.0, 1e-3);
 }
 
-// 95 % intervals of max(0, X) hold it as often as those of X hold X, wherever the floor lies.
+// 95 % intervals of max(0, X) cover it as often as those of X cover X, for any position of the floor.
 TEST(Rectified, IntervalsHoldTheRectifiedValue) {
     std::mt19937_64 random(6);
     std::normal_distribution<double> normal;

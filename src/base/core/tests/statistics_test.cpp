@@ -18,7 +18,7 @@ namespace setae::statistics_test {
 namespace {
 
 TEST(FExceedance, AgreesWithItsClosedForms) {
-    // of 2 and n degrees of freedom (1 + 2x/n)^(−n/2); of 1 and n the two tails of Student's t
+    // 2 and n degrees of freedom: (1 + 2x/n)^(−n/2); 1 and n: the two tails of Student's t
     EXPECT_NEAR(f_exceedance(3.0, 2.0, 10.0), std::pow(1.6, -5.0), 1e-14);
     const double t = student_t_quantile(0.975, 7.0);
     EXPECT_NEAR(f_exceedance(t * t, 1.0, 7.0), 0.05, 1e-12);
@@ -136,8 +136,8 @@ TEST(BcaInterval, OfSymmetricReplicasIsThePercentileOne) {
     const auto bca = tests::bca_interval(0.0, replicas, symmetric), percentile = percentile_interval(replicas);
     EXPECT_NEAR(bca.lower, percentile.lower, 1e-9);
     EXPECT_NEAR(bca.upper, percentile.upper, 1e-9);
-    // members whose absence lowers the value more than others' raises it: influence skewed upwards, interval moved
-    // upwards
+    // members whose absence lowers the value more than others raise it: influence is skewed upwards, and so is the
+    // interval
     const auto skewed = tests::bca_interval(0.0, replicas, std::vector<LeaveOneOut>{{-2.0, 1.0, 1.0}});
     EXPECT_GT(skewed.upper, bca.upper);
     EXPECT_GT(skewed.lower, bca.lower);

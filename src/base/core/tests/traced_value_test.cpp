@@ -15,8 +15,8 @@ TracedValue input(const char* name, double value, double error) {
     return {{.value = value, .standard_error = error}, name};
 }
 
-// JCGM 100:2008, H.2: resistance, reactance and impedance of one current, voltage and phase. With V and I perfectly
-// correlated through one calibration, their ratio does not know it.
+// JCGM 100:2008, H.2: resistance, reactance and impedance from one current, voltage and phase. V and I are perfectly
+// correlated through one calibration, so their ratio does not depend on it.
 TEST(TracedValue, OfARatioOfTwoValuesWithOneCalibrationDoesNotRestOnIt) {
     const auto gain = input("gain", 1.0, 0.02);
     const TracedValue voltage{5.0, combined({{5.0, gain.components}})},

@@ -15,7 +15,7 @@
 
 namespace setae::fields {
 
-/// As loops::Outcome.
+/// Same form as loops::Outcome.
 template <class T>
 struct Outcome {
     std::optional<T> value;
@@ -104,7 +104,7 @@ static_assert(complete<Sample>);
 
 namespace {
 
-/// Everything in the order in which it comes.
+/// Records everything in the order of arrival.
 class Recorded final : public Sink {
 public:
     std::string text_;

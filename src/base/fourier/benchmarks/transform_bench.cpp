@@ -11,7 +11,7 @@ namespace {
 
 using namespace setae;
 
-/// A plain sum of 1000 points at 100 wavevectors: what a term costs.
+/// A direct sum of 1000 points at 100 wavevectors: the cost per term.
 void plain_sum(benchmark::State& state) {
     const Array1D x = Array1D::Random(1000), c = Array1D::Random(1000), q = 1e4 * Array1D::Random(100);
     for (auto _ : state) benchmark::DoNotOptimize(fourier::nonuniform_transform_by_sum(x, c, q, {1}));

@@ -17,10 +17,10 @@ namespace {
 
 constexpr std::ptrdiff_t doubles_per_value = 2;
 
-/// Which lines of the half spectrum and which rows of the map this rank holds.
+/// Lines of the half spectrum and rows of the map on this rank.
 struct Shares {
     std::ptrdiff_t lines = 0, first_line = 0, rows = 0, first_row = 0;
-    std::ptrdiff_t doubles = 0;  ///< of the buffer in which they change places
+    std::ptrdiff_t doubles = 0;  ///< of the buffer of the transpose
 };
 
 void start_fftw() {
@@ -38,7 +38,7 @@ Shares shares(MPI_Comm communicator, Index modes, Index nx) {
     return own;
 }
 
-/// From lines of nx modes each to rows of `modes` values each, in place.
+/// Transposes lines of nx modes each to rows of `modes` values each, in place.
 void transpose(MPI_Comm communicator, Index modes, Index nx, double* values) {
     const auto plan = fftw_mpi_plan_many_transpose(modes, nx, doubles_per_value, FFTW_MPI_DEFAULT_BLOCK,
                                                    FFTW_MPI_DEFAULT_BLOCK, values, values, communicator, FFTW_ESTIMATE);
@@ -77,8 +77,8 @@ MapSlab distributed_inverse_transform_map(MPI_Comm communicator, const SpectrumL
     const Index modes = along_y.modes();
     const auto own = shares(communicator, modes, nx);
 
-    // complex values seen as pairs, as the standard allows; lines in a buffer of their own, since a transform wants
-    // alignment
+    // complex values are accessed as pairs, as the standard allows; lines have a separate buffer, because the transform
+    // requires alignment
     Buffer<Complex> values(static_cast<std::size_t>(own.doubles / doubles_per_value + 1));
     rethrow_together(communicator, failure_of([&] {
                          parallel::for_each_index(static_cast<std::size_t>(own.lines), threads, [&](std::size_t line) {

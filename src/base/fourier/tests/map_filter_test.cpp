@@ -19,7 +19,7 @@ double kernel(Index dx, Index dy) {
 
 Index folded(Index d, Index period) { return d > period / 2 ? d - period : d; }
 
-/// The kernel's transform, by plain sums.
+/// The transform of the kernel, by direct sums.
 double transform(Index k, Index m, Index px, Index py) {
     double sum = 0.0;
     for (Index i = 0; i < px; ++i)

@@ -25,7 +25,7 @@ Array1D log_spaced(Index n, double lower, double upper) {
     return Eigen::exp(Array1D::LinSpaced(n, std::log(lower), std::log(upper)));
 }
 
-/// The sum with phases in extended precision: free of the rounding both ways in doubles share.
+/// The sum with phases in extended precision, without the rounding that both methods in double have.
 std::complex<double> exact_sum(const Array1D& x, const Array1D& c, double q) {
     long double real = 0.0L, imaginary = 0.0L;
     for (Index k = 0; k < x.size(); ++k) {

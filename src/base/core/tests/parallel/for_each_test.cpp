@@ -71,7 +71,7 @@ TEST(Cancellation, BeginsNoFurtherIndexHoweverDeepTheLoop) {
     };
     const CancellationScope scope(cancelled);
     EXPECT_THROW(for_each_index(100, Threads{3}, inner), Cancelled);
-    EXPECT_LT(begun, 5 + 2 * 3);  // those under way when it was asked for
+    EXPECT_LT(begun, 5 + 2 * 3);  // those under way at the time of the request
 }
 
 TEST(Cancellation, EndsWithItsScope) {

@@ -8,17 +8,18 @@
 
 namespace setae::formats {
 
-/// Writes a table as NetCDF (classic model, 64-bit offsets): dimension "row", one float64 variable a column with
-/// attributes "units" and "long_name"; the table's metadata as global text attributes. As a whole.
-/// @throws FileError; InvalidArgument for columns of different length or two columns of one name.
+/// Writes a table as NetCDF (classic model, 64-bit offsets): dimension "row", one float64 variable per column with
+/// attributes "units" and "long_name"; the metadata of the table as global text attributes. As a whole.
+/// @throws FileError; InvalidArgument for columns of different length or two columns with one name.
 /// Source: NetCDF Users Guide; CF conventions 1.8, sections 3.1 and 3.2.
 void write_netcdf(const std::string& path, const Table& table);
 
 /// A topography as the bytes of a NetCDF file (classic model, 64-bit offsets) that open() reads back with its size,
 /// unit and periodicity: float64 variables heights(x[, y]), x and y in `unit`, attributes "unit", "length" and
-/// "periodic"; a profile's heights(n) and x(n) have no length. Undefined points are NaN and 1 in a variable "mask",
-/// which is there only with them.
-/// @throws InvalidArgument for what NetCDF refuses, such as 2³² bytes of heights or more, or a unit that is no length.
+/// "periodic"; heights(n) and x(n) of a profile have no length. Undefined points are NaN and 1 in a variable "mask",
+/// which exists only if there are undefined points.
+/// @throws InvalidArgument for content that NetCDF refuses, such as 2³² bytes of heights or more, or a unit that is no
+/// length.
 /// Source: the layout of topographies in contact.engineering containers.
 [[nodiscard]] std::string netcdf_content(const topography::Measurement& measurement, const std::string& unit = "m");
 

@@ -11,9 +11,9 @@
 
 namespace setae::imaging {
 
-/// A frame left out by the user.
+/// A frame excluded by the user.
 struct ExcludedFrame {
-    long number = 0;  ///< as FrameSource::number
+    long number = 0;  ///< see FrameSource::number
     std::string reason;
 };
 
@@ -23,7 +23,7 @@ struct RadiusOptions {
     parallel::Threads threads;
 };
 
-/// What a frame gave, with number, time and SI lengths.
+/// Result of one frame with number, time and SI lengths.
 struct ContactRadius {
     long number = 0;
     std::string name;
@@ -32,7 +32,7 @@ struct ContactRadius {
     ContactFrame contact;                   ///< [px] of the whole frame
 };
 
-/// How many frames gave what.
+/// Number of frames per result.
 struct RadiusSummary {
     std::size_t frames = 0, measured = 0, no_contact = 0, not_found = 0, bad = 0, excluded = 0, partial = 0,
                 missing = 0;
@@ -45,35 +45,33 @@ struct ContactRadii {
     Polarity polarity = Polarity::automatic;  ///< of most frames
     std::vector<ContactRadius> frames;        ///< in order of time
     RadiusSummary summary;
-    std::vector<std::string> notes;  ///< of the source and on the frames
+    std::vector<std::string> notes;  ///< on the source and on the frames
 };
 
 /// Contact radius in every frame of a recording.
 ///
-/// Frames are measured each by itself, in parallel: results depend neither on neighbours nor on the number of threads.
-/// Where the polarity is automatic, frames that differ from the majority (weighted by confidence) are measured again
-/// with it.
-/// @throws InvalidArgument where no pixel size is known, an excluded frame is not in the recording or has no reason,
-/// and as measure_contact_frame.
+/// Frames are measured separately, in parallel: results depend neither on neighbours nor on the number of threads. If
+/// the polarity is automatic, frames that differ from the majority (weighted by confidence) are measured again with it.
+/// @throws InvalidArgument if no pixel size is known or an excluded frame is not in the recording or has no reason;
+/// also as measure_contact_frame.
 [[nodiscard]] ContactRadii measure_contact_radii(const FrameSource& source, const RadiusOptions& options = {});
 
 /// Columns time [s], contact_radius [m], contact_radius_standard_error [m], frame, semi_major [m], semi_minor [m],
 /// roundness, confidence, agreeing_rays, visible_share, contrast_to_noise, centre_x [m], centre_y [m], state (the
-/// number of FrameState); one row a frame, NaN where there is nothing. What tables::merged_by_time takes as the table
-/// of a camera.
+/// number of FrameState); one row per frame, NaN for missing values. Input of tables::merged_by_time as the table of a
+/// camera.
 [[nodiscard]] Table as_table(const ContactRadii& radii);
 
-/// as_table as CSV below "# key: value" lines: what the whole gave, and "# frame 12: excluded: glare" for every frame
-/// that has no radius or a remark on it.
+/// as_table as CSV below "# key: value" lines: results of the whole recording, and "# frame 12: excluded: glare" for
+/// every frame without a radius or with a warning.
 [[nodiscard]] std::string as_csv(const ContactRadii& radii);
 
 /// "measured", "no contact", "not found", "bad frame", "excluded".
 [[nodiscard]] std::string to_string(FrameState state);
 [[nodiscard]] std::string to_string(Polarity polarity);
 
-/// Writes frame `index` of the source as PNG with the edge that was found drawn in colour, a cross at its centre, and
-/// number, state, radius and confidence in words; small frames are enlarged. A frame that cannot be read gives words
-/// alone.
+/// Writes frame `index` of the source as PNG with the edge in colour, a cross at its centre, and number, state, radius
+/// and confidence as text; small frames are enlarged. A frame that cannot be read gives text only.
 /// @throws FileError.
 void write_overlay(const std::string& path, const FrameSource& source, std::size_t index, const ContactRadius& found);
 

@@ -10,18 +10,18 @@
 
 namespace setae::imaging {
 
-/// The outline of a lens in a picture of its side, against the light.
+/// The outline of a lens in a picture from the side, against the light.
 struct LensOutline {
-    Array1D x, z;             ///< [m] from the picture's left lower corner: x to the right, z upwards
+    Array1D x, z;             ///< [m] from the lower left corner of the picture: x to the right, z upwards
     double pixel_size = 0.0;  ///< [m]
     double edge_width = 0.0;  ///< standard deviation of the blur across the edge [m]
     std::vector<Alert> alerts;
 };
 
-/// The longest edge of a picture, to fractions of a pixel, not smoothed: trace_contour().
-/// pixel_size [m]: of the picture where its file does not state one, in place of it where it does.
-/// @throws FileError; FormatError for what is no picture; UndefinedDataError where no pixel size is known or no edge is
-/// found.
+/// The longest edge of a picture, to fractions of a pixel, not smoothed: trace_contour(). pixel_size [m]: replaces the
+/// size stated by the file.
+/// @throws FileError; FormatError for a file that is no picture; UndefinedDataError if no pixel size is known or no
+/// edge is found.
 [[nodiscard]] LensOutline lens_outline(const std::string& picture, std::optional<double> pixel_size = std::nullopt);
 
 /// Whether a file is a picture that lens_outline() reads, by its first bytes.

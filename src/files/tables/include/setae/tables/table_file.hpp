@@ -12,25 +12,26 @@
 
 namespace setae::tables {
 
-/// How a text table is to be taken; what is left open is found from the text.
+/// Options for a text table; without them the layout is found from the text.
 struct TableOptions {
-    bytes::Encoding encoding = bytes::Encoding::detect;  ///< byte order mark, else UTF-8 where valid, else latin-1
+    bytes::Encoding encoding = bytes::Encoding::detect;  ///< byte order mark, otherwise UTF-8 if valid, otherwise
+                                                         ///< latin-1
     std::optional<char> separator;                       ///< a tab, ',', ';', or ' ' for runs of blanks
     std::optional<char> decimal_point;                   ///< '.' or ','
     std::optional<std::string> header_end;               ///< the line after which numbers begin, such as "eoh"
-    std::optional<std::string> sheet;                    ///< of a workbook; else the first that holds a table
+    std::optional<std::string> sheet;                    ///< of a workbook; otherwise the first with a table
 
     friend bool operator==(const TableOptions&, const TableOptions&) = default;
 };
 
-/// A table as the file spells it: names and units of the header (empty where it states none), numbers unconverted.
+/// A table as in the file: names and units of the header (empty if missing), numbers unconverted.
 struct RawTable {
     struct RawColumn {
         std::string name;
         std::string unit;
         Array1D values;
         std::string
-            text;  ///< the first cell that is no number, with its place, where the column holds text; values are NaN
+            text;  ///< the first cell that is no number, with its place, if the column contains text; values are NaN
     };
     std::vector<RawColumn> columns;
     std::vector<std::string> header;              ///< lines before the numbers, decoded to UTF-8
@@ -39,70 +40,70 @@ struct RawTable {
     char decimal_point = '.';
 };
 
-/// Numbers in columns with a header, as the file spells them.
+/// Numbers in columns with a header, as in the file.
 ///
-/// Separators are tabs, commas, semicolons or blanks, the decimal sign is a point or a comma; both are found by trying
-/// which reading makes the most lines regular. Names stand in the last header line with as many cells as columns, units
-/// beside them as "force [mN]", "force (mN)", "force / mN", "force in mN", "force_mN", "force, mN" or "force mN", or in
-/// a row of their own. Cells may stand in quotes, with separators in them. An empty cell, "nan", "-" and "bad" are
-/// undefined; columns of text are kept as names and marked. Thousands may be grouped ("1,234.5", "1.234,5", "1'234.5",
-/// "1 234,5"). Commas that may group thousands as well as begin decimals ("1,234" without any cell that decides) are
-/// refused, as are rows with twice as many cells as names at commas. A workbook (.xlsx) is read by read_spreadsheet.
-/// @throws FileError; FormatError that names the line where a row has another number of columns.
+/// Separators are tabs, commas, semicolons or blanks, the decimal sign is a point or a comma; both are chosen so that
+/// most lines are regular. Names are in the last header line with as many cells as columns, units next to them as
+/// "force [mN]", "force (mN)", "force / mN", "force in mN", "force_mN", "force, mN" or "force mN", or in a separate
+/// row. Cells may be in quotes, with separators in them. An empty cell, "nan", "-" and "bad" are undefined; columns of
+/// text are kept as names and marked. Thousands may be grouped ("1,234.5", "1.234,5", "1'234.5", "1 234,5"). Commas
+/// that may group thousands as well as begin decimals ("1,234" without a decisive cell) are refused. Rows with twice as
+/// many cells as names at commas are refused, too. A workbook (.xlsx) is read by read_spreadsheet.
+/// @throws FileError; FormatError with the line of a row with another number of columns.
 [[nodiscard]] RawTable read_raw_table(const bytes::Source& source, const TableOptions& options = {});
 
-/// A raw table in SI. A column without unit keeps its numbers and has the empty unit; so does one whose unit setae does
-/// not know (such as °C), which then keeps the file's spelling. metadata["header"] holds the header lines, further keys
+/// A raw table in SI. A column without unit keeps its numbers and has the empty unit. A column with an unknown unit
+/// (such as °C) keeps its numbers and the spelling of the file. metadata["header"] holds the header lines, further keys
 /// those of lines "# key: value".
 [[nodiscard]] Table table_in_si(const RawTable& raw, const std::string& path);
-/// The same of a file.
+/// The table of a file in SI.
 [[nodiscard]] Table read_table(const std::string& path, const TableOptions& options = {});
 
-/// What a loop's table must hold beside the force.
+/// Required columns of a loop, in addition to the force.
 enum class LoopColumns {
     complete,      ///< displacement or contact radius
-    force_record,  ///< nothing: the contact radius comes from elsewhere
+    force_record,  ///< none: the contact radius is in another file
 };
 
-/// Columns of a file chosen for a loop's: {"force", "Load"}, {"force", "2"}, {"force", "Load[mN]"}, where the unit
-/// replaces the header's, or expressions such as {"force", "-1 * load"}.
+/// Columns of a file chosen for a loop: {"force", "Load"}, {"force", "2"}, {"force", "Load[mN]"}, whose unit replaces
+/// that of the header, or expressions such as {"force", "-1 * load"}.
 using ChosenColumns = std::map<std::string, std::string>;
 
-/// Where a column of a loop comes from, as a choice would name it.
+/// Origin of a column of a loop, in the form of a choice.
 struct ChannelName {
-    std::string column;      ///< of the file, such as "load"; empty where it is computed from several
-    std::string unit;        ///< of that column, as it was taken
+    std::string column;      ///< of the file, such as "load"; empty if computed from several columns
+    std::string unit;        ///< unit of that column, as used
     std::string expression;  ///< such as "load", "kraft[uN]", "-1 * gap"
 };
 
 /// By the names force, displacement, contact_radius and time.
 using ChannelNames = std::map<std::string, ChannelName>;
 
-/// A loop's columns, and which of the file's they are.
+/// Columns of a loop, and their origin.
 struct LoopTable {
     Table table;
     ChannelNames channels;
-    std::vector<std::string> taken;   ///< a sentence for each column that words told, such as "contact_radius from …"
-    std::vector<std::string> unused;  ///< names of the columns that play no part
+    std::vector<std::string> taken;  ///< one sentence per column recognised by words, such as "contact_radius from …"
+    std::vector<std::string> unused;  ///< names of unused columns
 };
 
 /// A loop: column "force" [N] and "displacement" [m] or "contact_radius" [m], optionally "time" [s], in SI. Names are
-/// compared without regard to case; a column of another name is taken where words and units leave it the only one that
-/// may be meant, as `setae jkr import` recognises it ("contact radius [um]", "load [mN]"). What is chosen overrules all
-/// of this.
-/// @throws FormatError that names the missing column or unit and the choice that helps, as for a table without forces.
+/// compared without regard to case; a column with another name is used if it is the only one that matches by words and
+/// units, as `setae jkr import` recognises it ("contact radius [um]", "load [mN]"). Chosen columns have priority.
+/// @throws FormatError with the missing column or unit and the choice that supplies it, also for a table without
+/// forces.
 [[nodiscard]] LoopTable read_loop_table(const std::string& path, LoopColumns wanted = LoopColumns::complete,
                                         const ChosenColumns& chosen = {});
 
-/// Replaces or adds columns of a loop, by those it has, which are in SI; and where its columns come from.
+/// Replaces or adds columns of a loop, computed from its columns in SI. @returns the origin of its columns.
 /// @throws FormatError for a choice that does not fit.
 [[nodiscard]] ChannelNames choose_columns(Table& loop, const std::string& path, const ChosenColumns& chosen);
 
-/// Checks that a table has a loop's columns in their units. @throws FormatError as read_loop_table.
+/// Checks that a table has the columns of a loop with their units. @throws FormatError as read_loop_table.
 void require_loop_columns(const Table& table, const std::string& path, LoopColumns wanted = LoopColumns::complete);
 
 /// A table as CSV: header cells "name [unit]", numbers with all their digits, NaN as empty cell.
-/// @throws InvalidArgument for columns of different length or names that hold a comma, quote or line break.
+/// @throws InvalidArgument for columns of different length or names that contain a comma, quote or line break.
 [[nodiscard]] std::string as_csv(const Table& table);
 
 /// Writes as_csv(table) as a whole.

@@ -16,15 +16,15 @@ struct TidyTable {
     std::vector<std::vector<Cell>> rows;
 };
 
-/// CSV with full round-trip numbers, NaN as empty cell, texts quoted where they hold a comma, quote or line break.
+/// CSV with full round-trip numbers, NaN as empty cell, texts in quotes if they contain a comma, quote or line break.
 [[nodiscard]] std::string as_csv(const TidyTable& table);
 
 /// Aligned columns for a terminal, numbers with `significant_digits`, "–" for NaN.
 [[nodiscard]] std::string as_text(const TidyTable& table, int significant_digits = 4);
 
-/// The same without columns that say nothing ("" or "–" in every row). Where rows do not fit into a width of so many
-/// characters, texts of the last column go on below themselves where that leaves them room; else rows are stacked: the
-/// first cell, then a line for each other one.
+/// Aligned columns without empty ones ("" or "–" in every row). If rows do not fit into the width in characters, texts
+/// of the last column are continued below, if there is space; otherwise rows are stacked: the first cell, then one line
+/// per further cell.
 [[nodiscard]] std::string as_text_within(const TidyTable& table, std::size_t width, int significant_digits = 4);
 
 }  // namespace setae::tables

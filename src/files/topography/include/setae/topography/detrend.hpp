@@ -9,19 +9,19 @@
 
 namespace setae::topography {
 
-/// What is subtracted before analysis.
+/// Trend that is subtracted before analysis.
 enum class Trend {
     none,      ///< nothing
     mean,      ///< the mean height
-    tilt,      ///< the best line or plane
-    parabola,  ///< the best parabola, for maps the best paraboloid 1, x, y, x², y², xy
+    tilt,      ///< the best fitting line or plane
+    parabola,  ///< the best fitting parabola, for maps the paraboloid 1, x, y, x², y², xy
 };
 
-/// Heights minus the trend that fits them best in the least-squares sense over defined points.
+/// Heights minus the best fitting trend, by least squares over defined points.
 ///
-/// Lines and maps: sum over points. Profiles: exact integral over the polyline, so that the result does not depend on
-/// collinear points. Positions are centred and scaled first, so an offset of x costs no digits.
-/// @throws UndefinedDataError where fewer points are defined than the trend has coefficients.
+/// Lines and maps: sum over points. Profiles: exact integral over the polyline, so collinear points do not change the
+/// result. Positions are centred and scaled first, so an offset of x causes no loss of digits.
+/// @throws UndefinedDataError if fewer points are defined than the trend has coefficients.
 [[nodiscard]] HeightMap detrended(HeightMap&& map, Trend trend, parallel::Threads threads = {});
 [[nodiscard]] HeightMap detrended(const HeightMap& map, Trend trend, parallel::Threads threads = {});
 [[nodiscard]] LineScan detrended(LineScan scan, Trend trend);
@@ -30,7 +30,7 @@ enum class Trend {
 
 class PolynomialRows;
 
-/// What detrended() subtracts from a map, for rows one by one, so that no second map is held.
+/// The trend that detrended() subtracts from a map, for single rows: no second map is stored.
 class MapTrend {
 public:
     /// Cost: one pass over the heights.
@@ -44,12 +44,13 @@ private:
     std::shared_ptr<const PolynomialRows> rows_;
 };
 
-/// The same of a map larger than memory: a pass over it finds the trend, which is then taken from every band read.
-/// Equal to detrended() of the whole map up to rounding. lines_together: scan lines of a band of that pass, > 0.
+/// Subtracts a trend from a map larger than memory: one pass finds the trend, which is subtracted from every band when
+/// it is read. Equal to detrended() of the whole map, up to rounding. lines_together: scan lines per band of that pass,
+/// > 0.
 [[nodiscard]] TiledMap detrended(TiledMap map, Trend trend, Index lines_together, parallel::Threads threads = {});
 
-/// "none", "mean", "tilt", "parabola", or the step that does it, "level_plane". @throws InvalidArgument that lists
-/// them.
+/// "none", "mean", "tilt", "parabola", or the name of the processing step, "level_plane". @throws InvalidArgument that
+/// lists them.
 [[nodiscard]] Trend trend_from_name(const std::string& name);
 [[nodiscard]] std::string name(Trend trend);
 

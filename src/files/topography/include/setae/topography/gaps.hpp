@@ -5,15 +5,15 @@
 
 namespace setae::topography {
 
-/// Undefined heights of a line, and the runs that they make.
+/// Undefined heights of a line, and their runs.
 struct Gaps {
     Index points = 0;
     Index count = 0;
 };
 
-/// Writes straight lines from end to end of each gap of a line; periodic lines go on over their end, the others are
-/// constant beyond their first and last defined height.
-/// @return what was undefined; a line without a defined height stays as it is.
+/// Interpolates linearly over each gap of a line. Periodic lines continue over their end; other lines are constant
+/// beyond their first and last defined height.
+/// @return the undefined heights; a line without a defined height is unchanged.
 Gaps bridge_gaps(Eigen::Ref<Array1D> heights, bool periodic = false);
 
 }  // namespace setae::topography

@@ -7,7 +7,8 @@
 
 namespace setae::topography {
 
-/// A choice of a map's points: 1 = chosen, 0 = not; shape (nx, ny) of the map, first index x. Of a line shape (n, 1).
+/// Selection of points of a map: 1 = selected, 0 = not; shape (nx, ny) of the map, first index x. Shape (n, 1) for a
+/// line.
 using Mask = Eigen::Array<std::uint8_t, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 }  // namespace setae::topography

@@ -13,25 +13,25 @@
 
 namespace setae::topography {
 
-/// The instrument that measured; what it cannot resolve is cut from spectra (spectra/reliability.hpp).
+/// The instrument of a measurement; wavelengths below its resolution are cut from spectra (spectra/reliability.hpp).
 struct Instrument {
-    std::string name;                                 ///< as the file or the study says, such as "Dimension V"
-    std::string type;                                 ///< "stylus", "afm", "tem", "optical", or empty where unknown
+    std::string name;                                 ///< from the file or the study, such as "Dimension V"
+    std::string type;                                 ///< "stylus", "afm", "tem", "optical", or empty if unknown
     std::optional<double> tip_radius;                 ///< [m]
     std::optional<double> tip_radius_standard_error;  ///< [m]
     std::optional<double> resolution;                 ///< shortest wavelength resolved [m]
 };
 
-/// Where heights come from.
+/// Origin of heights.
 struct Metadata {
     std::string name;              ///< of the measurement or channel
-    std::string file;              ///< path as the user gave it
+    std::string file;              ///< path given by the user
     std::string format;            ///< identifier in the table of formats
-    std::string unit;              ///< the file's own length unit; values here are metres all the same
-    std::string acquisition_time;  ///< as the file says it
+    std::string unit;              ///< length unit of the file; values here are always metres
+    std::string acquisition_time;  ///< as stated by the file
     Instrument instrument;
-    std::map<std::string, std::string> attributes;  ///< further header entries worth keeping
-    std::vector<Alert> alerts;  ///< what was made of the heights when they were read: values undefined, points averaged
+    std::map<std::string, std::string> attributes;  ///< further header entries
+    std::vector<Alert> alerts;  ///< changes to heights on reading: values set undefined, points averaged
 };
 
 /// Heights on a regular grid: h(x_i, y_j) with x_i = i · size[0]/nx, shape (nx, ny); first index x, the fast axis.
@@ -57,10 +57,10 @@ struct LineScan {
     [[nodiscard]] double pixel_size() const { return size / static_cast<double>(heights.size()); }
 };
 
-/// What tracing did to a curve, known beforehand, so that spectra can be freed of it.
+/// Effect of tracing on a curve, known in advance, for the correction of spectra.
 ///
-///   C_traced(q) = T(q)² C1D(q) + K(q)² N,   T = K exp(−(q blur)²/2),   K = 1/(1 + (smoothing_length/step)⁴ (2 − 2
-///   cos(q step))²)
+///   C_traced(q) = T(q)² C1D(q) + K(q)² N,   T = K exp(−(q blur)²/2),
+///   K = 1/(1 + (smoothing_length/step)⁴ (2 − 2 cos(q step))²)
 ///
 /// Lengths along x [m]. K: a smoothing spline on points `step` apart; exp: Gaussian blur of the picture along the
 /// curve, to first order in the slope.
@@ -68,18 +68,17 @@ struct TraceResponse {
     double blur = 0.0;              ///< standard deviation [m], >= 0
     double smoothing_length = 0.0;  ///< [m], >= 0
     double step = 0.0;              ///< [m], > 0
-    double noise_density = 0.0;     ///< N: C1D of the trace's noise before smoothing [m³], >= 0
-    bool jumps =
-        false;  ///< overhangs were made jumps of h(x), which blur and smoothing have not touched: T is then not undone
+    double noise_density = 0.0;     ///< N: C1D of the noise of the trace before smoothing [m³], >= 0
+    bool jumps = false;  ///< overhangs became jumps of h(x), unaffected by blur and smoothing: T is then not corrected
 };
 
-/// A traced curve h(x) as a polyline with strictly increasing x (clean_contour makes it so); its integrals are exact on
-/// straight segments; its size is x_last − x_first.
+/// A traced curve h(x) as a polyline with strictly increasing x (see clean_contour); integrals are exact on straight
+/// segments; the size is x_last − x_first.
 struct Profile {
     Array1D positions;  ///< [m]
     Array1D heights;    ///< [m]
     Metadata metadata;
-    Array1D standard_error = {};                 ///< of each height [m]; empty where unknown
+    Array1D standard_error = {};                 ///< of each height [m]; empty if unknown
     std::optional<TraceResponse> response = {};  ///< of a curve traced in a picture
 
     [[nodiscard]] double size() const { return positions[positions.size() - 1] - positions[0]; }
@@ -87,7 +86,7 @@ struct Profile {
 
 using Measurement = std::variant<HeightMap, LineScan, Profile>;
 
-/// What messages call a measurement: its file, and in parentheses its name; whichever it has, else "measurement".
+/// Name of a measurement in messages: its file, and its name in parentheses, if known; otherwise "measurement".
 [[nodiscard]] std::string label(const Metadata& metadata);
 
 [[nodiscard]] const Metadata& metadata(const Measurement& measurement);
@@ -99,13 +98,13 @@ using Measurement = std::variant<HeightMap, LineScan, Profile>;
 /// All heights in storage order.
 [[nodiscard]] Array1D all_heights(const Measurement& measurement);
 
-/// The same measurement with every height multiplied by `factor`, standard errors and noise of a profile with them.
+/// The measurement with every height multiplied by `factor`, including standard errors and noise of a profile.
 [[nodiscard]] Measurement scaled(Measurement measurement, double factor);
 
-/// Checks the invariants of the three types: at least two points a direction, positive finite size, increasing x,
-/// no infinite height, at least one defined height; of a profile also one standard error >= 0 a height, or none, and a
+/// Checks the invariants of the three types: at least two points per direction, positive finite size, increasing x, no
+/// infinite height, at least one defined height; for a profile also one standard error >= 0 per height, or none, and a
 /// response within its domain.
-/// @throws InvalidArgument or UndefinedDataError that names measurement and offending point.
+/// @throws InvalidArgument or UndefinedDataError with measurement and invalid point.
 void validate(const Measurement& measurement);
 
 }  // namespace setae::topography

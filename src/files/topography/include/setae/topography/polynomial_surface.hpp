@@ -12,20 +12,19 @@ namespace setae::topography {
 /// Highest degree of polynomials along a direction.
 inline constexpr Index highest_degree = 12;
 
-/// Which products of powers x^a y^b a polynomial has: a + b <= total, a <= x, b <= y.
+/// Products of powers x^a y^b of a polynomial: a + b <= total, a <= x, b <= y.
 struct PolynomialDegrees {
     Index total = 2;
     Index x = highest_degree;
     Index y = highest_degree;
 };
 
-/// A polynomial in Legendre's polynomials on centred, scaled coordinates, in which the normal equations stay well
+/// A polynomial in Legendre polynomials of centred, scaled coordinates, which keep the normal equations well
 /// conditioned.
 ///
 ///   p(x, y) = Σ c_ab P_a(u) P_b(v),   u = (x − x_0)/X,  v = (y − y_0)/Y
 ///
-/// (x_0, y_0): middle between first and last points [m]; X, Y: half their distance [m] (1 where there is one point
-/// alone).
+/// (x_0, y_0): middle between first and last points [m]; X, Y: half their distance [m] (1 for one point only).
 struct PolynomialSurface {
     Array2D coefficients;                         ///< c_ab [m], a the row
     std::array<double, 2> centre{};               ///< x_0, y_0 [m]
@@ -40,12 +39,11 @@ struct PolynomialSurface {
     [[nodiscard]] std::array<double, 2> mean_curvature() const;
 };
 
-/// The polynomial that fits best in the sense of least squares over the defined points that are chosen, all where the
-/// mask is empty: of maps and lines the sum over points, of polylines the exact integral over the segments whose both
-/// ends are chosen.
+/// The best fitting polynomial by least squares over the selected defined points; all points if the mask is empty. Maps
+/// and lines: sum over points. Polylines: exact integral over the segments with both ends selected.
 /// @throws InvalidArgument for degrees outside 0 … 12 (total: 0 … 24), and for a polyline whose x does not increase
-/// strictly (topography/contour.hpp makes a function of it); UndefinedDataError where the points do not determine the
-/// polynomial. Cost: of maps a pass with degree + 1 multiplications a point, whatever the number of coefficients.
+/// strictly (see topography/contour.hpp); UndefinedDataError if the points do not determine the polynomial. Cost for
+/// maps: one pass with degree + 1 multiplications per point, for any number of coefficients.
 [[nodiscard]] PolynomialSurface fitted_polynomial(const HeightMap& map, const PolynomialDegrees& degrees,
                                                   const Mask& chosen = {}, parallel::Threads threads = {});
 [[nodiscard]] PolynomialSurface fitted_polynomial(const LineScan& scan, const PolynomialDegrees& degrees,

@@ -10,16 +10,16 @@
 
 namespace setae::topography {
 
-/// A map that is read by bands of scan lines, so that it need not fit into memory.
+/// A map that is read in bands of scan lines, so it may be larger than memory.
 struct TiledMap {
     Index nx = 0, ny = 0;
     std::array<double, 2> size{};  ///< extent along x and y [m]: n · pixel size
     bool periodic = false;
     Metadata metadata;
-    /// Heights h(x, first … first + count − 1) [m], shape (nx, count), NaN = undefined. May be called from one thread
-    /// at a time.
+    /// Heights h(x, first … first + count − 1) [m], shape (nx, count), NaN = undefined. Called from one thread at a
+    /// time.
     std::function<Array2D(Index first, Index count)> lines;
-    /// What was made of the heights that `lines` gives; may be empty.
+    /// Warnings on changes to the heights of `lines`; may be empty.
     std::function<std::vector<Alert>()> alerts = {};
 
     [[nodiscard]] std::array<double, 2> pixel_size() const {
@@ -27,10 +27,10 @@ struct TiledMap {
     }
 };
 
-/// A map in memory looked at by bands; `map` must outlive it.
+/// A map in memory, accessed in bands; `map` must outlive the result.
 [[nodiscard]] TiledMap tiled(const HeightMap& map);
 
-/// Scan lines of a band that takes at most `bytes` of memory, at least one and at most ny.
+/// Scan lines per band of at most `bytes` of memory; at least 1 and at most ny.
 [[nodiscard]] Index lines_in(const TiledMap& map, std::size_t bytes);
 
 }  // namespace setae::topography

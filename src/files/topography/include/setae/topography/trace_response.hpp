@@ -6,23 +6,24 @@
 
 namespace setae::topography {
 
-/// What the smoothing spline of a trace does to waves.
+/// Transfer function of the smoothing spline of a trace.
 ///
 ///   K(q) = 1/(1 + (smoothing_length/step)⁴ (2 − 2 cos(q step))²)
 ///
 /// wavevectors [1/m].
 [[nodiscard]] Array1D smoothing_transfer(const TraceResponse& response, const ArrayView1D& wavevectors);
 
-/// What a trace does to waves of the curve and what is undone: T(q) = K(q) exp(−(q blur)²/2), or 1 where the profile
-/// has jumps: of C = T² C_curve + C_jumps neither part is known by itself.
+/// Transfer function of a trace that is corrected: T(q) = K(q) exp(−(q blur)²/2), or 1 if the profile has jumps:
+/// neither part of C = T² C_curve + C_jumps is known separately.
 [[nodiscard]] Array1D trace_transfer(const TraceResponse& response, const ArrayView1D& wavevectors);
 
-/// Share of the power of a wave that a trace must keep (T²) to be corrected: below, the smallest error of blur decides.
+/// Minimum share T² of the power of a wave in the trace for a correction: below, the correction depends on the smallest
+/// error of blur.
 inline constexpr double min_trace_power = 0.1;
-/// The same of a profile with jumps, which stays as it is: C1D is low by less than a tenth.
+/// Minimum share of power for a profile with jumps, which is not corrected: C1D is low by less than a tenth.
 inline constexpr double min_trace_power_with_jumps = 0.9;
 
-/// Wavevector beyond which K² exp(−(q blur)²) is less, at most π/step [1/m].
+/// Wavevector beyond which K² exp(−(q blur)²) is smaller than the minimum share, at most π/step [1/m].
 [[nodiscard]] double trace_band_end(const TraceResponse& response);
 
 }  // namespace setae::topography
