@@ -10,12 +10,12 @@
 
 namespace setae::processing {
 
-/// What neighbouring scan lines are made to agree in.
+/// Quantity that neighbouring scan lines share after alignment.
 enum class RowAlignment {
     mean,                   ///< the mean of each line
     median,                 ///< the median of each line
-    median_of_differences,  ///< the median of the differences to the line before, added up
-    polynomial,             ///< the polynomial that fits each line best
+    median_of_differences,  ///< the median of the differences from the previous line, summed
+    polynomial,             ///< the best fitting polynomial of each line
 };
 inline constexpr std::array<Choice<RowAlignment>, 4> row_alignment_names{
     {{"mean", RowAlignment::mean},
@@ -23,21 +23,22 @@ inline constexpr std::array<Choice<RowAlignment>, 4> row_alignment_names{
      {"median_of_differences", RowAlignment::median_of_differences},
      {"polynomial", RowAlignment::polynomial}}};
 
-/// Scan lines that jumped against each other are set to one level.
+/// Removes offsets between scan lines.
 ///
-///   h(x, j) −> h(x, j) − s_j + mean of s,   s_j: mean or median over x of h(x, j);
-///   median_of_differences: s_j = s_(j−1) + median over x of h(x, j) − h(x, j−1);  polynomial: s_j(x) the line's own,
-///   of `degree`
+///   h(x, j) −> h(x, j) − s_j + mean of s
+///   mean, median: s_j = mean or median over x of h(x, j)
+///   median_of_differences: s_j = s_(j−1) + median over x of h(x, j) − h(x, j−1)
+///   polynomial: s_j(x) = fit of `degree` to line j
 ///
-/// This takes structure along the slow axis with it: whatever is constant along a line is gone, real waves and the tilt
-/// along y too. The median keeps islands that cover less than half of each line, the median of differences those that
-/// cover more as well, as long as neighbouring lines agree in most points. Points outside the region do not count but
-/// are moved with their line. A line without a point that counts moves with the line before it (the first ones with the
-/// next that has some); with `polynomial` it becomes undefined.
+/// This also removes structure along the slow axis: anything constant along a line is lost, including real waves and
+/// the tilt along y. The median keeps islands that cover less than half of each line; the median of differences also
+/// keeps larger islands, if neighbouring lines agree in most points. Points outside the region are ignored in s_j but
+/// are moved with their line. A line without points inside the region has the offset of the previous line (the first
+/// ones that of the next line with points); with `polynomial` it becomes undefined.
 struct AlignRows {
     RowAlignment method = RowAlignment::median;
-    Index degree = 1;                    ///< of `polynomial`, 0 … 12
-    Direction direction = Direction::x;  ///< along which lines run
+    Index degree = 1;                    ///< degree of `polynomial`, 0 … 12
+    Direction direction = Direction::x;  ///< direction of the lines
     Region region;
 };
 
@@ -50,9 +51,8 @@ void visit_parameters(AlignRows& step, Visitor& visitor) {
     visitor.region("region", step.region, "points that count");
 }
 
-/// @throws InvalidArgument for a degree outside 0 … 12 and for lines, which have no rows: level_polynomial levels them;
-/// UndefinedDataError where no line has points enough.
-/// Cost: linear; holds 64 lines a thread.
+/// @throws InvalidArgument for a degree outside 0 … 12 and for lines, which have no rows (use level_polynomial);
+/// UndefinedDataError if no line has enough points. Cost: linear; memory: 64 lines per thread.
 [[nodiscard]] Processed apply(const AlignRows& step, topography::Measurement measurement,
                               parallel::Threads threads = {});
 

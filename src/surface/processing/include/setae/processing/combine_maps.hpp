@@ -10,28 +10,29 @@
 
 namespace setae::processing {
 
-/// The heights of another measurement of the same kind added. Metres on both sides, whatever unit their files have.
+/// Adds the heights of another measurement of the same kind. Both are in metres, regardless of the units of their
+/// files.
 ///
-/// Both lie with their first points on each other; with `align` the other one is shifted first by what shift_between
-/// finds. On equal grids and without a shift heights are added point by point; otherwise the other one is taken by
-/// linear interpolation at the points of the first. Points that it does not cover, or where either is undefined, are
-/// undefined. The result is periodic where both are and their sizes agree to 1e-10.
+/// The first points of both coincide; with `align` the other measurement is shifted first by the result of
+/// shift_between. On equal grids and without a shift heights are added point by point; otherwise the other measurement
+/// is interpolated linearly at the points of the first. Points outside the other measurement, or with an undefined
+/// height in either, are undefined. The result is periodic if both are and their sizes agree to 1e-10.
 struct AddMap {
-    std::string file = {};     ///< of the other measurement
-    std::string channel = {};  ///< in that file; empty: its only or first one
-    bool align = false;        ///< shift the other one onto this one first
+    std::string file = {};     ///< file of the other measurement
+    std::string channel = {};  ///< channel of that file; empty: its only or first one
+    bool align = false;        ///< shift the other measurement onto this one first
 };
 
-/// The same with the other one's heights subtracted: a reference map or a repeated scan.
+/// Subtracts the heights of another measurement: a reference map or a repeated scan. Otherwise as AddMap.
 struct SubtractMap {
     std::string file = {};
     std::string channel = {};
     bool align = false;
 };
 
-/// `other`: what the caller read from `file` and `channel`. The record has the shift applied.
-/// @throws InvalidArgument where one is a line and the other a map, for polylines, or where nothing overlaps; with
-/// `align` also for lines.
+/// `other`: the measurement read from `file` and `channel`. The record contains the applied shift.
+/// @throws InvalidArgument if one is a line and the other a map, for polylines, or without overlap; with `align` also
+/// for lines.
 [[nodiscard]] Processed apply(const AddMap& step, topography::Measurement measurement,
                               const topography::Measurement& other, parallel::Threads threads = {});
 [[nodiscard]] Processed apply(const SubtractMap& step, topography::Measurement measurement,

@@ -9,11 +9,11 @@
 
 namespace setae::processing {
 
-/// A window of the measurement: from and to [m], ends included, absent where open; or so many points cut off at each
+/// A window of the measurement: from and to [m], ends included, open if absent; or numbers of points removed at each
 /// side.
 ///
-/// Positions are x_i = i · pixel size; those of the result begin at 0 again, where a map lay is recorded. Polylines
-/// keep their positions. The result is not periodic unless nothing was cut.
+/// Positions are x_i = i · pixel size. Positions of the result begin at 0; the record contains the position in the map.
+/// Polylines keep their positions. The result is periodic only if nothing was removed.
 struct Crop {
     std::optional<double> x_from, x_to, y_from, y_to;
     Index cut_left = 0;   ///< at the beginning of x, >= 0

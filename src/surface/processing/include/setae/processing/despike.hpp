@@ -12,32 +12,33 @@
 
 namespace setae::processing {
 
-/// What find_spikes compares with what.
+/// Options of find_spikes.
 struct SpikeOptions {
     double threshold = 6.0;  ///< in robust standard deviations, > 0
-    Index reach = 2;         ///< points on each side of a point that its surroundings hold, 1 … 10
+    Index reach = 2;         ///< points on each side of a point in its surroundings, 1 … 10
 };
 
-/// Points that stand out of their surroundings.
+/// Points that deviate from their surroundings.
 struct Spikes {
-    topography::Mask mask;  ///< 1 = spike; shape (nx, ny), of lines (n, 1)
+    topography::Mask mask;  ///< 1 = spike; shape (nx, ny), for lines (n, 1)
     Index count = 0;
-    double deviation = 0.0;  ///< robust standard deviation s of the differences r [m]; 0 where surroundings agree
+    double deviation = 0.0;  ///< robust standard deviation s of the differences r [m]; 0 if all surroundings agree
     double threshold = 0.0;  ///< |r| above which a point is a spike [m]: options.threshold · s
 };
 
-/// Points whose height differs from the median of their surroundings by more than the rest of the surface lets expect.
+/// Points whose height differs from the median of their surroundings by more than expected from the rest of the
+/// surface.
 ///
 ///   r = h − median of the defined neighbours,   s = 1.4826 · median |r|,   spike: |r| > threshold · s
 ///
-/// Neighbours: the square (of lines: the stretch) of 2 reach + 1 points without its centre, the map's median tilt taken
-/// off; at borders it is narrowed on both sides alike, so that a slope gives no difference. The corners of a map and
-/// the ends of a line have no surroundings and are never spikes. The largest |r| come first; a smaller one counts only
-/// if it stays above the threshold without the spikes found around it. Where more than half of the r vanish (digitised
-/// heights), s is the quantile of |r| at 0.9, else 0.99, over that of a normal distribution. A point at whose own
-/// height, to within |r|/2, a third of its neighbours lie is the edge of a step and no spike. Undefined points are none
-/// either.
-/// @throws InvalidArgument for options outside their domain; UndefinedDataError where no point is defined.
+/// Neighbours: the square (for lines: the interval) of 2 reach + 1 points without its centre, after subtraction of the
+/// median tilt of the map; at borders it is narrowed equally on both sides, so a slope gives no difference. The corners
+/// of a map and the ends of a line have no surroundings and are never spikes. Points are tested in order of decreasing
+/// |r|; a smaller one is a spike only if it exceeds the threshold without the spikes found around it. If more than half
+/// of the r vanish (digitised heights), s is the quantile of |r| at 0.9, otherwise 0.99, over that of a normal
+/// distribution. A point is the edge of a step and no spike if a third of its neighbours are at its height to within
+/// |r|/2. Undefined points are never spikes.
+/// @throws InvalidArgument for options outside their domain; UndefinedDataError if no point is defined.
 /// Source: Hampel, J. Am. Stat. Assoc. 69 (1974) 383 (median, MAD); Tukey, Exploratory Data Analysis (1977) (running
 /// medians). Cost: linear in points times (2 reach + 1)², two passes more for the tilt; memory: the mask, and copies of
 /// about a twentieth of the heights.
@@ -46,15 +47,15 @@ struct Spikes {
 [[nodiscard]] Spikes find_spikes(const topography::LineScan& scan, const SpikeOptions& options = {},
                                  parallel::Threads threads = {});
 
-/// What takes the place of a spike.
+/// Replacement of a spike.
 enum class SpikeReplacement {
-    undefined,     ///< nothing: the point becomes undefined
-    local_median,  ///< the median of its surroundings that are no spikes
+    undefined,     ///< the point becomes undefined
+    local_median,  ///< the median of the surroundings without spikes
 };
 inline constexpr std::array<Choice<SpikeReplacement>, 2> spike_replacement_names{
     {{"undefined", SpikeReplacement::undefined}, {"local_median", SpikeReplacement::local_median}}};
 
-/// Spikes as find_spikes() finds them are taken out; the record says how many, the threshold, and Sq (lines: Rq) before
+/// Removes spikes found by find_spikes(); the record contains their number, the threshold, and Sq (lines: Rq) before
 /// and after.
 struct Despike {
     double threshold = 6.0;
@@ -77,14 +78,13 @@ struct NewHeight {
     double height;
 };
 
-/// What takes the place of each spike, in storage order; where no point around is defined and no spike, NaN.
+/// The replacement of each spike, in storage order; NaN if all points around it are undefined or spikes.
 [[nodiscard]] std::vector<NewHeight> heights_without(const Spikes& spikes, const Despike& step,
                                                      const topography::HeightMap& map);
 [[nodiscard]] std::vector<NewHeight> heights_without(const Spikes& spikes, const Despike& step,
                                                      const topography::LineScan& scan);
 
-/// @throws InvalidArgument as find_spikes() does, and for polylines, whose points have no equal steps: resample them
-/// first.
+/// @throws InvalidArgument as find_spikes(), and for polylines, whose points have no equal steps (resample first).
 [[nodiscard]] Processed apply(const Despike& step, topography::Measurement measurement, parallel::Threads threads = {});
 
 }  // namespace setae::processing

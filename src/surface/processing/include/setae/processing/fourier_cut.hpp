@@ -10,19 +10,19 @@
 
 namespace setae::processing {
 
-/// Only wavelengths within a band stay, sharply: modes with 2π/longest <= |q| <= 2π/shortest; the mean height always
-/// stays.
+/// Keeps only wavelengths within a band with sharp limits: modes with 2π/longest <= |q| <= 2π/shortest. The mean height
+/// is always kept.
 ///
-/// |q| = sqrt(qx² + qy²) on maps, so a grating along an axis is treated as one along the diagonal. Periodic data
-/// without undefined points alone: ends and holes of others would ring; ISO 16610 filters serve those (iso_filter.hpp).
-/// A wavelength within 1e-9 of a limit stays. O(n log n).
+/// |q| = sqrt(qx² + qy²) on maps, so a grating along an axis is treated as one along the diagonal. Only for periodic
+/// data without undefined points: ends and holes of other data would cause ringing (use the ISO 16610 filters,
+/// iso_filter.hpp). A wavelength within 1e-9 of a limit is kept. O(n log n).
 struct FourierCut {
-    std::optional<double> shortest = {};  ///< wavelength [m] below which nothing stays
-    std::optional<double> longest = {};   ///< wavelength [m] above which nothing but the mean stays
+    std::optional<double> shortest = {};  ///< shorter wavelengths [m] are removed
+    std::optional<double> longest = {};   ///< longer wavelengths [m] are removed, except the mean
 };
 
-/// @throws InvalidArgument for data that are not periodic, limits that are not positive or in the wrong order, or none
-/// at all;
+/// @throws InvalidArgument for data that are not periodic, limits that are not positive or in the wrong order, or no
+/// limit;
 ///   UndefinedDataError for undefined heights.
 [[nodiscard]] topography::HeightMap cut(topography::HeightMap map, const FourierCut& band,
                                         parallel::Threads threads = {});

@@ -6,12 +6,11 @@
 
 namespace setae::processing {
 
-/// Heights between the points of a map, linear on two triangles a pixel.
+/// Heights between the points of a map, linear on two triangles per pixel.
 ///
 /// The pixel between (i, j) and (i+1, j+1) is cut from (i+1, j) to (i, j+1), as in SurfaceTopography. Periodic maps
-/// wrap; elsewhere a point beyond [0, (n−1) Δ] is NaN (1e-9 of a pixel is forgiven). NaN where one of the three corners
-/// is undefined; a corner of weight zero is not asked. The map is referred to, not copied: it outlives the
-/// interpolator.
+/// wrap; for others a point outside [0, (n−1) Δ] is NaN (tolerance 1e-9 of a pixel). NaN if one of the three corners is
+/// undefined; a corner with weight zero is ignored. The map is not copied and must outlive the interpolator.
 class LinearInterpolator {
 public:
     explicit LinearInterpolator(const topography::HeightMap& map) : map_(&map) {}
@@ -22,7 +21,7 @@ private:
     const topography::HeightMap* map_;
 };
 
-/// The same on a line: straight between points.
+/// Linear interpolation between the points of a line.
 class LinearLineInterpolator {
 public:
     explicit LinearLineInterpolator(const topography::LineScan& scan) : scan_(&scan) {}
@@ -43,9 +42,9 @@ struct SurfacePoint {
 ///
 /// Hermite cubics in x and y from heights and slopes at the four corners, mixed derivatives 0. Slopes: periodic
 /// complete maps from the Fourier derivative (Nyquist mode left out), as in SurfaceTopography; others by central
-/// differences, three-point one-sided ones at ends (exact for parabolas), next to undefined points what two or one
-/// defined neighbours give. NaN where a corner is undefined or the point lies outside. Memory: two maps of slopes.
-/// Copies nothing else: the map outlives the interpolator.
+/// differences, three-point one-sided ones at ends (exact for parabolas), next to undefined points one-sided ones of
+/// three or two points, 0 without a defined neighbour. NaN if a corner is undefined or the point is outside. Memory:
+/// two maps of slopes. The map is not copied and must outlive the interpolator.
 class BicubicInterpolator {
 public:
     explicit BicubicInterpolator(const topography::HeightMap& map, parallel::Threads threads = {});
@@ -57,7 +56,7 @@ private:
     Array2D slopes_x_, slopes_y_;
 };
 
-/// The same on a line: a cubic between points from heights and slopes.
+/// Cubic interpolation between the points of a line, from heights and slopes.
 class CubicLineInterpolator {
 public:
     explicit CubicLineInterpolator(const topography::LineScan& scan);
@@ -68,11 +67,11 @@ private:
     Array1D slopes_;
 };
 
-/// A periodic map on another grid, finer or coarser in each direction by itself, through its Fourier series.
+/// A periodic map on another grid, finer or coarser independently in each direction, by its Fourier series.
 ///
-/// Modes both grids know are kept, the others are 0. The mode at the Nyquist wavevector of an even direction stands for
-/// a cosine: it is split between ±q on a finer grid, and ±q are added to it on a coarser one, so that transposing and
-/// interpolating commute and a finer grid holds the old heights at the old points. O(n log n).
+/// Modes of both grids are kept, the others are 0. The mode at the Nyquist wavevector of an even direction is a cosine:
+/// it is divided between ±q on a finer grid, and ±q are added to it on a coarser one. Transposing and interpolating
+/// therefore commute, and a finer grid has the old heights at the old points. O(n log n).
 /// @throws InvalidArgument for a map that is not periodic or a grid without points; UndefinedDataError for undefined
 /// heights.
 [[nodiscard]] topography::HeightMap fourier_interpolated(const topography::HeightMap& map, Index nx, Index ny,

@@ -10,7 +10,7 @@
 
 namespace setae::processing {
 
-/// Which part of the heights a filter leaves.
+/// Part of the heights that a filter keeps.
 enum class Kept {
     long_waves,   ///< the mean line or surface: waviness, S-filter
     short_waves,  ///< heights minus it: roughness, L-filter
@@ -23,32 +23,33 @@ inline constexpr std::array<Choice<Kept>, 2> kept_names{
 ///   w_i = sum_j s(x_i − x_j) h_j / sum_j s(x_i − x_j),  s(x) = exp(−π (x/(α λc))²),  α = sqrt(ln 2/π)
 ///   transmission of a wavelength λ: 2^−(λc/λ)², 50 % at the cutoff; maps: s(x) s(y)
 ///
-/// λc: cutoff [m]. Transmission as stated to 1e-6 from λc = 6 pixels on; below, the sums over pixels differ from the
-/// integral. The sums run over defined points, so ends and holes take weights of what is there (order 0: constants
-/// pass) or the local line or plane fitted with these weights (order 1: planes pass up to the border). Periodic data
-/// wrap. Undefined points stay undefined. The result is that of these sums to 5e-8 of the largest difference of
-/// heights: a Gaussian is cut at 5.66 standard deviations, and a wide one is two narrower ones through a coarse grid.
-/// Constants (order 0) and planes (order 1) pass to rounding. Cost O(n) whatever the cutoff: 4096² points in 0.2 s on
-/// one core. Memory beside the map: from one more map (complete, order 0) to five (holes, order 1) for cutoffs of a few
-/// pixels, next to nothing for wide ones. Source: ISO 16610-21:2011, 4; ISO 16610-61:2015, 4; ends: ISO 16610-28:2016
-/// (normalised weights; moments kept).
+/// λc: cutoff [m]. The transmission is as stated to 1e-6 for λc >= 6 pixels; below, the sums over pixels differ from
+/// the integral. The sums run over defined points: at ends and holes the weights are normalised over the existing
+/// points (order 0: constants pass), or a local line or plane is fitted with these weights (order 1: planes pass up to
+/// the border). Periodic data wrap. Undefined points remain undefined. The result equals these sums to 5e-8 of the
+/// largest difference of heights: a Gaussian is truncated at 5.66 standard deviations, and a wide one is two narrower
+/// ones on a coarse grid. Constants (order 0) and planes (order 1) pass to rounding. Cost O(n) for any cutoff: 4096²
+/// points in 0.2 s on one core. Additional memory: from one more map (complete, order 0) to five (holes, order 1) for
+/// cutoffs of a few pixels, almost none for wide ones. Source: ISO 16610-21:2011, 4; ISO 16610-61:2015, 4; ends: ISO
+/// 16610-28:2016 (normalised weights; moments kept).
 struct GaussianFilter {
     double cutoff = 0.0;  ///< nesting index λc [m], > 0
     Kept keep = Kept::long_waves;
     Index order = 0;  ///< of the local polynomial at ends and holes: 0 or 1
 };
 
-/// The robust Gaussian regression filter of ISO 16610-31 (lines) and 16610-71 (maps): grooves and peaks that stand out
-/// do not pull it.
+/// The robust Gaussian regression filter of ISO 16610-31 (lines) and 16610-71 (maps): insensitive to isolated grooves
+/// and peaks.
 ///
-///   minimises sum_j s(x_i − x_j) δ_j (h_j − polynomial_i(x_j))² at every i;  δ = (1 − (r/c)²)² for |r| < c, else 0;
-///   r = h − w,  c = 4.4478 median |r|
+///   minimises sum_j s(x_i − x_j) δ_j (h_j − polynomial_i(x_j))² at every i
+///   δ = (1 − (r/c)²)² for |r| < c, otherwise 0;  r = h − w,  c = 4.4478 median |r|
 ///
-/// Iterated from δ = 1 until c changes by less than 1e-4 of itself, 50 times at most; with data all alike (c = 0) once.
-/// Undefined where no point of weight is near. Order 2 follows curvature; α is then the one that puts 50 % at λc: (1 +
-/// u) exp(−u) = 1/2 at u = π α², α = 0.7309 (ISO 16610-31). Maps: polynomials of x and y up to that order together.
-/// Transmission is that of the linear filter where all weights are alike; a small wave in large noise passes less. Cost
-/// O(n) an iteration, order 2 on maps ten times that of order 0; memory up to eleven maps for cutoffs of a few pixels.
+/// Iterated from δ = 1 until c changes by less than a relative 1e-4, at most 50 times; once for constant data (c = 0).
+/// Undefined without a point of nonzero weight nearby. Order 2 follows curvature; α then gives 50 % at λc: (1 + u)
+/// exp(−u) = 1/2 at u = π α², α = 0.7309 (ISO 16610-31). Maps: polynomials of x and y up to that order together. The
+/// transmission is that of the linear filter if all weights are equal; it is lower for a small wave in large noise.
+/// Cost O(n) per iteration, order 2 on maps ten times that of order 0; memory up to eleven maps for cutoffs of a few
+/// pixels.
 struct RobustGaussianFilter {
     double cutoff = 0.0;  ///< nesting index λc [m], > 0
     Kept keep = Kept::long_waves;
@@ -57,12 +58,12 @@ struct RobustGaussianFilter {
 
 /// The spline filter of ISO 16610-22, free ends; periodic data wrap. Maps: every line along x, then along y.
 ///
-///   (1 + β α² P + (1 − β) α⁴ Q) w = h,  α = 1/(2 sin(π Δ/λc));  P, Q: squares of first and second differences, free
-///   ends transmission: 1/(1 + β α² 4 sin²(πΔ/λ) + (1 − β) α⁴ 16 sin⁴(πΔ/λ)), 50 % at λc for every β
+///   (1 + β α² P + (1 − β) α⁴ Q) w = h,  α = 1/(2 sin(π Δ/λc));  P, Q: squares of first, second differences, free ends
+///   transmission: 1/(1 + β α² 4 sin²(πΔ/λ) + (1 − β) α⁴ 16 sin⁴(πΔ/λ)), 50 % at λc for every β
 ///
-/// Undefined points carry no weight: the spline runs through the gap. Robust (ISO 16610-32): heights weighted as in
-/// RobustGaussianFilter; on maps the weights serve the lines along x. Straight lines (β = 0) and constants pass; errors
-/// are below 1e-15 α² of the heights. O(n).
+/// Undefined points have no weight: the spline continues through the gap. Robust (ISO 16610-32): heights weighted as in
+/// RobustGaussianFilter; on maps the weights apply to the lines along x. Straight lines (β = 0) and constants pass;
+/// errors are below 1e-15 α² of the heights. O(n).
 struct SplineFilter {
     double cutoff = 0.0;  ///< λc [m], > 2 pixels
     Kept keep = Kept::long_waves;

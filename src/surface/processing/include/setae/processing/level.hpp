@@ -10,17 +10,17 @@
 
 namespace setae::processing {
 
-/// The mean height of the region is subtracted.
+/// Subtracts the mean height of the region.
 struct LevelMean {
     Region region;
 };
 
-/// The plane (of lines: the straight line) that fits the region best is subtracted.
+/// Subtracts the plane (for lines: the straight line) that fits the region best.
 struct LevelPlane {
     Region region;
 };
 
-/// The polynomial of x^a y^b, a + b <= degree, a <= degree_x, b <= degree_y, that fits the region best is subtracted.
+/// Subtracts the polynomial of x^a y^b, a + b <= degree, a <= degree_x, b <= degree_y, that fits the region best.
 struct LevelPolynomial {
     Index degree = 2;                             ///< 0 … 24
     Index degree_x = topography::highest_degree;  ///< 0 … 12
@@ -28,23 +28,23 @@ struct LevelPolynomial {
     Region region;
 };
 
-/// The plane that makes most facets of the surface level is subtracted: terraces become horizontal, whatever the steps
+/// Subtracts the plane parallel to most facets of the surface: terraces become horizontal for any height of the steps
 /// between them.
 ///
 ///   b −> Σ v w/Σ w,  w = exp(−20 |v − b|²/β²),  β² = mean |v − b|²
 ///
 /// v: gradients of cells of four points (lines: of neighbouring points); b: slope of the plane, from the mean of v,
-/// until it changes by less than 1e-6 β, at most 100 times; what did not settle is an alert. The mean height of the
-/// region is 0 afterwards. Source: facet levelling of Gwyddion's user guide, "Levelling"; Nečas and Klapetek, Cent.
-/// Eur. J. Phys. 10 (2012) 181.
+/// until it changes by less than 1e-6 β, at most 100 times; without convergence the result has a warning. The mean
+/// height of the region is 0 afterwards. Source: facet levelling of Gwyddion's user guide, "Levelling"; Nečas and
+/// Klapetek, Cent. Eur. J. Phys. 10 (2012) 181.
 struct LevelFacet {
     Region region;
 };
 
-/// From each scan line the polynomial that fits it best is subtracted; lines with too few points become undefined.
+/// Subtracts from each scan line its best fitting polynomial; lines with too few points become undefined.
 struct LevelLines {
     Index degree = 1;                    ///< 0 … 12
-    Direction direction = Direction::x;  ///< along which lines run
+    Direction direction = Direction::x;  ///< direction of the lines
     Region region;
 };
 
@@ -80,21 +80,20 @@ void visit_parameters(LevelLines& step, Visitor& visitor) {
     visitor.region("region", step.region, "points that count");
 }
 
-/// Undefined points stay undefined and do not count. What was periodic is not so any more after a plane or more was
-/// taken off. Records: mean slopes in x and y and mean radii of curvature of what was removed, the mean height, how
-/// many points counted.
-/// @throws InvalidArgument and UndefinedDataError as fitted_polynomial() does.
+/// Undefined points remain undefined and are ignored. Periodic data are no longer periodic after subtraction of a plane
+/// or a higher polynomial. Records: mean slopes in x and y and mean radii of curvature of the subtracted polynomial,
+/// the mean height, the number of points used. @throws InvalidArgument and UndefinedDataError as fitted_polynomial().
 [[nodiscard]] Processed apply(const LevelMean& step, topography::Measurement measurement,
                               parallel::Threads threads = {});
 [[nodiscard]] Processed apply(const LevelPlane& step, topography::Measurement measurement,
                               parallel::Threads threads = {});
 [[nodiscard]] Processed apply(const LevelPolynomial& step, topography::Measurement measurement,
                               parallel::Threads threads = {});
-/// @throws UndefinedDataError also where no cell has four points of the region.
+/// @throws UndefinedDataError also if no cell has four points of the region.
 [[nodiscard]] Processed apply(const LevelFacet& step, topography::Measurement measurement,
                               parallel::Threads threads = {});
-/// Lines and polylines are one line.
-/// @throws UndefinedDataError where every line has too few points.
+/// A line or polyline is a single scan line.
+/// @throws UndefinedDataError if every line has too few points.
 [[nodiscard]] Processed apply(const LevelLines& step, topography::Measurement measurement,
                               parallel::Threads threads = {});
 

@@ -8,31 +8,30 @@
 
 namespace setae::processing {
 
-/// A straight line on a map; point (i, j) lies at (i Δx, j Δy).
+/// A straight line on a map; point (i, j) is at (i Δx, j Δy).
 struct ProfileLine {
     std::array<double, 2> from{};  ///< x, y [m]
     std::array<double, 2> to{};    ///< [m]
     double width =
-        0.0;  ///< heights are averaged across it over this width [m]; below one and a half pixels: the line alone
-    std::optional<Index> points;  ///< along it; absent: about one a pixel
+        0.0;  ///< heights are averaged across the line over this width [m]; below one and a half pixels: no average
+    std::optional<Index> points;  ///< points along the line; absent: about one per pixel
 };
 
 /// Heights along a line.
 struct LineProfile {
     topography::LineScan
-        scan;          ///< heights at equal steps from `from` to `to` [m]; its size is n steps, as of every scan
-    Array1D x, y;      ///< of its points [m]
+        scan;          ///< heights at equal steps from `from` to `to` [m]; the size is n steps, as for every scan
+    Array1D x, y;      ///< positions of its points [m]
     Index tracks = 1;  ///< parallel lines averaged, a pixel apart
 };
 
-/// Heights of a map along a line, linear between points (interpolation.hpp); exactly those stored where a point of the
-/// line is one of the grid.
+/// Heights of a map along a line, linear between points (interpolation.hpp); exactly the stored heights at grid points.
 ///
-///   step = about 1/√((cos φ/Δx)² + (sin φ/Δy)²), tracks = width over the same of φ + π/2
+///   step = about 1/√((cos φ/Δx)² + (sin φ/Δy)²), tracks = width over this step for φ + π/2
 ///
-/// Points without a height are undefined; an average leaves undefined tracks out.
-/// @throws InvalidArgument for ends that are equal, not finite or, of a map that is not periodic, outside it; for a
-/// width that is negative or fewer than two points.
+/// Points without a height are undefined; an average excludes undefined tracks.
+/// @throws InvalidArgument for ends that are equal, not finite or outside a map that is not periodic; for a width that
+/// is negative or fewer than two points.
 [[nodiscard]] LineProfile line_profile(const topography::HeightMap& map, const ProfileLine& line);
 
 }  // namespace setae::processing

@@ -7,32 +7,32 @@
 
 namespace setae::processing {
 
-/// A step of a pipeline, and whether it is done.
+/// A step of a pipeline, and whether it is applied.
 struct Entry {
     Step step;
     bool on = true;
 };
 
-/// What is done to heights before they are analysed, in order: a value that is written to a file and done to n
-/// measurements.
+/// Processing of heights before analysis, as an ordered list of steps: a value that is written to a file and applied to
+/// any number of measurements.
 struct Pipeline {
     std::vector<Entry> entries;
 
-    /// Whether it leaves heights as they are.
+    /// Whether it changes nothing.
     [[nodiscard]] bool empty() const;
 };
 
-/// A measurement after a pipeline, with the record of every step that was done.
+/// A measurement after a pipeline, with the record of every applied step.
 struct PipelineResult {
     topography::Measurement measurement;
     std::vector<StepRecord> records;
 };
 
-/// The steps that are on, one after the other.
+/// Applies the enabled steps, in order.
 ///
 /// Each record ends with the rms height Sq (lines: Rq) after its step. metadata.attributes["pipeline"] of the result
-/// has the text of each step, separated by " | ", behind what an earlier pipeline left there.
-/// @throws what a step throws. Cost: the steps', and one pass over the heights for each.
+/// contains the text of each step, separated by " | ", after that of an earlier pipeline.
+/// @throws exceptions of the steps. Cost: that of the steps, and one pass over the heights per step.
 [[nodiscard]] PipelineResult apply(const Pipeline& pipeline, topography::Measurement measurement,
                                    const LoadMeasurement& load = {}, parallel::Threads threads = {});
 

@@ -9,7 +9,7 @@
 
 namespace setae::processing {
 
-/// What a step did, in the numbers a reader wants: the slope that was removed, how many spikes.
+/// Result of a step in numbers: the removed slope, the number of spikes.
 struct StepRecord {
     std::string step;  ///< its name in pipeline files, such as "level_plane"
     std::vector<Quantity> numbers;
@@ -20,15 +20,14 @@ struct StepRecord {
 ///
 /// Every step of a pipeline is an aggregate with its parameters (LevelPlane, GaussianFilter …) and
 ///     Processed apply(const Step& step, topography::Measurement measurement, parallel::Threads threads = {});
-/// which takes the measurement over, so that a map is changed in place where that is possible. A step that has no
-/// meaning for a kind of measurement throws InvalidArgument that names step and measurement and says what to do
-/// instead.
+/// which takes ownership of the measurement, so a map is changed in place if possible. A step that does not apply to a
+/// kind of measurement throws InvalidArgument with step, measurement and alternative.
 struct Processed {
     topography::Measurement measurement;
     StepRecord record;
 };
 
-/// Which way along a map: its scan lines run along x.
+/// Direction on a map: its scan lines run along x.
 enum class Direction { x, y };
 
 }  // namespace setae::processing

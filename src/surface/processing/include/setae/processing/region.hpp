@@ -14,7 +14,7 @@
 
 namespace setae::processing {
 
-/// From one position, height or percentile to another, both ends included; an end that is absent is open.
+/// From one position, height or percentile to another, both ends included; an absent end is open.
 struct Range {
     std::optional<double> from;
     std::optional<double> to;
@@ -22,7 +22,7 @@ struct Range {
     friend bool operator==(const Range&, const Range&) = default;
 };
 
-/// Points with x and y in ranges [m]; of lines x alone.
+/// Points with x and y in ranges [m]; for lines x only.
 struct Rectangle {
     Range x;
     Range y;
@@ -39,7 +39,7 @@ struct Ellipse {
     friend bool operator==(const Ellipse&, const Ellipse&) = default;
 };
 
-/// Points of a map inside a polygon; where it crosses itself, by the even-odd rule. Corners in either sense, the last
+/// Points of a map inside a polygon; by the even-odd rule if it crosses itself. Corners in either sense, the last
 /// joined to the first.
 struct Polygon {
     std::vector<std::array<double, 2>> corners;  ///< [m], at least three
@@ -47,32 +47,32 @@ struct Polygon {
     friend bool operator==(const Polygon&, const Polygon&) = default;
 };
 
-/// Points whose height [m], as it is before the step, lies in a range.
+/// Points whose height [m], before the step, is in a range.
 struct HeightRange {
     Range heights;
 
     friend bool operator==(const HeightRange&, const HeightRange&) = default;
 };
 
-/// Points whose height lies between two percentiles (0 … 100) of the defined heights.
+/// Points whose height is between two percentiles (0 … 100) of the defined heights.
 struct PercentileRange {
     Range percentiles;
 
     friend bool operator==(const PercentileRange&, const PercentileRange&) = default;
 };
 
-/// A choice of points, and by how many pixels it is grown: a point within so many rows and columns of a chosen one is
-/// chosen too.
+/// A selection of points, and its growth in pixels: a point within so many rows and columns of a selected point is
+/// selected, too.
 struct Shape {
     std::variant<Rectangle, Ellipse, Polygon, HeightRange, PercentileRange> outline;
-    Index grow = 0;  ///< >= 0; of polylines points instead of pixels
+    Index grow = 0;  ///< >= 0; for polylines points instead of pixels
 
     friend bool operator==(const Shape&, const Shape&) = default;
 };
 
-/// Which points count: those of any included shape (all points where none is given), less those of excluded shapes.
+/// Selected points: those of any included shape (all points without one), except those of excluded shapes.
 ///
-/// Positions are x_i = i · pixel size from the first point; of polylines the positions themselves.
+/// Positions are x_i = i · pixel size from the first point; for polylines the positions are their own.
 struct Region {
     std::vector<Shape> include;
     std::vector<Shape> exclude;
@@ -81,10 +81,10 @@ struct Region {
     friend bool operator==(const Region&, const Region&) = default;
 };
 
-/// The points of a region, defined or not: 1 = chosen; shape (nx, ny) of a map, (n, 1) of a line or polyline. Undefined
-/// points belong to no range of heights.
+/// The points of a region, defined or not: 1 = selected; shape (nx, ny) for a map, (n, 1) for a line or polyline.
+/// Undefined points are in no range of heights.
 /// @throws InvalidArgument for a shape outside its domain, and for an ellipse, a polygon or a range of y on a line.
-/// Cost: linear; percentiles select (linear too), polygons cost points × corners within their bounding box.
+/// Cost: linear; percentiles by selection (also linear), polygons points × corners within their bounding box.
 [[nodiscard]] topography::Mask mask_of(const Region& region, const topography::HeightMap& map,
                                        parallel::Threads threads = {});
 [[nodiscard]] topography::Mask mask_of(const Region& region, const topography::LineScan& scan,
@@ -92,20 +92,21 @@ struct Region {
 [[nodiscard]] topography::Mask mask_of(const Region& region, const topography::Profile& profile,
                                        parallel::Threads threads = {});
 
-/// A region from text, as pipeline files and the command line have it: shapes separated by ";", each
+/// A region from text, as in pipeline files and on the command line: shapes separated by ";", each
 ///
 ///   include|exclude SHAPE [grow N]
-///   SHAPE: rectangle 1 um to 5 um, 0 um to 2 um  ·  rectangle 1 um to 5 um  ·  ellipse 5 um, 5 um, 2 um, 1 um, 30 deg
-///   (centre, semi-axes,
-///          angle; the angle may be left out)  ·  polygon 0 um, 0 um, 4 um, 0 um, 2 um, 3 um  ·  heights above 20 nm  ·
-///          heights below 5 nm  · heights 5 nm to 20 nm  ·  percentiles 5 to 95  ·  percentiles above 95
-/// @throws InvalidArgument that names the shape it cannot read.
+///   SHAPE: rectangle 1 um to 5 um, 0 um to 2 um  ·  rectangle 1 um to 5 um  ·
+///          ellipse 5 um, 5 um, 2 um, 1 um, 30 deg (centre, semi-axes, optional angle)  ·
+///          polygon 0 um, 0 um, 4 um, 0 um, 2 um, 3 um  ·
+///          heights above 20 nm  ·  heights below 5 nm  ·  heights 5 nm to 20 nm  ·
+///          percentiles 5 to 95  ·  percentiles above 95
+/// @throws InvalidArgument with the invalid shape.
 [[nodiscard]] Region region_from_text(std::string_view text);
 
-/// The text region_from_text() reads back to the same region.
+/// The text from which region_from_text() restores the region.
 [[nodiscard]] std::string text(const Region& region);
 
-/// The points of a region become undefined.
+/// Sets the points of a region undefined.
 struct MaskOut {
     Region region;  ///< at least one shape
 };
@@ -116,8 +117,8 @@ void visit_parameters(MaskOut& step, Visitor& visitor) {
     visitor.region("region", step.region, "points that become undefined");
 }
 
-/// Points of a polyline are left out instead, since polylines hold no undefined heights.
-/// @throws InvalidArgument for an empty region; UndefinedDataError where no defined point would be left.
+/// Points of a polyline are removed instead, since polylines contain no undefined heights.
+/// @throws InvalidArgument for an empty region; UndefinedDataError if no defined point would remain.
 [[nodiscard]] Processed apply(const MaskOut& step, topography::Measurement measurement, parallel::Threads threads = {});
 
 }  // namespace setae::processing

@@ -14,8 +14,8 @@ namespace setae::processing {
 enum class Resampling {
     linear,   ///< LinearInterpolator at the new points
     bicubic,  ///< BicubicInterpolator at the new points
-    fourier,  ///< fourier_interpolated: periodic data alone
-    average,  ///< mean of the old pixels that a new pixel covers, weighted by the area covered; keeps the mean
+    fourier,  ///< fourier_interpolated: only periodic data
+    average,  ///< mean of the old pixels in a new pixel, weighted by the covered area; keeps the mean
 };
 inline constexpr std::array<Choice<Resampling>, 4> resampling_names{{{"linear", Resampling::linear},
                                                                      {"bicubic", Resampling::bicubic},
@@ -24,20 +24,22 @@ inline constexpr std::array<Choice<Resampling>, 4> resampling_names{{{"linear", 
 
 /// Other points for the same area.
 ///
-/// Give nx (maps: and ny), or pixel_size, from which n = round(size/pixel_size) and the exact step size/n. Periodic
-/// data: points at i · size/n. Others, linear and bicubic: n points from the first to the last old one, so that none is
-/// undefined; with pixel_size the step is exact and what is left over at the far end is lost. A new pixel of `average`
-/// covers [i, i+1) · size/n of old pixels [j, j+1) · size/n_old, and is undefined where more than half of it is; its
-/// height stands for the pixel as the old ones do, so the first point lies (new − old step)/2 further in. Polylines:
-/// linear, from first to last point.
+/// Given are nx (maps: and ny), or pixel_size, from which n = round(size/pixel_size) and the exact step size/n.
+/// Periodic
+/// data: points at i · size/n. Others, linear and bicubic: n points from the first to the last old one, so none is
+/// undefined; with pixel_size the step is exact and the rest at the far end is lost. A new pixel of `average` covers
+/// [i, i+1) · size/n of old pixels [j, j+1) · size/n_old, and is undefined if more than half of it is; its height is
+/// that of the pixel, as for the old ones, so the first point is (new − old step)/2 further inside. Polylines: linear,
+/// from first to last point.
 struct Resample {
     Index nx = 0;                           ///< points along x; 0: from pixel_size
-    Index ny = 0;                           ///< points along y of maps; 0: from pixel_size, else in proportion to nx
+    Index ny = 0;                           ///< points along y of maps; 0: from pixel_size, otherwise in proportion to
+                                            ///< nx
     std::optional<double> pixel_size = {};  ///< [m]
     Resampling method = Resampling::average;
 };
 
-/// @throws InvalidArgument for a grid of fewer than two points a direction or neither nx nor pixel_size, `fourier` on
+/// @throws InvalidArgument for a grid of fewer than two points per direction or neither nx nor pixel_size, `fourier` on
 /// data that are not periodic.
 [[nodiscard]] topography::HeightMap resampled(const topography::HeightMap& map, const Resample& grid,
                                               parallel::Threads threads = {});

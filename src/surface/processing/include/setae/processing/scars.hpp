@@ -12,16 +12,16 @@
 
 namespace setae::processing {
 
-/// Which strokes are scars.
+/// Sign of the strokes that are scars.
 enum class ScarSign {
-    positive,  ///< above the lines beside them
+    positive,  ///< above the adjacent lines
     negative,  ///< below
     both,
 };
 inline constexpr std::array<Choice<ScarSign>, 3> scar_sign_names{
     {{"positive", ScarSign::positive}, {"negative", ScarSign::negative}, {"both", ScarSign::both}}};
 
-/// What takes the place of a scar.
+/// Replacement of a scar.
 enum class ScarReplacement {
     undefined,
     neighbour_lines,  ///< linear in y between the nearest points without scar above and below
@@ -29,18 +29,17 @@ enum class ScarReplacement {
 inline constexpr std::array<Choice<ScarReplacement>, 2> scar_replacement_names{
     {{"undefined", ScarReplacement::undefined}, {"neighbour_lines", ScarReplacement::neighbour_lines}}};
 
-/// Scars: strokes along the fast axis x, a few scan lines wide, where feedback or contact failed.
+/// Scars: strokes along the fast axis x, a few scan lines wide, from failures of feedback or contact.
 ///
-/// d: rms of the differences of neighbouring scan lines. A run of at most `width` points along y is a candidate where
-/// it stands out of both points that end it by at least `low` · d; where it does by `high` · d it is a scar, and
-/// candidates beside a scar along x belong to it. Strokes shorter than `length` points are left. Source: Nečas and
-/// Klapetek, Cent. Eur. J. Phys. 10 (2012) 181, and Gwyddion's user guide, "Scars"; thresholds' defaults are
-/// Gwyddion's.
+/// d: rms of the differences of neighbouring scan lines. A run of at most `width` points along y is a candidate if it
+/// differs from both adjacent points by at least `low` · d; with `high` · d it is a scar, and candidates next to a scar
+/// along x belong to it. Strokes shorter than `length` points are kept. Source: Nečas and Klapetek, Cent. Eur. J. Phys.
+/// 10 (2012) 181, and Gwyddion's user guide, "Scars"; default thresholds of Gwyddion.
 struct RemoveScars {
     double high = 0.666;  ///< >= low
     double low = 0.25;    ///< > 0
-    Index length = 16;    ///< least number of points along x, >= 1
-    Index width = 4;      ///< largest number of scan lines, >= 1
+    Index length = 16;    ///< minimum number of points along x, >= 1
+    Index width = 4;      ///< maximum number of scan lines, >= 1
     ScarSign sign = ScarSign::both;
     ScarReplacement replace_by = ScarReplacement::neighbour_lines;
 };
@@ -57,14 +56,14 @@ void visit_parameters(RemoveScars& step, Visitor& visitor) {
     visitor.choice("replace_by", step.replace_by, scar_replacement_names, "what takes the place of a scar");
 }
 
-/// Rows of a map that are handed over when they are looked at: heights of the rows first … last − 1, computed into
-/// `room`, which has as many places, or from where they lie. Called from several threads.
+/// Rows of a map on request: heights of the rows first … last − 1, computed into `room`, which has as many places, or a
+/// view of existing memory. Called from several threads.
 struct RowsOfHeights {
     Index rows = 0, columns = 0;
     std::function<const double*(Index first, Index last, double* room)> rows_of;
 };
 
-/// The points of scars: 1 = scar. Cost: two passes over the rows; memory: a mask a sign.
+/// The points of scars: 1 = scar. Cost: two passes over the rows; memory: one mask per sign.
 /// @throws InvalidArgument for parameters outside their domain.
 [[nodiscard]] topography::Mask find_scars(const RemoveScars& step, const topography::HeightMap& map,
                                           parallel::Threads threads = {});

@@ -24,37 +24,37 @@
 
 namespace setae::processing {
 
-/// Every step there is, in the order of documents. A new one is named here and gets its sentence in steps.cpp, which
-/// does not compile before.
+/// All steps, in the order of documents. A new step is added here; steps.cpp does not compile without its description.
 using Step =
     std::variant<LevelMean, LevelPlane, LevelPolynomial, LevelFacet, LevelLines, AlignRows, Despike, RemoveScars,
                  MaskOut, Undefine, FillUndefined, GaussianFilter, RobustGaussianFilter, SplineFilter, FourierCut, Crop,
                  Resample, Rotate, Transpose, Flip, QuarterTurns, AddMap, SubtractMap>;
 
-/// How steps that name another file get its heights; channel: its name, empty for the first one of heights.
+/// Supplies the heights of another file to steps that use one; channel: its name, empty for the first one with heights.
 using LoadMeasurement = std::function<topography::Measurement(const std::string& file, const std::string& channel)>;
 
-/// A measurement after a step. `load` serves steps that name another file.
-/// @throws what the step throws, and InvalidArgument for a step that needs another file where nobody loads any.
+/// A measurement after a step. `load` supplies heights of other files.
+/// @throws exceptions of the step, and InvalidArgument for a step that needs another file without `load`.
 [[nodiscard]] Processed apply(const Step& step, topography::Measurement measurement, const LoadMeasurement& load,
                               parallel::Threads threads = {});
 
 /// Name of a step in pipeline files.
 [[nodiscard]] std::string name(const Step& step);
 
-/// The step of that name, or of the trend it removes, with its defaults. @throws InvalidArgument with the nearest name.
+/// The step with this name, or the step that removes the trend with this name, with defaults. @throws InvalidArgument
+/// with the nearest name.
 [[nodiscard]] Step step_named(std::string_view name);
 
-/// A step's parameter as documents show it.
+/// A parameter of a step in documents.
 struct ParameterDescription {
     std::string name;
     std::string values;  ///< "length", "number", "angle", "whole number", "true or false", "text", "region", or the
                          ///< choices "x or y"
-    std::string default_value;  ///< empty where there is none
+    std::string default_value;  ///< empty without default
     std::string meaning;
 };
 
-/// A step as documents show it.
+/// A step in documents.
 struct StepDescription {
     std::string name;
     std::string sentence;

@@ -8,18 +8,18 @@
 
 namespace setae::processing {
 
-/// x and y of a map change places: h'(x, y) = h(y, x).
+/// Exchanges x and y of a map: h'(x, y) = h(y, x).
 struct Transpose {};
 
-/// Order of points reversed along a direction; lines and polylines have x alone.
+/// Reverses the order of points along a direction; lines and polylines have x only.
 struct Flip {
     Direction direction = Direction::x;
 };
 
-/// A map turned by 90° so many times from x towards y: h'(x, y) = h(y, L − x) for one turn, L the extent along x
-/// afterwards.
+/// Rotates a map by multiples of 90° from x towards y: h'(x, y) = h(y, L − x) for one quarter turn, L the extent along
+/// x afterwards.
 struct QuarterTurns {
-    Index turns = 1;  ///< any whole number, modulo 4
+    Index turns = 1;  ///< any integer, modulo 4
 };
 
 inline constexpr std::string_view step_name(const Transpose&) { return "transpose"; }
@@ -36,7 +36,7 @@ void visit_parameters(QuarterTurns& step, Visitor& visitor) {
     visitor.count("turns", step.turns, "turns by 90 degrees from x towards y; negative ones the other way");
 }
 
-/// @throws InvalidArgument for lines where the step needs a map.
+/// @throws InvalidArgument for lines if the step needs a map.
 [[nodiscard]] Processed apply(const Transpose& step, topography::Measurement measurement,
                               parallel::Threads threads = {});
 [[nodiscard]] Processed apply(const Flip& step, topography::Measurement measurement, parallel::Threads threads = {});

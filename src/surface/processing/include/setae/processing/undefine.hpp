@@ -10,14 +10,14 @@
 
 namespace setae::processing {
 
-/// Heights that are none become undefined: those of a value that marks missing ones, and those beyond limits.
+/// Sets invalid heights undefined: those with a value that marks missing heights, and those beyond limits.
 ///
-/// A height has a value where it differs by no more than 1e-7 of it, which is what single precision keeps of a number.
-/// Limits are heights as they are when the step is done: before levelling, those of the file.
+/// A height has a value if it differs from it by a relative 1e-7 at most, the precision of single-precision numbers.
+/// Limits refer to heights at this step: before levelling, those of the file.
 struct Undefine {
     std::optional<double> value = {};  ///< [m]
-    std::optional<double> above = {};  ///< [m]: heights above it
-    std::optional<double> below = {};  ///< [m]: heights below it
+    std::optional<double> above = {};  ///< [m]: higher points become undefined
+    std::optional<double> below = {};  ///< [m]: lower points become undefined
 };
 
 inline constexpr std::string_view step_name(const Undefine&) { return "undefine"; }
@@ -28,9 +28,8 @@ void visit_parameters(Undefine& step, Visitor& visitor) {
     visitor.optional_length("below", step.below, "heights below it become undefined");
 }
 
-/// Points of a polyline are left out instead, since polylines hold no undefined heights.
-/// @throws InvalidArgument for a step without value and limits; UndefinedDataError where no defined height would be
-/// left.
+/// Points of a polyline are removed instead, since polylines contain no undefined heights.
+/// @throws InvalidArgument for a step without value and limits; UndefinedDataError if no defined height would remain.
 [[nodiscard]] Processed apply(const Undefine& step, topography::Measurement measurement,
                               parallel::Threads threads = {});
 

@@ -15,64 +15,65 @@
 
 namespace setae::roughness {
 
-/// The input that the spectrum of a surface is: what its measurements leave open.
+/// Name of the input "spectrum of a surface": the uncertainty left by its measurements.
 [[nodiscard]] std::string spectrum_input(const std::string& surface);
 
-/// How uncertain spectral parameters are, and why: values without each measurement, replicas, and pairs of values a
-/// given ± leads to. Standard errors, covariances and intervals rest on the same of them:
+/// Uncertainty of spectral parameters and its origin: values without each measurement, replicas, and pairs of values
+/// from a given ±. Standard errors, covariances and intervals use the same set:
 ///
-///   draws from the covariance of a fit without its inputs, where the replicas are such
-///   else the jackknife within strata, where any stratum has two members
-///   else the scatter of bootstrap replicas
+///   draws from the covariance of a fit without its inputs, if the replicas are such draws
+///   otherwise the jackknife within strata, if any stratum has two members
+///   otherwise the scatter of bootstrap replicas
 ///
-/// plus what bins of a single measurement do, which these leave out, and what the sources do, each independent of the
-/// others: inputs that numbers of other surfaces may share by name.
+/// plus the contributions of bins with a single measurement, which these exclude, and of the sources, each independent
+/// of the others: inputs that numbers of other surfaces may share by name.
 struct ParameterSpread {
     struct Source {
-        std::string name;  ///< of the input, such as "tip radius of afm (10 nm), PUNCD"; one name is one input
+        std::string name;  ///< of the input, such as "tip radius of afm (10 nm), PUNCD"; equal names are the same input
         SpectralParameters plus, minus;
     };
     using Function = std::function<double(const SpectralParameters&)>;
 
     std::vector<SpectralParameters> replicas;
-    std::uint64_t seed = 0;  ///< of the replicas
+    std::uint64_t seed = 0;  ///< seed of the replicas
     std::string replica_method = "bootstrap";
     bool replicas_are_draws = false;                        ///< drawn from the covariance of a fit
     std::vector<std::vector<SpectralParameters>> left_out;  ///< without each measurement of each stratum
     std::vector<Source> sources;
-    std::vector<Source> single_bins;  ///< each bin that one measurement covers, moved by the scatter of its modes
+    std::vector<Source> single_bins;  ///< each bin with a single measurement, changed by the scatter of its modes
 
     /// Covariance of two functions of the parameters.
     ///
-    ///   draws: Σ (f_k − f̄)(g_k − ḡ)/(K − 1);  jackknife: Σ_g (n_g − 1)/n_g Σ_i (f_(gi) − f_(g·)) (g_(gi) − g_(g·));  a
+    ///   draws: Σ (f_k − f̄)(g_k − ḡ)/(K − 1)
+    ///   jackknife: Σ_g (n_g − 1)/n_g Σ_i (f_(gi) − f_(g·)) (g_(gi) − g_(g·))
     ///   source or single bin: ¼ (f₊ − f₋)(g₊ − g₋)
     ///
-    /// 0 where nothing is known. Source: Efron, Tibshirani, An Introduction to the Bootstrap (1993), ch. 11.
+    /// 0 if no uncertainty is known. Source: Efron, Tibshirani, An Introduction to the Bootstrap (1993), ch. 11.
     [[nodiscard]] double covariance(const Function& f, const Function& g) const;
-    /// NaN where nothing is known.
+    /// NaN if no uncertainty is known.
     [[nodiscard]] double standard_error(const Function& f) const;
-    /// The variance of f as a term of a sum: its standard error squared, and the degrees of freedom that the
-    /// measurements of each stratum leave it; draws, bootstrap replicas and sources count as known. Variance 0 where
-    /// nothing is known.
+    /// The variance of f as a term of a sum: its standard error squared, and the degrees of freedom from the
+    /// measurements of each stratum; draws, bootstrap replicas and sources are exact. Variance 0 if no uncertainty is
+    /// known.
     [[nodiscard]] VarianceTerm variance_term(const Function& f) const;
-    /// What the variance of f consists of: what measurements, draws or replicas leave open under "spectrum of SURFACE",
-    /// one direction a measurement or replica, and each source under its own name.
+    /// Components of the variance of f: that of measurements, draws or replicas with the name "spectrum of SURFACE",
+    /// one direction per measurement or replica, and each source with its own name.
     ///
     ///   jackknife: √((n_g − 1)/n_g) (f_(gi) − f_(g·));  replicas: (f_k − f̄)/√(K − 1);  a source: ½ (f₊ − f₋)
     ///
-    /// so that products of components are the covariance above. Empty where nothing is known.
+    /// so products of components are the covariance above. Empty if no uncertainty is known.
     [[nodiscard]] Components components(const Function& f, const std::string& surface) const;
-    /// A function of the parameters, whose value is given, with what this spread says of it.
+    /// A function of the parameters with given value, and its uncertainty from this spread.
     ///
     ///   x = ln(f − least),  f between least + exp(x ∓ t_ν s),  s² = variance of x, ν its degrees of freedom, both as
     ///   above
     ///
-    /// least: what f exceeds, 0 but for area ratios, 1. Where a value does not exceed it there is no interval of its
-    /// own. Method: "likelihood" of draws; "jackknife t on ln" or "bootstrap on ln", with ", delta" where sources add
-    /// to them, or "delta on ln" for sources alone; without " on ln" where there is no interval of its own. Source:
-    /// coverage measured in docs/concepts/uncertainty.md.
+    /// least: lower limit of f, 0 except for area ratios, 1. Without value > least no interval is stored. Method:
+    /// "likelihood" for draws; "jackknife t on ln" or "bootstrap on ln", with ", delta" if sources contribute, or
+    /// "delta on ln" for sources only; without " on ln" if no interval is stored. Source: coverage measured in
+    /// docs/concepts/uncertainty.md.
     [[nodiscard]] Estimate estimate(double value, const Function& f, double least = 0.0) const;
-    /// Changes every set of parameters held here.
+    /// Changes every stored set of parameters.
     void each(const std::function<void(SpectralParameters&)>& change);
 
 private:

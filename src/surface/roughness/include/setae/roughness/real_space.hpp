@@ -7,13 +7,12 @@
 
 namespace setae::roughness {
 
-/// Root-mean-square parameters straight from heights, at the resolution of the pixels.
+/// Root-mean-square parameters from heights, at the resolution of the pixels.
 ///
 /// Lines: forward differences; maps: forward differences along x and y, five-point Laplacian; polylines: exact
 /// integrals over the segments, curvature from the three-point formula for unequal steps weighted by the trapezoid
-/// rule. Differences wrap round in periodic data. Undefined heights drop every difference that would use them; a
-/// parameter without a single defined difference is NaN. Heights are taken as they are: remove trends first
-/// (topography/detrend.hpp); the mean is removed here.
+/// rule. Differences wrap in periodic data. Differences with undefined heights are left out; a parameter without a
+/// defined difference is NaN. Only the mean of the heights is removed: remove trends first (topography/detrend.hpp).
 struct RealSpaceParameters {
     double rms_height = 0.0;           ///< Rq or Sq, unfiltered [m]: sqrt⟨(h − ⟨h⟩)²⟩ over all points
     double rms_height_of_lines = 0.0;  ///< maps: root of the mean over lines along x of each line's variance [m]
@@ -22,15 +21,15 @@ struct RealSpaceParameters {
     double rms_slope = 0.0;            ///< maps: sqrt⟨|∇h|²⟩; lines and polylines: equal to rms_slope_x [1]
     double rms_curvature = 0.0;        ///< maps: sqrt⟨(½∇²h)²⟩; lines and polylines: sqrt⟨(h'')²⟩ [1/m]
     double mean_height = 0.0;          ///< [m]
-    Index defined = 0;                 ///< heights used
+    Index defined = 0;                 ///< number of heights used
 };
 
 /// One pass over the heights.
-/// @throws UndefinedDataError where no height is defined.
+/// @throws UndefinedDataError if no height is defined.
 [[nodiscard]] RealSpaceParameters real_space_parameters(const topography::HeightMap& map,
                                                         parallel::Threads threads = {});
-/// Of a map larger than memory, by bands of scan lines: equal to the above up to rounding. lines_together: of a band, >
-/// 0. Periodic maps are read as a whole.
+/// Parameters of a map larger than memory, in bands of scan lines: equal up to rounding. lines_together: lines per
+/// band, > 0. Periodic maps are read as a whole.
 [[nodiscard]] RealSpaceParameters real_space_parameters(const topography::TiledMap& map, Index lines_together,
                                                         parallel::Threads threads = {});
 [[nodiscard]] RealSpaceParameters real_space_parameters(const topography::LineScan& scan);
@@ -38,7 +37,7 @@ struct RealSpaceParameters {
 [[nodiscard]] RealSpaceParameters real_space_parameters(const topography::Measurement& measurement,
                                                         parallel::Threads threads = {});
 
-/// Arithmetic mean deviation Ra or Sa [m]: ⟨|h − ⟨h⟩|⟩ over defined points; of a polyline NaN. A second pass.
+/// Arithmetic mean deviation Ra or Sa [m]: ⟨|h − ⟨h⟩|⟩ over defined points; NaN for a polyline. A second pass.
 [[nodiscard]] double arithmetic_height(const topography::Measurement& measurement, double mean_height,
                                        parallel::Threads threads = {});
 

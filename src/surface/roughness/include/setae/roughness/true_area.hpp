@@ -15,8 +15,8 @@ namespace setae::roughness {
 /// Source: [D19] (9), (S9).
 [[nodiscard]] double gaussian_area_ratio(double rms_slope);
 
-/// Excess area of Gaussian slopes over its small-slope value: g(h') with A_true/A_app = 1 + ½ h'² g(h'); g(0) = 1,
-/// g(1) = 0.7579. Source: [D19] (S11), (S12).
+/// Ratio of the excess area of Gaussian slopes to its small-slope value: g(h') with A_true/A_app = 1 + ½ h'² g(h');
+/// g(0) = 1, g(1) = 0.7579. Source: [D19] (S11), (S12).
 [[nodiscard]] double area_excess_factor(double rms_slope);
 
 /// Small-slope limit 1 + h'²/2. Source: [D19] (S4).
@@ -30,7 +30,7 @@ struct TriangulatedArea {
     Index cells = 0;
 };
 
-/// Cost: linear, one pass. @throws UndefinedDataError where no cell has four defined corners.
+/// Cost: linear, one pass. @throws UndefinedDataError if no cell has four defined corners.
 /// Source: [D19] (S3).
 [[nodiscard]] TriangulatedArea triangulated_area(const topography::HeightMap& map, parallel::Threads threads = {});
 

@@ -8,17 +8,17 @@
 
 namespace setae::scales {
 
-/// Along which direction of a map finite differences are taken; lines and polylines have x alone.
+/// Direction of finite differences on a map; lines and polylines have x only.
 enum class Along {
     x,  ///< the fast axis
     y,
-    both,  ///< order 1: |∇h|, order 2: ½∇²h, at points that have both components
+    both,  ///< order 1: |∇h|, order 2: ½∇²h, at points with both components
 };
 
-/// How heights between points are found.
+/// Interpolation of heights between points.
 enum class Interpolation {
     linear,   ///< between neighbours along the difference (the two triangles of a pixel share that edge)
-    fourier,  ///< the trigonometric polynomial through all points: periodic, fully defined data alone
+    fourier,  ///< the trigonometric polynomial through all points: only periodic, fully defined data
 };
 
 /// Finite differences over a distance.
@@ -27,9 +27,9 @@ enum class Interpolation {
 ///   order 2: [h(x − s) − 2h(x) + h(x + s)]/s²                       d = 2s
 ///   order 3: [−h(x − s) + 3h(x) − 3h(x + s) + h(x + 2s)]/s³         d = 3s
 ///
-/// d: length of the whole stencil [m]. Where s is a whole number of steps (to 1e-9) heights are not interpolated. A
-/// difference exists where every height it uses with a weight other than 0 is defined; non-periodic data have none that
-/// reach beyond an end.
+/// d: length of the whole stencil [m]. If s is a whole number of steps (to 1e-9) heights are not interpolated. A
+/// difference exists if every height with a nonzero weight is defined; differences do not extend beyond the ends of
+/// non-periodic data.
 struct DifferenceOptions {
     int order = 1;  ///< 1, 2 or 3
     Along along = Along::x;
@@ -48,7 +48,7 @@ struct DifferenceStatistics {
     int order = 1;
     Along along = Along::x;
     Array1D distance;              ///< [m]
-    Array1D count;                 ///< differences; of polylines the length they are integrated over
+    Array1D count;                 ///< number of differences; for polylines the length of integration
     std::string count_unit = "1";  ///< "m" for a length
     Array1D mean;
     Array1D rms;       ///< about zero
@@ -61,8 +61,8 @@ struct DifferenceStatistics {
     topography::Metadata metadata;
 };
 
-/// One pass over the heights for all distances; no map of derivatives is stored. O(points · distances).
-/// Rows are summed in fixed blocks about the mean difference of the first row: same bytes for any number of threads.
+/// One pass over the heights for all distances; no map of derivatives is stored. O(points · distances). Rows are summed
+/// in fixed blocks about the mean difference of the first row: same bytes for any number of threads.
 /// @throws InvalidArgument for an order outside 1 … 3, order 3 along both, distances that are not positive or longer
 /// than the data, Fourier interpolation of data that are not periodic, y of a line; UndefinedDataError for Fourier
 /// interpolation of undefined points. Source: 10.1016/j.apsadv.2021.100190.
@@ -70,24 +70,23 @@ struct DifferenceStatistics {
                                                          const DifferenceOptions& options = {});
 [[nodiscard]] DifferenceStatistics difference_statistics(const topography::LineScan& scan,
                                                          const DifferenceOptions& options = {});
-/// Polylines: integrals over x of the exact, piecewise linear difference, as many moments as above; O(points) a
-/// distance.
+/// Polylines: integrals over x of the exact, piecewise linear difference, the same moments; O(points) per distance.
 [[nodiscard]] DifferenceStatistics difference_statistics(const topography::Profile& profile,
                                                          const DifferenceOptions& options = {});
 [[nodiscard]] DifferenceStatistics difference_statistics(const topography::Measurement& measurement,
                                                          const DifferenceOptions& options = {});
 
-/// Which of the statistics is wanted as a function of distance.
+/// Statistic as a function of distance.
 enum class Statistic { rms, variance, mean, skewness, kurtosis, minimum, maximum };
 
-/// One statistic, named such as "rms_slope", "variance_of_curvature".
+/// One statistic, with a name such as "rms_slope", "variance_of_curvature".
 [[nodiscard]] FunctionOfScale function_of(const DifferenceStatistics& statistics, Statistic statistic);
 
 /// Receives the differences at one distance along x or y, row by row of the map: `row` is the first index, `first` the
-/// second index of values[0]; NaN where one is undefined. Called in order from one thread.
+/// second index of values[0]; NaN if undefined. Called in order from one thread.
 using RowConsumer = std::function<void(Index row, Index first, const ArrayView1D& values)>;
 
-/// Hands all differences at one distance to a function: any statistic without a stored map. A line scan is a single
+/// Passes all differences at one distance to a function: any statistic without a stored map. A line scan is a single
 /// row.
 /// @throws InvalidArgument as difference_statistics, and for Along::both.
 void for_each_row_of_differences(const topography::HeightMap& map, double distance, const DifferenceOptions& options,

@@ -8,7 +8,7 @@
 
 namespace setae::texture {
 
-/// Ratios that functional parameters refer to; the defaults are the standards'.
+/// Ratios of functional parameters; the defaults are those of the standards.
 struct MaterialRatios {
     double peaks = 0.10;             ///< of Vmp, Vmc, Vvc
     double valleys = 0.80;           ///< of Vmc, Vvc, Vvv
@@ -20,15 +20,18 @@ struct MaterialRatios {
     std::optional<double> height;    ///< of Smr(c), a height of the measurement [m]; without it Smr is NaN
 };
 
-/// What the material ratio curve H(p) says of peaks, core and valleys; heights [m] against the mean, volumes per area
-/// [m³/m²].
+/// Parameters of peaks, core and valleys from the material ratio curve H(p); heights [m] from the mean, volumes per
+/// area [m³/m²].
 ///
-///   straight line through the 40 % of the curve with the smallest secant, by least squares of heights; at p = 0 and 1
-///   it ends at c1 and c2:  Sk = c1 − c2,  Smrk1 = P(c1),  Smrk2 = P(c2) Spk = 2/Smrk1 ∫_c1^∞ P dh,   Svk = 2/(1 −
-///   Smrk2) ∫_−∞^c2 (1 − P) dh Vm(p) = ∫_H(p)^∞ P dh,  Vv(p) = ∫_−∞^H(p) (1 − P) dh Vmp = Vm(10 %), Vmc = Vm(80 %) −
-///   Vm(10 %), Vvc = Vv(10 %) − Vv(80 %), Vvv = Vv(80 %),  Sxp = H(2.5 %) − H(50 %)
+///   straight line through the 40 % of the curve with the smallest secant, by least squares of heights;
+///   at p = 0 and 1 its heights are c1 and c2
+///   Sk = c1 − c2,  Smrk1 = P(c1),  Smrk2 = P(c2)
+///   Spk = 2/Smrk1 ∫_c1^∞ P dh,  Svk = 2/(1 − Smrk2) ∫_−∞^c2 (1 − P) dh
+///   Vm(p) = ∫_H(p)^∞ P dh,  Vv(p) = ∫_−∞^H(p) (1 − P) dh
+///   Vmp = Vm(10 %),  Vmc = Vm(80 %) − Vm(10 %),  Vvc = Vv(10 %) − Vv(80 %),  Vvv = Vv(80 %)
+///   Sxp = H(2.5 %) − H(50 %)
 ///
-/// Of lines the same with R in place of S. Members carry the names of the areal parameters.
+/// For lines R replaces S. Members have the names of the areal parameters.
 /// Source: ISO 25178-2:2021, 4.5 and annex B; ISO 21920-2:2021, 4.5.3 and 4.5.5; ISO 13565-2:1996.
 struct FunctionalParameters {
     double Sk = 0.0;
@@ -43,13 +46,13 @@ struct FunctionalParameters {
     double Vmp = 0.0, Vmc = 0.0, Vvc = 0.0, Vvv = 0.0;
     double Sxp = 0.0;
     double Sdc = 0.0;
-    double Smr = undefined;  ///< P at the height asked for [1]
+    double Smr = undefined;  ///< P at the requested height [1]
     double Smc = 0.0;        ///< H(p), a height of the measurement [m]
 };
 
-/// The core's line is fitted to the curve between nodes at which it falls by at most 1/1024; heights at ratios and
+/// The line of the core is fitted to the curve between nodes at which it falls by at most 1/1024; heights at ratios and
 /// volumes are exact. Cost: about five passes over the heights.
-/// @throws UndefinedDataError as bearing_area. A constant surface has zeros, and Smrk1 = 0, Smrk2 = 1.
+/// @throws UndefinedDataError as bearing_area. For a constant surface all are 0 except Smrk2 = 1.
 [[nodiscard]] FunctionalParameters functional_parameters(const MeasurementView& measurement,
                                                          const MaterialRatios& ratios = {},
                                                          Between between = Between::linear,

@@ -12,8 +12,9 @@ namespace setae::texture {
 ///
 ///   Sq² = ⟨z²⟩,  Ssk = ⟨z³⟩/Sq³,  Sku = ⟨z⁴⟩/Sq⁴,  Sa = ⟨|z|⟩,  Sp = max z,  Sv = −min z,  Sz = Sp + Sv,   z = h − ⟨h⟩
 ///
-/// Maps and lines: over defined points. Polylines: exact integrals over the segments, split at the mean line for Sa. Of
-/// lines read R for S. Ssk and Sku of a constant surface are NaN. Source: ISO 25178-2:2021, 4.2; ISO 21920-2:2021, 4.2.
+/// Maps and lines: over defined points. Polylines: exact integrals over the segments, split at the mean line for Sa.
+/// For lines R replaces S. Ssk and Sku of a constant surface are NaN. Source: ISO 25178-2:2021, 4.2; ISO 21920-2:2021,
+/// 4.2.
 struct HeightParameters {
     double Sq = 0.0;    ///< [m]
     double Ssk = 0.0;   ///< [1]
@@ -23,12 +24,12 @@ struct HeightParameters {
     double Sz = 0.0;    ///< [m]
     double Sa = 0.0;    ///< [m]
     double mean = 0.0;  ///< [m]
-    Index defined = 0;  ///< points used
+    Index defined = 0;  ///< number of points used
 };
 
-/// Two passes: the mean, then everything about it, so that an offset costs no digits.
-/// mean_line: height [m] that z is counted from instead of the mean, such as the 0 of filtered profiles.
-/// @throws UndefinedDataError where no height is defined.
+/// Two passes: the mean, then the moments about it, so an offset causes no loss of digits. mean_line: reference height
+/// [m] of z in place of the mean, such as the 0 of filtered profiles. @throws UndefinedDataError if no height is
+/// defined.
 [[nodiscard]] HeightParameters height_parameters(const MeasurementView& measurement, parallel::Threads threads = {},
                                                  std::optional<double> mean_line = {});
 

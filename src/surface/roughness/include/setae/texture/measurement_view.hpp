@@ -7,7 +7,7 @@
 
 namespace setae::texture {
 
-/// A measurement of any kind as functions read it: made from each kind without a copy, and valid as long as it lives.
+/// A view of a measurement of any kind: created without a copy, valid during the lifetime of the measurement.
 class MeasurementView {
 public:
     explicit(false) MeasurementView(const topography::HeightMap& map) : which_(&map) {}

@@ -5,14 +5,14 @@
 
 namespace setae::spectra {
 
-/// C_iso from C1D by the paper's approximation.
+/// C_iso from C1D by the approximation of [D19].
 ///
 ///   C_iso(q) ≈ π C1D(q)/(q √(1 − (q/q_s)²))
 ///
-/// wavevector [1/m], C1D [m³], shortest_wavevector q_s [1/m]. NaN for q >= q_s. With q_s infinite: π C1D/q.
-/// h_rms² of the result is about π/2 times too large (THEORY: its ratio to the truth); moments need no conversion.
+/// wavevector [1/m], C1D [m³], shortest_wavevector q_s [1/m]. NaN for q >= q_s. With q_s infinite: π C1D/q. h_rms² of
+/// the result is about π/2 times too large (THEORY: ratio to the exact value); moments need no conversion.
 /// @throws InvalidArgument for sizes that differ or q_s <= 0.
-/// Source: [D19] eq. (11).
+/// Source: [D19] Eq. (11).
 [[nodiscard]] Array1D isotropic_from_profile_eq11(const ArrayView1D& wavevector, const ArrayView1D& C1D,
                                                   double shortest_wavevector);
 
@@ -27,9 +27,9 @@ namespace setae::spectra {
 [[nodiscard]] Array1D profile_from_isotropic(const ArrayView1D& nodes, const ArrayView1D& C_iso,
                                              const ArrayView1D& wavevector);
 
-/// C_iso at the wavevectors of C1D whose Abel integral is C1D, by multiplicative correction of eq. (11):
-/// C_iso ← C_iso · C1D/Abel(C_iso), rounds times. From the last wavevector to q_s the power law of the last two
-/// continues. Few rounds regularise: noise between neighbouring wavevectors grows with each. wavevector: increasing,
+/// C_iso at the wavevectors of C1D whose Abel integral is C1D, by multiplicative correction of Eq. (11): C_iso ← C_iso
+/// · C1D/Abel(C_iso), rounds times. From the last wavevector to q_s the power law of the last two continues. A small
+/// number of rounds regularises: noise between neighbouring wavevectors grows with each round. wavevector: increasing,
 /// below q_s = shortest_wavevector [1/m]. C1D > 0 [m³].
 /// @throws InvalidArgument as profile_from_isotropic, for a wavevector not below q_s, or for rounds < 0.
 [[nodiscard]] Array1D isotropic_from_profile(const ArrayView1D& wavevector, const ArrayView1D& C1D,

@@ -14,20 +14,20 @@ namespace setae::spectra {
 ///   C2D(q) = |h̃(q)|²/A,  h̃ = ∫∫ w h exp(−iq·r) d²r
 ///
 /// The wavevector of a bin is the mean |q| of its members, the count that of (q_x, q_y) of both signs; bins without a
-/// member are left out. Memory beside the map: its half spectrum.
+/// member are left out. Additional memory: the half spectrum.
 /// @throws UndefinedDataError if a height is undefined.
 /// Source: [J17].
 [[nodiscard]] MeasuredSpectrum isotropic_power_spectrum(const topography::HeightMap& map,
                                                         const SpectrumOptions& options = {}, const LogGrid& grid = {});
 
-/// Elastic energy that a map's own waves store in a half-space pressed to follow them, over area and modulus,
+/// Elastic energy of a half-space in full contact with the waves of a map, over area and modulus,
 ///
 ///   U_el/(A E*) = ¼ Σ |q| |h_q|²    [m]
 ///
-/// over its modes inside a band of |q| [1/m], h_q the amplitude of exp(iq·r): equation (8) of [D19] without its
-/// isotropy. One wave A cos(q·r) has |q| A²/8.
+/// over its modes inside a band of |q| [1/m], h_q the amplitude of exp(iq·r): Eq. (8) of [D19] without the assumption
+/// of isotropy. One wave A cos(q·r) has |q| A²/8.
 /// @throws as isotropic_power_spectrum.
-/// Source: [D19] eq. (8); Persson, Tosatti, J. Chem. Phys. 115 (2001) 5597.
+/// Source: [D19] Eq. (8); Persson, Tosatti, J. Chem. Phys. 115 (2001) 5597.
 [[nodiscard]] double energy_per_modulus_of_modes(const topography::HeightMap& map, const Band& band,
                                                  const SpectrumOptions& options = {});
 

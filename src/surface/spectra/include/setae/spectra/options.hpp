@@ -11,7 +11,7 @@
 
 namespace setae::spectra {
 
-/// What the straight segments between the points of a traced contour are taken for.
+/// Interpretation of the straight segments between the points of a traced contour.
 enum class ContourTreatment {
     sinc_corrected,  ///< points are samples of a curve: the spectrum of the segments is divided by segment_response
     segments,        ///< the segments are the curve ([D19])
@@ -19,9 +19,9 @@ enum class ContourTreatment {
 
 struct SpectrumOptions {
     Window window = Window::automatic;
-    topography::Trend trend = topography::Trend::mean;            ///< removed before the window
+    topography::Trend trend = topography::Trend::mean;            ///< trend removed before the window
     ContourTreatment contour = ContourTreatment::sinc_corrected;  ///< profiles only
-    bool trace_response = true;          ///< free profiles that know their trace's response of it; false: as traced
+    bool trace_response = true;          ///< correct profiles for the known response of their trace; false: as traced
     std::optional<Array1D> wavevectors;  ///< [1/m], profiles only; default 2πk/L up to π/(mean step)
     ReliabilityOptions reliability;
     parallel::Threads threads;

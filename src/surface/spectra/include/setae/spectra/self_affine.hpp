@@ -19,7 +19,7 @@ struct SelfAffine {
 /// C_iso [m⁴]. @throws InvalidArgument for a model outside the domain above (all functions here).
 [[nodiscard]] Array1D isotropic_power_spectrum(const SelfAffine& model, const ArrayView1D& wavevector);
 
-/// C1D [m³] of line scans on it, by quadrature of the Abel integral, relative error below 1e-10.
+/// C1D [m³] of line scans, by quadrature of the Abel integral, relative error below 1e-10.
 [[nodiscard]] Array1D profile_power_spectrum(const SelfAffine& model, const ArrayView1D& wavevector);
 
 /// ∫_0^∞ q^(n+1) C_iso dq [m^(2−n)], closed form, n > −2.
@@ -29,8 +29,8 @@ struct SelfAffine {
 [[nodiscard]] double rms_slope(const SelfAffine& model);      ///< h'_rms, ((1/2π) moment 2)^½
 [[nodiscard]] double rms_curvature(const SelfAffine& model);  ///< h''_rms [1/m], ((1/8π) moment 4)^½
 
-/// The model whose height, slope and curvature are given, for a given q_s.
-/// @throws InvalidArgument where no H in (0, 1.5) and q_r < q_s give them.
+/// The model with given height, slope and curvature, for a given q_s.
+/// @throws InvalidArgument if no H in (0, 1.5) and q_r < q_s give them.
 [[nodiscard]] SelfAffine self_affine_with_moments(double rms_height, double rms_slope, double rms_curvature,
                                                   double short_wavevector);
 

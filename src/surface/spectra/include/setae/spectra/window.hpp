@@ -8,8 +8,8 @@
 
 namespace setae::spectra {
 
-/// What heights are multiplied with before a transform, scaled to sum w² = n (for polylines ∫w² dx = L), so that the
-/// mean square of the heights is kept on average.
+/// Window applied to heights before a transform, scaled to sum w² = n (for polylines ∫w² dx = L), which keeps the mean
+/// square of the heights on average.
 enum class Window {
     automatic,  ///< hann for non-periodic data, none for periodic data
     none,
@@ -26,7 +26,7 @@ enum class Window {
 /// Values at t = 2πj/n, j = 0 … n−1, with sum w² = n exactly.
 [[nodiscard]] Array1D window_values(Window window, Index n);
 
-/// `automatic` replaced by what it stands for.
+/// Replaces `automatic` by the resulting window.
 [[nodiscard]] Window resolved(Window window, bool periodic);
 
 /// "automatic", "none", "hann", "blackman_harris", "radial_hann". @throws InvalidArgument that lists them.

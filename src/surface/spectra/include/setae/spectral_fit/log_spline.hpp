@@ -7,7 +7,7 @@
 
 namespace setae::spectral_fit {
 
-/// ln C_iso as a cubic B-spline in ln q with ten coefficients a decade, the last knot at q_s.
+/// ln C_iso as a cubic B-spline in ln q with ten coefficients per decade, the last knot at q_s.
 ///
 /// Between `lowest` and q_s = `shortest`; constant below, C_iso = 0 above q_s.
 class LogSpline {
@@ -18,7 +18,7 @@ public:
     [[nodiscard]] Index coefficients() const { return coefficients_; }
     [[nodiscard]] double shortest() const { return shortest_; }
     [[nodiscard]] double spacing() const { return spacing_; }  ///< of knots in ln q
-    /// ln q a coefficient stands at.
+    /// ln q of a coefficient.
     [[nodiscard]] double position(Index coefficient) const;
     /// Values of the basis at wavevectors: ln C_iso = design · coefficients. Shape (wavevectors, coefficients).
     [[nodiscard]] Eigen::MatrixXd design(const ArrayView1D& wavevectors) const;

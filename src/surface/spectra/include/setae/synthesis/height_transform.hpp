@@ -22,9 +22,10 @@ struct HeightShape {
 ///                       y = 1/(1 + exp(−(z − γ)/δ))  lighter tails: y is bounded
 ///                       y = exp(z/δ)                 on the line between
 ///
-/// Shapes are met to a relative 1e-6. Domain: |skewness| <= 4; kurtosis from that of the bounded curve with δ = ½
-/// (1.63, 2.85, 6.6, 22.5 at skewness 0, 1, 2, 4) to that of the unbounded one, 4·10⁶; δ below ½ gives two sharp peaks.
-/// @throws InvalidArgument for a shape outside, with the range of kurtosis at that skewness.
+/// The shape is accurate to a relative 1e-6. Domain: |skewness| <= 4; kurtosis from that of the bounded curve with δ =
+/// ½ (1.63, 2.85, 6.6, 22.5 at skewness 0, 1, 2, 4) to that of the unbounded one, 4·10⁶; δ below ½ gives two sharp
+/// peaks.
+/// @throws InvalidArgument for a shape outside the domain, with the range of kurtosis at that skewness.
 /// Source: Johnson, Biometrika 36 (1949) 149, eqs. (31), (37).
 [[nodiscard]] HeightTransform johnson_heights(const HeightShape& shape);
 
@@ -35,10 +36,10 @@ struct HeightShape {
 /// @throws InvalidArgument for a skewness that is not finite.
 [[nodiscard]] HeightTransform lognormal_heights(double skewness);
 
-/// Shape of a transform's values, by quadrature over |z| <= 12; relative error below 1e-8 for smooth transforms.
+/// Shape of the values of a transform, by quadrature over |z| <= 12; relative error below 1e-8 for smooth transforms.
 [[nodiscard]] HeightShape shape_of(const HeightTransform& transform);
 
-/// How a transform changes autocorrelations.
+/// Effect of a transform on autocorrelations.
 ///
 ///   ρ_g = Σ_n w_n ρ^n,  w_n = c_n²/Σ c_n²,  c_n = ⟨g(z) He_n(z)⟩/√n!,  n = 1 … 60
 ///
@@ -56,8 +57,7 @@ public:
     /// dρ_g/dρ.
     [[nodiscard]] double slope(double correlation) const;
 
-    /// ρ whose ρ_g is given, to rounding; −1 below ρ_g(−1), since Gaussian heights are never more opposed, and 1
-    /// above 1.
+    /// ρ for a given ρ_g, to rounding; −1 below ρ_g(−1), the minimum for Gaussian heights, and 1 above 1.
     [[nodiscard]] double parent(double transformed_correlation) const;
 
 private:

@@ -22,10 +22,10 @@ struct LineGrid {
     double size = 0.0;  ///< [m], > 0
 };
 
-/// How the amplitudes of modes scatter about the spectrum.
+/// Scatter of the amplitudes of modes about the spectrum.
 enum class Amplitudes {
-    gaussian,  ///< complex normal: a Gaussian random surface, its rms height scatters from seed to seed
-    exact,     ///< |h̃_q|² is its expectation, phases are random: its rms height and slope are the spectrum's
+    gaussian,  ///< complex normal: a Gaussian random surface, whose rms height scatters from seed to seed
+    exact,     ///< |h̃_q|² is its expectation, phases are random: rms height and slope are those of the spectrum
 };
 
 struct SurfaceOptions {
@@ -40,34 +40,34 @@ struct SurfaceOptions {
 ///
 ///   h(x) = Σ_q c_q exp(iqx),  ⟨|c_q|²⟩ = C_iso(q)/A,  q = 2π (kx/size_x, ky/size_y),  so ⟨|h̃_q|²⟩ = C_iso(q) A
 ///
-/// The random numbers of a mode depend on seed and mode numbers (kx, ky) alone: a finer grid of the same size and seed
-/// shows the same surface with more modes (the highest mode of an even number of points is real on a grid and belongs
-/// to that grid only). Same bytes for any number of threads. C_iso is interpolated in tables of q² to 1e-6 of √C_iso,
-/// and called itself where it jumps or bends. Modes beyond the highest are left out, not folded back. Memory: the map
-/// and one block a thread; O(n log n); 4096² in 0.2 s on two cores.
+/// The random numbers of a mode depend only on seed and mode numbers (kx, ky): a finer grid of the same size and seed
+/// has the same surface with more modes (the highest mode of an even number of points is real and specific to its
+/// grid). Same bytes for any number of threads. C_iso is interpolated in tables of q² to 1e-6 of √C_iso, and evaluated
+/// directly at jumps and bends. Modes beyond the highest are left out, without aliasing. Memory: the map and one block
+/// per thread; O(n log n); 4096² in 0.2 s on two cores.
 /// @throws InvalidArgument for a grid or anisotropy outside its domain, a spectrum that is negative, infinite or NaN,
-/// or an exact rms height where no mode has power.
+/// or an exact rms height without a mode with power.
 [[nodiscard]] topography::HeightMap random_surface(const spectra::SpectralDensity& C_iso, const SurfaceGrid& grid,
                                                    const SurfaceOptions& options = {});
 
-/// A periodic random line of zero mean: h(x) = Σ_q c_q exp(iqx), ⟨|c_q|²⟩ = C1D(q)/L.
-/// Lines through an isotropic surface: C1D = profile_density(C_iso, …). Modes, seeds and errors as random_surface.
+/// A periodic random line of zero mean: h(x) = Σ_q c_q exp(iqx), ⟨|c_q|²⟩ = C1D(q)/L. Lines on an isotropic surface:
+/// C1D = profile_density(C_iso, …). Modes, seeds and errors as random_surface.
 [[nodiscard]] topography::LineScan random_line(const spectra::SpectralDensity& C1D, const LineGrid& grid,
                                                const SurfaceOptions& options = {});
 
-/// What a surface on this grid has on average: sums over its modes.
+/// Expected roughness of a surface on this grid: sums over its modes.
 struct ExpectedRoughness {
     double rms_height = 0.0;  ///< √(Σ C/A) [m]
-    double rms_slope = 0.0;   ///< √(Σ q² C/A), Fourier derivative; of a line √⟨h'²⟩
+    double rms_slope = 0.0;   ///< √(Σ q² C/A), Fourier derivative; for a line √⟨h'²⟩
 };
 [[nodiscard]] ExpectedRoughness expected_roughness(const spectra::SpectralDensity& C_iso, const SurfaceGrid& grid,
                                                    const SurfaceOptions& options = {});
 [[nodiscard]] ExpectedRoughness expected_roughness(const spectra::SpectralDensity& C1D, const LineGrid& grid);
 
-/// nx x ny points of a map from grid point (x0, y0) on, as a map that is not periodic; where the map is periodic the
-/// window may cross its ends. Heights as they are: no trend is removed.
-/// @throws InvalidArgument for a window of fewer than 2 x 2 points or larger than the map, or one that leaves a map
-/// that is not periodic.
+/// nx x ny points of a map from grid point (x0, y0) on, as a map that is not periodic; on a periodic map the window may
+/// cross its ends. Heights are unchanged: no trend is removed.
+/// @throws InvalidArgument for a window of fewer than 2 x 2 points or larger than the map, or one that extends beyond a
+/// map that is not periodic.
 [[nodiscard]] topography::HeightMap cut(const topography::HeightMap& map, Index x0, Index y0, Index nx, Index ny);
 
 }  // namespace setae::synthesis
