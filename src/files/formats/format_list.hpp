@@ -3,8 +3,8 @@
 
 #include "setae/formats/format.hpp"
 
-/// One function a format, in formats/<name>.cpp: what it is and the functions that do it. formats.cpp gathers them in
-/// the table.
+/// One function per format, in formats/<name>.cpp: description and functions of the format. formats.cpp collects them
+/// in the table.
 namespace setae::formats {
 
 // exchange

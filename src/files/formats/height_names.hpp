@@ -7,12 +7,12 @@
 
 namespace setae::formats {
 
-/// Words of a name in lower case: letters and digits between anything else, and where a small letter is followed by a
-/// capital.
+/// Words of a name in lower case: letters and digits separated by other characters, and where a lower-case letter is
+/// followed by a capital.
 [[nodiscard]] std::vector<std::string> words_of_name(std::string_view name);
 
-/// Whether a name says that heights of a surface stand there: one of its words is height, heights, topography, topo,
-/// elevation or surface, or the whole name, the last part of a path, is z or h.
+/// Whether a name indicates heights of a surface: one of its words is height, heights, topography, topo, elevation or
+/// surface, or the whole name, the last part of a path, is z or h.
 [[nodiscard]] bool is_height_name(std::string_view name);
 
 }  // namespace setae::formats

@@ -5,8 +5,8 @@
 
 namespace setae::formats {
 
-/// The channel with the heights undefined that mark missing ones, whether they are read as a whole or by scan lines.
-/// What was found is in the metadata's alerts, as topography::alerts_of() words it.
+/// The channel with markers of missing heights set undefined, read as a whole or by scan lines. The metadata contain
+/// the warnings of topography::alerts_of().
 [[nodiscard]] Channel without_no_data(Channel channel);
 
 }  // namespace setae::formats

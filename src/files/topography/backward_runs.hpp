@@ -8,13 +8,13 @@
 
 namespace setae::topography {
 
-/// Points first … last whose x does not pass the largest x before them.
+/// Points first … last whose x does not exceed the largest x before them.
 struct BackwardRun {
     Index first = 0, last = 0;
-    double depth = 0.0;  ///< how far they step back from the largest x before [m], >= 0
+    double depth = 0.0;  ///< distance below the largest x before [m], >= 0
 };
 
-/// Where a curve of defined points turns back or stands still; all other points have increasing x.
+/// Runs of a curve of defined points without progress in x; all other points have increasing x.
 [[nodiscard]] inline std::vector<BackwardRun> backward_runs(const Array1D& x) {
     std::vector<BackwardRun> runs;
     Index front = 0;

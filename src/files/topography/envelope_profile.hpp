@@ -12,19 +12,19 @@ struct LengthRange {
     double begin = 0.0, end = 0.0;
 };
 
-/// What of a curve is seen from above.
+/// Parts of a curve visible from above.
 struct Visible {
-    Profile profile;                ///< positions, heights and standard errors alone
-    double length = 0.0;            ///< of the curve that is seen [m]
+    Profile profile;                ///< only positions, heights and standard errors
+    double length = 0.0;            ///< visible length of the curve [m]
     std::vector<LengthRange> seen;  ///< in no order
 };
 
-/// The upper envelope of a curve as a profile. Where the curve's ends lie below a stretch that runs backwards, sample
-/// goes on beyond the picture: what is over those x is left out.
+/// The upper envelope of a curve as a profile. If the ends of the curve are below a part that runs backwards, the
+/// sample continues beyond the picture: parts over those x are left out.
 ///
-/// At a jump the lower side gives way: its points within one mean step of the curve (a third of the stretch at most)
-/// are left out, so that the jump is a slope over that step. Finer steps would show a slope that the points cannot: a
-/// jump J resolved over the step Δ adds J²/Δ to ∫h'²dx, which is also its part below the wavevector π/Δ.
+/// At a jump, points of the lower side within one mean step of the curve (at most a third of the part) are left out, so
+/// the jump is a slope over that step. A finer step would give a slope that the points do not support: a jump J
+/// resolved over the step Δ adds J²/Δ to ∫h'²dx, which is also its contribution below the wavevector π/Δ.
 [[nodiscard]] Visible visible_profile(const OrientedCurve& curve);
 
 }  // namespace setae::topography

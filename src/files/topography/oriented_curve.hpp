@@ -8,11 +8,11 @@
 
 namespace setae::topography {
 
-/// A curve turned so that its mean line is horizontal with vacuum above, walked towards +x; points differ from their
+/// A curve rotated so that its mean line is horizontal with vacuum above, in the direction +x; points differ from their
 /// predecessors.
 struct OrientedCurve {
     Array1D x, y;            ///< [m], y about the mean line
-    Array1D along;           ///< length from the curve's beginning [m]
+    Array1D along;           ///< length from the beginning of the curve [m]
     Array1D standard_error;  ///< along the normal [m]; empty where unknown
 
     [[nodiscard]] OrientedCurve points(const std::vector<Index>& chosen) const;
@@ -34,12 +34,12 @@ struct Orientation {
 /// @throws InvalidArgument for arrays of different size; UndefinedDataError where fewer than two are left.
 [[nodiscard]] std::vector<Index> distinct_points(const TracedCurve& traced);
 
-/// Of a closed outline the part from its leftmost to its rightmost point over the top, not turned; heights about its
-/// mean.
+/// A closed outline is reduced to its upper part from the leftmost to the rightmost point, not rotated; heights about
+/// its mean.
 /// @throws as distinct_points.
 [[nodiscard]] Orientation oriented_curve(const TracedCurve& traced);
 
-/// CLOSED_OUTLINE with the share of the outline that is seen from above. length: of that part [m].
+/// CLOSED_OUTLINE with the share of the outline visible from above. length: of that part [m].
 [[nodiscard]] Alert closed_outline_alert(const TracedCurve& traced, double length);
 
 }  // namespace setae::topography

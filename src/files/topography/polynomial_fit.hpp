@@ -19,21 +19,21 @@ struct Terms {
 
 /// @throws InvalidArgument as fitted_polynomial.
 [[nodiscard]] Terms terms_of(const PolynomialDegrees& degrees, bool line);
-/// Of a line that lies along the columns of its one row.
+/// For a line along the columns of its only row.
 [[nodiscard]] Terms turned(Terms terms);
 
-/// Normal equations of a polynomial's Legendre coefficients, heights counted from an origin.
+/// Normal equations of the Legendre coefficients of a polynomial, heights relative to an origin.
 struct NormalEquations {
     Array2D gram;
     Array1D moments;
     double origin = 0.0;
-    Index points = 0;  ///< that count
+    Index points = 0;  ///< number of points used
 };
 
 /// The matrix of coefficients from a solution of the normal equations.
 [[nodiscard]] Array2D arranged(const Terms& terms, const Array1D& solution, double origin);
 
-/// Sums over a map's points that count, band by band of its scan lines.
+/// Sums over the used points of a map, band by band of its scan lines.
 class PolynomialFit {
 public:
     PolynomialFit(Terms terms, Index ny);
@@ -45,23 +45,23 @@ public:
 
 private:
     Terms terms_;
-    Array2D table_;                 // of Legendre's polynomials at the scan lines
-    std::optional<double> origin_;  // a height that counts: sums about it lose no digits to an offset
+    Array2D table_;                 // of Legendre polynomials at the scan lines
+    std::optional<double> origin_;  // a used height: sums about it lose no digits to an offset
     Array2D heights_, points_;  // Σ h P_a P_b; Σ P_k P_l up to twice the degrees, of which products of terms are sums
 };
 
-/// Where a polyline's points lie: u = (x − middle)/half.
+/// Positions of the points of a polyline: u = (x − middle)/half.
 struct PolylinePlaces {
     explicit PolylinePlaces(const Profile& profile);
     double middle, half;
     Array1D u;
 };
 
-/// Integrals over the segments whose both ends are chosen, all where the mask is empty.
+/// Integrals over the segments with both ends selected; all segments if the mask is empty.
 [[nodiscard]] NormalEquations polyline_equations(const Profile& profile, const PolylinePlaces& places,
                                                  const Terms& terms, const Mask& chosen);
 
-/// An origin and a polynomial that are taken from rows of a map; a large origin costs no digits.
+/// An origin and a polynomial that are subtracted from rows of a map; a large origin causes no loss of digits.
 class PolynomialRows {
 public:
     PolynomialRows(double origin, Array2D coefficients, Index rows, Index ny);
@@ -73,11 +73,11 @@ public:
 private:
     double origin_;
     Array2D coefficients_;
-    Array2D table_;  // of Legendre's polynomials at the scan lines
+    Array2D table_;  // of Legendre polynomials at the scan lines
     Index rows_;
 };
 
-/// Takes an origin, then a polynomial from the scan lines first, first + 1, … of a map with ny.
+/// Subtracts an origin and a polynomial from the scan lines first, first + 1, … of a map with ny.
 void subtract(double origin, const Array2D& coefficients, Eigen::Ref<Array2D> band, Index first, Index ny,
               parallel::Threads threads);
 

@@ -9,7 +9,8 @@ namespace setae::topography {
 /// @throws InvalidArgument for infinite heights or a negative range, UndefinedDataError where nothing is defined.
 [[nodiscard]] double height_range(const HeightMap& surface, const DilationOptions& options);
 
-/// How far [m] from its axis a tip can touch within a height range; an ArrayTip to its last finite point.
+/// Distance [m] from its axis at which a tip can touch within a height range; for an ArrayTip that of its last finite
+/// point.
 [[nodiscard]] double contact_reach(const Tip& tip, double range);
 
 /// The tip on the pixels of a surface, as far as it can touch.

@@ -7,17 +7,17 @@
 
 namespace setae::topography {
 
-/// A part of a polyline's segment, from the x where it is the highest to the x where it no longer is.
+/// A part of a segment of a polyline, over the range of x where it is the highest.
 struct VisiblePiece {
     Index segment = 0;              ///< from point `segment` to the next
     double begin = 0.0, end = 0.0;  ///< [m], begin < end
 };
 
-/// Height of a segment of the polyline (x, y) at a position within it, that of its points at their x [m].
+/// Height of a segment of the polyline (x, y) at a position within it, exact at its points [m].
 [[nodiscard]] double height_of_segment(const Array1D& x, const Array1D& y, Index segment, double position);
 
-/// The highest of a polyline over each x, exactly: pieces from left to right that touch where the curve has no gap.
-/// Vertical segments have no piece.  O(n log m) for m stretches between turning points.
+/// The highest part of a polyline over each x, exactly: pieces from left to right that touch if the curve has no gap.
+/// Vertical segments have no piece. O(n log m) for m parts between turning points.
 [[nodiscard]] std::vector<VisiblePiece> upper_envelope(const Array1D& x, const Array1D& y);
 
 }  // namespace setae::topography

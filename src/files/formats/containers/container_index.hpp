@@ -9,7 +9,7 @@
 
 namespace setae::formats {
 
-/// Names of the index in the archive; the first that is there counts.
+/// Names of the index in the archive; the first existing one is used.
 inline constexpr const char* json_index = "index.json";
 inline constexpr const char* yaml_index = "meta.yml";
 
@@ -17,18 +17,18 @@ inline constexpr const char* yaml_index = "meta.yml";
     return archive.has(json_index) || archive.has(yaml_index);
 }
 
-/// The index with the keys of generation C, whatever generation it is; nothing else is changed.
-/// @throws FormatError for an index that is missing, does not parse, nests deeper than 64 levels or lists no surfaces.
+/// The index of any generation, converted to the keys of generation C without other changes.
+/// @throws FormatError for an index that is missing, does not parse, has more than 64 levels or lists no surfaces.
 [[nodiscard]] nlohmann::json parsed_index(const bytes::Archive& archive, const bytes::Source& source);
 
-/// What an index of generation C says.
+/// Content of an index of generation C.
 struct IndexContent {
     Container container;
     std::vector<Alert> alerts;
 };
 [[nodiscard]] IndexContent index_content(nlohmann::json index);
 
-/// The index of generation C that says the same.
+/// The index of generation C with the content of a container.
 [[nodiscard]] nlohmann::ordered_json index_of(const Container& container);
 
 }  // namespace setae::formats

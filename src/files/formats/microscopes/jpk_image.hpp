@@ -9,7 +9,7 @@
 
 namespace setae::formats {
 
-/// Both kinds of images of JPK Instruments: scanned line by line, or made of the force curve of each pixel.
+/// Both kinds of images of JPK Instruments: scanned line by line, or composed of the force curves of the pixels.
 enum class JpkImage { scan, force_curves };
 
 [[nodiscard]] Match detect_jpk_image(std::string_view head, const bytes::Source& source, JpkImage kind);

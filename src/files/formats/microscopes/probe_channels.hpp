@@ -8,8 +8,8 @@
 
 namespace setae::formats {
 
-/// Whether a channel of a scanning probe holds heights of the surface: its unit is a length, and its name is none of
-/// what is measured in lengths, too, and is no height: amplitudes, deflections, errors of the feedback, deformations …
+/// Whether a channel of a scanning probe contains heights of the surface: its unit is a length, and its name is none of
+/// the other quantities with a unit of length: amplitudes, deflections, errors of the feedback, deformations …
 [[nodiscard]] bool holds_heights(std::string_view name, std::string_view unit);
 
 using tables::plain_unit;

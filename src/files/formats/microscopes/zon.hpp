@@ -9,14 +9,14 @@
 
 namespace setae::formats {
 
-/// The archive of a ZON or ZAG file, behind its picture. @throws FormatError where the file is none.
+/// The archive of a ZON or ZAG file, after its picture. @throws FormatError for other files.
 [[nodiscard]] bytes::Source keyence_archive(const bytes::Source& source);
 
-/// A member's content, expanded where it is packed once more by Zstandard.
+/// Content of a member, expanded if it is additionally compressed by Zstandard.
 [[nodiscard]] std::string keyence_member(const bytes::Archive& archive, const std::string& name,
                                          const bytes::Source& source);
 
-/// Whether bytes begin as a ZON or ZAG file, and so whether keyence_archive may be asked.
+/// Whether bytes begin as a ZON or ZAG file, a condition of keyence_archive.
 [[nodiscard]] bool is_keyence_package(std::string_view head);
 
 [[nodiscard]] std::vector<Channel> open_zon(const bytes::Source& source, const ReadOptions& options);

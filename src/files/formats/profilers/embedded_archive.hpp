@@ -11,17 +11,16 @@
 
 namespace setae::formats {
 
-/// The ZIP archive behind a picture of `picture_bytes` bytes at `picture`, as Keyence's programs put one before their
-/// data.
-/// @throws FormatError "<format>: …" where none begins there or within the next KiB.
+/// The ZIP archive after a picture of `picture_bytes` bytes at `picture`, the layout of Keyence files.
+/// @throws FormatError "<format>: …" if no archive begins there or within the next KiB.
 [[nodiscard]] bytes::Source archive_behind_picture(const bytes::Source& source, std::uint64_t picture,
                                                    std::uint64_t picture_bytes, const std::string& format);
 
 using OpenFile = std::function<std::vector<Channel>(const bytes::Source&, const ReadOptions&)>;
 
-/// The channels of a member that is a file of its own, under the archive's format. Nothing of it stays in memory:
-/// heights are read by opening it again. A member that cannot be read becomes a channel with the alert
-/// UNREADABLE_MEMBER, whose `read` throws what was wrong.
+/// The channels of a member that is a file, with the format of the archive. The member is not kept in memory: reading
+/// heights opens it again. A member that cannot be read becomes a channel with the warning UNREADABLE_MEMBER, whose
+/// `read` throws the reason.
 [[nodiscard]] std::vector<Channel> member_channels(const bytes::Source& archive, const std::string& member,
                                                    const std::string& title, const std::string& format,
                                                    const OpenFile& open_file, const ReadOptions& options);

@@ -9,7 +9,7 @@
 namespace setae::formats {
 
 /// The heights of one Olympus OIR file; a POIR archive holds several.
-/// @throws FormatError for content that breaks the format.
+/// @throws FormatError for content that violates the format.
 [[nodiscard]] std::vector<Channel> open_oir(const bytes::Source& source, const ReadOptions& options);
 
 }  // namespace setae::formats

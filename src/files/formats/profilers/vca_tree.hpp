@@ -11,7 +11,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/formats/channel.hpp"
 
-/// The tree of named and typed entries in which Bruker's Vision64 writes OPDx files, and parts of newer OPD files.
+/// The tree of named and typed entries in OPDx files of Bruker's Vision64, and in parts of newer OPD files.
 namespace setae::formats {
 
 enum class VcaType : std::uint8_t {
@@ -40,14 +40,14 @@ enum class VcaType : std::uint8_t {
     terminator = 0x7f,
 };
 
-/// An entry. Elements of arrays and matrices stay in the file.
+/// An entry. Elements of arrays and matrices are not read.
 struct VcaItem {
     std::string name;
     VcaType type = VcaType::container;
     std::uint8_t element = 0;     ///< type of an array's elements
     double number = undefined;    ///< of booleans, integers, floats and quantities
     std::string text;             ///< of strings; symbol of a quantity's unit; UTC of a time stamp
-    std::uint64_t offset = 0;     ///< of elements, or of a list's first text
+    std::uint64_t offset = 0;     ///< of elements, or of the first text of a list
     std::uint64_t length = 0;     ///< their bytes
     Index rows = 0, columns = 0;  ///< of matrices
     std::vector<VcaItem> children;
@@ -59,23 +59,24 @@ struct VcaItem {
     [[nodiscard]] bool is_matrix() const { return type == VcaType::matrix || type == VcaType::anonymous_matrix; }
 };
 
-/// All entries from the position to the end of the source, as children of one without name.
-/// @throws FormatError for unknown types, entries that lead out of what holds them, or more of them than a file has.
+/// All entries from the position to the end of the source, as children of an entry without name.
+/// @throws FormatError for unknown types, entries that extend beyond their parent, or too many entries for the size of
+/// the file.
 [[nodiscard]] VcaItem read_vca_tree(bytes::Cursor& cursor);
 
-/// One entry without its name, as OPD blocks hold it, from the position to `end`.
+/// One entry without its name, as in OPD blocks, from the position to `end`.
 [[nodiscard]] VcaItem read_vca_value(bytes::Cursor& cursor, std::string name, std::uint64_t end);
 
 /// The texts of a list.
 [[nodiscard]] std::vector<std::string> texts_of(const VcaItem& list, const bytes::Source& source,
                                                 const std::string& format);
 
-/// The channel of an entry that holds a matrix and its extents ("2D_Data/Raw"): heights where its scale has a unit of
-/// length. `common` has format and metadata.
+/// The channel of an entry with a matrix and its extents ("2D_Data/Raw"): heights if its scale has a unit of length.
+/// `common` has format and metadata.
 [[nodiscard]] Channel vca_map_channel(const VcaItem& data, const ChannelInfo& common, const bytes::Source& source,
                                       const ReadOptions& options);
 
-/// The channel of an entry that holds an array ("1D_Data/Raw").
+/// The channel of an entry with an array ("1D_Data/Raw").
 [[nodiscard]] Channel vca_line_channel(const VcaItem& data, const ChannelInfo& common, const bytes::Source& source,
                                        const ReadOptions& options);
 

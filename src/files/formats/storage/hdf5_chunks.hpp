@@ -12,7 +12,7 @@
 
 namespace setae::formats {
 
-/// How a dataset of one or two dimensions is cut into pieces and how these are packed.
+/// Chunks of a dataset of one or two dimensions, and their filters.
 struct Hdf5Chunks {
     std::string path;
     std::vector<hsize_t> extents, chunk;
@@ -23,7 +23,7 @@ struct Hdf5Chunks {
         std::size_t first_parameter = 0;
     };
     std::vector<Filter> filters;  ///< in the order in which they were applied
-    std::string fill;             ///< bytes of the value of pieces never written
+    std::string fill;             ///< bytes of the value of chunks never written
 
     [[nodiscard]] hsize_t rows() const { return extents[0]; }
     [[nodiscard]] hsize_t columns() const { return extents.size() > 1 ? extents[1] : 1; }
@@ -31,17 +31,16 @@ struct Hdf5Chunks {
     [[nodiscard]] hsize_t chunk_columns() const { return chunk.size() > 1 ? chunk[1] : 1; }
 };
 
-/// Whether setae unpacks this filter itself, with bounds: deflate, shuffle and Fletcher's checksum.
+/// Whether setae implements this filter, with bounds: deflate, shuffle and Fletcher's checksum.
 [[nodiscard]] bool unpacks(H5Z_filter_t filter);
 
-/// The values of a dataset in pieces as if they lay one after another. Rows of pieces are unpacked when asked for; the
-/// last few are kept, so that readers that walk in parallel through parts of the file unpack each once. From one thread
-/// at a time.
+/// The values of a dataset in chunks as a contiguous sequence. Rows of chunks are unpacked on request; the last few are
+/// kept, so readers of several parts of the file in parallel unpack each chunk once. From one thread at a time.
 class ChunkedValues {
 public:
     ChunkedValues(const bytes::Source& source, Hdf5Chunks chunks);
 
-    /// @throws FormatError for a piece that is damaged or expands more than max_expanded.
+    /// @throws FormatError for a chunk that is damaged or expands to more than max_expanded.
     void read(std::uint64_t offset, std::uint64_t count, char* target);
 
 private:

@@ -23,11 +23,11 @@ struct Hdf5Record {
     std::vector<double> numbers;
 };
 
-/// An HDF5 file open for reading, on disk or in memory. Only what stands in the file itself is seen: links, values and
-/// virtual datasets that lead elsewhere are not followed. Numbers of objects, depth and length of texts are bounded.
+/// An HDF5 file open for reading, on disk or in memory. Only content of this file is read: links, values and virtual
+/// datasets in other files are not followed. The number of objects, the depth and the length of texts are bounded.
 ///
-/// HDF5 1.10 checks little of a file's structure: what can be is checked before it sees the file (signature, version,
-/// end of file), and values are read by setae itself, by their places in the file or piece by piece.
+/// HDF5 1.10 checks little of the structure of a file. Signature, version and end of file are therefore checked before
+/// it opens the file, and setae reads values itself, by their places in the file or chunk by chunk.
 class Hdf5File {
 public:
     /// @throws FormatError for bytes that are no HDF5, are truncated, or that the library refuses.
@@ -35,19 +35,19 @@ public:
 
     /// Paths of all datasets, such as "/group/height", groups' members by name.
     [[nodiscard]] std::vector<std::string> datasets() const;
-    /// Names of what a group holds, sorted; nothing where there is no such group.
+    /// Names of the members of a group, sorted; empty if there is no such group.
     [[nodiscard]] std::vector<std::string> members(const std::string& group) const;
-    /// A dataset of integers or floats; nothing where there is none of that path, or its values are no plain numbers.
-    /// What the library cannot open has a refusal and no shape.
-    /// @throws FormatError for one that announces more than its file can hold.
+    /// A dataset of integers or floats; empty if there is none at that path, or its values are no plain numbers. A
+    /// dataset that the library cannot open has a refusal and no shape.
+    /// @throws FormatError for a dataset larger than its file can contain.
     [[nodiscard]] std::optional<StoredArray> array(const std::string& path) const;
-    /// The one number of a dataset; nothing where there is none of that path, or more values, or none of a number.
+    /// The only number of a dataset; empty if there is no dataset at that path, or it has several values or none.
     [[nodiscard]] std::optional<double> number(const std::string& path) const;
-    /// Texts and numbers that an object, "/" for the file, has as attributes; of several texts the first.
+    /// Texts and numbers in the attributes of an object, "/" for the file; the first one of several texts.
     [[nodiscard]] Attributes attributes(const std::string& path) const;
     /// The first record that an object has as attribute.
     [[nodiscard]] std::optional<Hdf5Record> record_attribute(const std::string& path, const std::string& name) const;
-    /// The records of a dataset; empty where there is none of that path or its values are no records.
+    /// The records of a dataset; empty if there is none at that path or its values are no records.
     [[nodiscard]] std::vector<Hdf5Record> records(const std::string& path) const;
 
 private:

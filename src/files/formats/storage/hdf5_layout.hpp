@@ -12,7 +12,7 @@
 
 namespace setae::formats {
 
-/// Integers and floats as processors have them.
+/// Integers and floats in native formats.
 struct Hdf5Number {
     Sample sample;
     std::endian order;
@@ -21,7 +21,7 @@ struct Hdf5Number {
 /// The numbers of a type; nothing for any other type.
 [[nodiscard]] std::optional<Hdf5Number> hdf5_number(hid_t type);
 
-/// An open dataset and what is read of it to find its values.
+/// An open dataset and the information needed to locate its values.
 struct Hdf5Dataset {
     const bytes::Source& source;
     const std::string& path;
@@ -29,9 +29,9 @@ struct Hdf5Dataset {
     const std::vector<hsize_t>& extents;
 };
 
-/// Tells an array where its values lie: in the file, in pieces that are unpacked when asked for, or in the dataset's
-/// header; or why they cannot be read: values in other files or datasets, never written, packed with filters that setae
-/// does not unpack, or so many that the bytes there are cannot have been them.
+/// Sets the places of the values of an array: in the file, in chunks that are unpacked on request, or in the header of
+/// the dataset; or the reason why they cannot be read: values in other files or datasets, never written, with
+/// unsupported filters, or too many for the size of the file.
 /// @throws FormatError for a damaged dataset.
 void place_values(const Hdf5Dataset& dataset, StoredArray& array);
 

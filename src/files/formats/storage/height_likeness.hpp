@@ -7,25 +7,25 @@
 
 namespace setae::formats {
 
-/// What is known of an array of a file that anything may be written to: HDF5, MAT, NPZ.
+/// Properties of an array in a general-purpose file: HDF5, MAT, NPZ.
 struct LooseArray {
     const StoredArray& array;
     std::string name;         ///< last part of its path
-    bool integers = false;    ///< its values are whole numbers by their type
-    bool has_length = false;  ///< its file states a unit of length for it
-    bool alone = false;       ///< the file holds no other array of numbers
+    bool integers = false;    ///< its values are of an integer type
+    bool has_length = false;  ///< the file contains a unit of length for it
+    bool alone = false;       ///< the file contains no other array of numbers
 };
 
-/// Why an array does not look like heights, such as "whole numbers that grow from value to value: an index"; empty
-/// where it does.
+/// Why an array is unlikely to contain heights, such as "whole numbers that grow from value to value: an index"; empty
+/// if it is likely.
 ///
-/// A name of heights or a unit of length decides. Else heights are floats on a map that are neither the coordinates of
-/// its points nor a table of few columns, or the only line of floats in the file that does not grow throughout.
-/// Cost: of maps a few lines are read, of lines up to a million values.
+/// A name of heights or a unit of length is decisive. Otherwise heights are floats on a map that are neither the
+/// coordinates of its points nor a table of few columns, or the only line of floats in the file that does not increase
+/// throughout. Cost: a few lines of maps, up to a million values of lines are read.
 [[nodiscard]] std::string why_no_heights(const LooseArray& loose);
 
-/// The same of the array of a file that holds nothing else and no names: a table of few columns or an index. Whole
-/// numbers, planes and lines that grow may be heights there.
+/// Why the only array of a file without names contains no heights: a table of few columns or an index. Integers, planes
+/// and increasing lines may be heights in this case.
 [[nodiscard]] std::string why_lone_array_is_no_map(const StoredArray& array);
 
 }  // namespace setae::formats

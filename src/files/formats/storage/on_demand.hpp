@@ -8,7 +8,7 @@
 
 namespace setae::formats {
 
-/// Something costly, made when it is first asked for, from whichever thread, and gone when nobody holds it any longer.
+/// An expensive object, created at the first request from any thread, and destroyed with its last reference.
 template <class Kept>
 class OnDemand {
 public:

@@ -8,18 +8,18 @@
 
 namespace setae::formats {
 
-/// One byte a point of a map, rows from the top, that tells which heights are none.
+/// One byte per point of a map, rows from the top, that marks undefined heights.
 struct PointMask {
     bytes::Source source;
     std::uint64_t offset = 0;        ///< of the first point
-    std::uint64_t row_distance = 0;  ///< bytes from row to row
-    std::uint8_t bits = 0xff;        ///< that count
-    std::uint8_t defined = 0;        ///< their value where a height is one
+    std::uint64_t row_distance = 0;  ///< bytes between rows
+    std::uint8_t bits = 0xff;        ///< bits that are evaluated
+    std::uint8_t defined = 0;        ///< their value for a defined height
 };
 
-/// The channel of a map with the heights made undefined that the mask tells.
-/// @throws FormatError "<format>: …" now, where the mask is not wholly in its source; (read) UndefinedDataError where
-/// no height is left.
+/// The channel of a map with the heights undefined that the mask marks.
+/// @throws FormatError "<format>: …" now, if the mask is not completely in its source; (read) UndefinedDataError if no
+/// height remains.
 [[nodiscard]] Channel masked(Channel channel, const PointMask& mask);
 
 }  // namespace setae::formats

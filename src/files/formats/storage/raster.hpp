@@ -19,7 +19,7 @@ enum class Sample { int8, uint8, int16, uint16, int32, uint32, int64, uint64, fl
 /// One stored value.
 [[nodiscard]] double loaded(const char* from, Sample sample, std::endian order);
 
-/// Where the samples of a map or line lie in a source, and how. A line has ny = 1.
+/// Layout of the samples of a map or line in a source. A line has ny = 1.
 struct Raster {
     std::uint64_t offset = 0;  ///< of the first sample
     Index nx = 0, ny = 0;
@@ -28,8 +28,8 @@ struct Raster {
     bool columns = false;             ///< y is the fast index: columns stored one after the other
     bool bottom_up = false;           ///< the first row stored is the lowest
     bool right_to_left = false;       ///< the first value of a row is the rightmost
-    std::uint64_t line_distance = 0;  ///< bytes from row to row (column to column where `columns`); 0: no padding
-    std::uint64_t step = 0;           ///< bytes from sample to sample within a line; 0: side by side
+    std::uint64_t line_distance = 0;  ///< bytes between rows (between columns if `columns`); 0: no padding
+    std::uint64_t step = 0;           ///< bytes between samples of a line; 0: contiguous
 
     [[nodiscard]] std::uint64_t sample_distance() const { return step ? step : bytes_of(sample); }
     [[nodiscard]] std::uint64_t row_distance() const {
@@ -37,7 +37,7 @@ struct Raster {
     }
 };
 
-/// height [m] = factor · raw + offset; raw values that are no heights become NaN, as NaN and infinite ones do.
+/// height [m] = factor · raw + offset; raw values outside the limits become NaN, as do NaN and infinite ones.
 struct RawScale {
     double factor = 1.0;
     double offset = 0.0;
@@ -46,19 +46,19 @@ struct RawScale {
     std::vector<double> undefined = {};                         ///< raw values that are undefined
 };
 
-/// Refuses a raster that is not wholly in its source, before anything of its size is allocated.
-/// @throws FormatError "<format>: …" with the offset where the file ends, for dimensions below 1 or beyond 2^31, or
+/// Refuses a raster that is not completely in its source, before memory of its size is allocated.
+/// @throws FormatError "<format>: …" with the offset of the end of the file, for dimensions below 1 or beyond 2^31, or
 /// overflow.
 void require_raster(const Raster& raster, const bytes::Source& source, const std::string& format);
 
-/// Heights h(x, y), y downwards, of a raster that require_raster accepted. Read in blocks on all cores: memory is the
-/// heights and a block a thread.
+/// Heights h(x, y), y downwards, of a raster that require_raster accepted. Read in blocks on all cores: memory: the
+/// heights and one block per thread.
 [[nodiscard]] Array2D read_raster(const bytes::Source& source, const Raster& raster, const RawScale& scale);
 
-/// A channel whose heights are read from a raster when asked; refuses now what is not wholly there. `info` has name,
-/// format, orientation, metadata and, where the file states them, size [m] and unit; what it leaves open comes from
-/// `options`, and without them `read` throws InvalidArgument that tells what to give. `scale` is to metres, or to
-/// `info.unit` where the user gives the unit.
+/// A channel whose heights are read from a raster on request; an incomplete raster is refused immediately. `info` has
+/// name, format, orientation, metadata and, if the file states them, size [m] and unit; `options` supplies missing
+/// ones, and without them `read` throws InvalidArgument with the missing options. `scale` converts to metres, or to
+/// `info.unit` if the user gives the unit.
 /// @throws FormatError as require_raster, or for a size that is no positive length.
 [[nodiscard]] Channel raster_channel(ChannelInfo info, const bytes::Source& source, const Raster& raster,
                                      const RawScale& scale, const ReadOptions& options = {});

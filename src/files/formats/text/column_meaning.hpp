@@ -13,11 +13,11 @@ namespace setae::formats {
 /// Whether a column counts its rows: 0, 1, 2 … or 1, 2, 3 …
 [[nodiscard]] bool counts_rows(const Array1D& values);
 
-/// Why a column of a table holds no heights: the quantity that its name says, another unit than one of lengths, numbers
-/// of rows. Empty where it may hold some.
+/// Why a column of a table contains no heights: another quantity in its name, a unit that is no length, numbers of
+/// rows. Empty if heights are possible.
 [[nodiscard]] std::string why_no_heights(const tables::RawTable::RawColumn& column);
 
-/// The quantity other than a position that the name of a column says, such as "time"; empty where it says none.
+/// The quantity other than a position in the name of a column, such as "time"; empty if there is none.
 [[nodiscard]] std::string other_quantity(const std::string& name);
 
 }  // namespace setae::formats

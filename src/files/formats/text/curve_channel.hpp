@@ -12,18 +12,18 @@
 
 namespace setae::formats {
 
-/// Positions and heights, with the units a file states.
+/// Positions and heights, with the units in the file.
 struct HeightCurve {
     tables::RawTable::RawColumn x;
     tables::RawTable::RawColumn heights;
     std::optional<tables::RawTable::RawColumn> standard_error = {};
 };
 
-/// The channels of a curve, one for each pass of its positions (PASSES_SPLIT where there are several): what traced()
-/// makes of it. A unit that the file leaves open comes from the user, or from the other column, with an alert; where
-/// nobody says one, `read` throws InvalidArgument. `info` has name, format, metadata and alerts.
+/// The channels of a curve, one per pass of its positions (PASSES_SPLIT if there are several), by traced(). A missing
+/// unit comes from the user, or from the other column with a warning; without either, `read` throws InvalidArgument.
+/// `info` has name, format, metadata and alerts.
 /// @throws FormatError for units that are no lengths, undefined positions, positions of scattered points and fewer than
-/// two points; UndefinedDataError where no height is defined.
+/// two points; UndefinedDataError if no height is defined.
 [[nodiscard]] std::vector<Channel> curve_channels(ChannelInfo info, const HeightCurve& curve,
                                                   const ReadOptions& options, const bytes::Source& source);
 
@@ -33,16 +33,16 @@ struct HeightCurve {
 /// Whether text is a unit of length; "A" counts as Å.
 [[nodiscard]] bool is_length_unit(const std::string& text);
 
-/// An alert UNIT_MISMATCH where the user gave another unit than the file says.
+/// Adds a warning UNIT_MISMATCH if the user gave a unit other than that of the file.
 void compare_unit(ChannelInfo& info, const ReadOptions& options, const bytes::Source& source);
 
 /// Units of positions and of heights of a map.
 struct MapUnits {
-    std::string positions, heights;  ///< empty where nobody says them
+    std::string positions, heights;  ///< empty if not given
 };
 
-/// Those that the file states, else those given. Where the file states one of them and nobody gives the other, it holds
-/// for both, with an alert UNIT_ASSUMED. Sets the channel's unit.
+/// Units from the file, otherwise those given. If the file states one of them and the other is not given, it applies to
+/// both, with a warning UNIT_ASSUMED. Sets the unit of the channel.
 [[nodiscard]] MapUnits units_of_map(ChannelInfo& info, MapUnits stated, const ReadOptions& options,
                                     const bytes::Source& source);
 

@@ -9,10 +9,9 @@
 
 namespace setae::formats {
 
-/// The maps of a text, one a header, or the line of heights of one column or row. Lines are counted here, numbers
+/// The maps of a text, one per header, or the line of heights of one column or row. Lines are counted here, numbers
 /// parsed by `read`.
-/// @throws FormatError with the line: a header that announces other numbers than there are, a last line that breaks
-/// off.
+/// @throws FormatError with the line: a header with another number of points, an incomplete last line.
 [[nodiscard]] std::vector<Channel> matrix_channels(const tables::TextStart& start, const MatrixHeader& header,
                                                    const ReadOptions& options, const std::vector<Alert>& alerts);
 

@@ -11,22 +11,22 @@
 
 namespace setae::formats {
 
-/// The column of x in a table of x and the heights of one profile or more; nothing where there is none.
+/// The column of x in a table of x and the heights of one or several profiles; empty if there is none.
 ///
-/// It is the first, the second behind numbers of rows, or one named so behind other quantities such as the time, where
-/// a later column is named heights. Its positions are defined and never turn, or run forth and back (passes_of()).
-/// Where nobody says that the columns are those of profiles, its name or its unit is one of positions; a column named y
-/// behind it makes the table one of points x, y, z, and a column of time or forces one of a record, unless x is named
-/// so. said: the user says so.
+/// It is the first column, the second after numbers of rows, or one with the name of positions after other quantities
+/// such as the time, if a later column has the name of heights. Its positions are defined and never turn, or run forth
+/// and back (passes_of()). Unless the user declares profiles, its name or its unit must be one of positions; a column
+/// named y after it makes the table one of points x, y, z, and a column of time or forces one of a record, unless x has
+/// the name of positions. said: the user declares profiles.
 [[nodiscard]] std::optional<std::size_t> positions_of_profiles(const tables::RawTable& table, bool said);
 
-/// The columns x, y and heights of a table that names one of each, in this order; nothing for other tables.
+/// The columns x, y and heights of a table with one name of each, in this order; empty for other tables.
 [[nodiscard]] std::optional<tables::RawTable> named_points(const tables::RawTable& table);
 
 /// Positions that are defined and never turn, or run back and forth.
 [[nodiscard]] bool run_along(const Array1D& positions);
 
-/// The profiles of such a table as channels; columns that hold no heights are listed with the reason.
+/// The profiles of such a table as channels; columns without heights are listed with the reason.
 [[nodiscard]] std::vector<Channel> profile_channels(const tables::RawTable& table, std::size_t positions,
                                                     const std::vector<Alert>& alerts, const ReadOptions& options,
                                                     const bytes::Source& source);

@@ -7,12 +7,11 @@
 
 namespace setae::formats {
 
-/// Where the numbers of a text begin, from its first bytes: as many as it takes to see a whole row. Nothing where no
-/// row is found.
+/// Start of the numbers of a text, from as many bytes as needed for a whole row. Empty if there is no row.
 [[nodiscard]] std::optional<tables::TextStart> find_start(const bytes::Source& source);
 
-/// While it lives, find_start(source) of this thread looks once: every format of texts asks it whether the file is its
-/// own, and the one that opens it asks again.
+/// While it exists, find_start(source) of this thread reads the text once: every text format calls it for detection,
+/// and the format that opens the file calls it again.
 class KeptStart {
 public:
     explicit KeptStart(const bytes::Source& source);
@@ -24,7 +23,7 @@ private:
     friend std::optional<tables::TextStart> find_start(const bytes::Source& source);
 
     const bytes::Source& source_;
-    std::optional<std::optional<tables::TextStart>> start_;  ///< nothing before it was asked for
+    std::optional<std::optional<tables::TextStart>> start_;  ///< empty before the first call
     KeptStart* const outer_;
 };
 

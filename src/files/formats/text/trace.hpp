@@ -16,28 +16,28 @@ struct Pass {
     bool backward = false;
 };
 
-/// The passes that positions run through. More than one where each is monotonic over half the range of all or more and
-/// has 8 points or more; else all points are one pass, which may turn back here and there, as contours do.
+/// The passes of positions. There are several if each is monotonic over at least half of the whole range and has at
+/// least 8 points; otherwise all points are one pass, which may turn back in places, as contours do.
 [[nodiscard]] std::vector<Pass> passes_of(const Array1D& positions);
 
-/// Whether positions jump about, as those of scattered points do: ten points or more, half of which lie a tenth of the
-/// range or more from the point before.
+/// Whether positions are unordered, as for scattered points: ten points or more, half of which are a tenth of the range
+/// or more from the previous point.
 [[nodiscard]] bool are_scattered(const Array1D& positions);
 
-/// The least decimal place that positions have as a file spells them: 0.1 for 24.9, 0.005 is 0.001. 0 for those that
-/// use all digits of a number.
+/// The last decimal place of positions in the spelling of the file: 0.1 for 24.9, 0.001 for 0.005. 0 for those with all
+/// digits of a number.
 [[nodiscard]] double last_digit(const Array1D& positions);
 
-/// What a pass of a profile is, and what was made of its points.
+/// A pass of a profile, and the changes to its points.
 struct Trace {
     topography::Measurement measurement;
     std::vector<Alert> alerts;
 };
 
-/// A line scan where positions have equal steps, within 2 % of a step or within their last digit; missing rows, steps
-/// that are whole multiples of the usual one, become undefined heights (ROWS_MISSING). A profile as traced of other
-/// positions, heights at the same one averaged (POSITIONS_REPEATED). One that runs backwards is turned.
-/// stated: the positions as the file spells them, `unit` metres each. Cost: linear.
+/// A line scan if positions have equal steps, within 2 % of a step or within their last digit; missing rows, steps that
+/// are multiples of the usual one, become undefined heights (ROWS_MISSING). Otherwise a profile, with heights at the
+/// same position averaged (POSITIONS_REPEATED). One that runs backwards is reversed. stated: the positions as in the
+/// file, `unit` metres each. Cost: linear.
 [[nodiscard]] Trace traced(topography::Profile profile, const Array1D& stated, double unit, const std::string& subject);
 
 }  // namespace setae::formats

@@ -7,7 +7,7 @@
 
 namespace setae::imaging {
 
-/// A disc found in a frame of fewer pixels.
+/// A disc found in a frame of reduced resolution.
 struct CoarseDisc {
     Outline outline;      ///< [px] of the whole frame
     double sign = 1;      ///< +1: brighter outside
@@ -16,17 +16,17 @@ struct CoarseDisc {
 
 struct CoarseSearch {
     std::vector<CoarseDisc> candidates;  ///< best first
-    bool structure = false;              ///< something stands out of noise and illumination
+    bool structure = false;              ///< a signal above noise and illumination
     long binning = 1;                    ///< pixels averaged in either direction
-    bool last_level = false;             ///< a coarser one would have too few pixels
+    bool last_level = false;             ///< a coarser level would have too few pixels
 };
 
 /// Discs in a frame.
 ///
-/// The frame is averaged over squares of pixels to some 200 across (level 0), 100 (1), 50 (2), a parabola of
-/// illumination taken off. Pixels whose gradient stands out of the noise vote for centres along their gradient (Hough
-/// 1962; Ballard 1981); about the best centres the mean over circles has its step at the radius. Rays from there give
-/// points of the edge, consensus of triples a circle, and reweighted least squares an ellipse.
+/// The frame is averaged over squares of pixels to some 200 across (level 0), 100 (1), 50 (2), with a parabola of
+/// illumination subtracted. Pixels whose gradient exceeds the noise vote for centres along their gradient (Hough 1962;
+/// Ballard 1981); about the best centres the mean over circles has its step at the radius. Rays from there give points
+/// of the edge, consensus of triples a circle, and reweighted least squares an ellipse.
 [[nodiscard]] CoarseSearch find_discs(const FramePixels& pixels, const ContactFrameOptions& options, int level);
 
 }  // namespace setae::imaging

@@ -33,11 +33,11 @@ private:
     double centre_x_, centre_y_, cosine_, sine_, inverse_major_, inverse_minor_;
 };
 
-/// Where an edge was found off an outline.
+/// Distance of an edge from an outline.
 struct EdgeOffset {
     double angle = 0;     ///< polar [rad]
     double offset = 0;    ///< along the normal [px]
-    double variance = 1;  ///< expected of pixel noise [px²]
+    double variance = 1;  ///< expected from pixel noise [px²]
 };
 
 enum class OutlineShape { circle, ellipse };
@@ -45,22 +45,22 @@ enum class OutlineShape { circle, ellipse };
 /// Correction of an outline by offsets from it.
 struct OutlineCorrection {
     Outline outline;
-    std::vector<double> weights;             ///< of Tukey's biweight; 0 where the offset does not agree
+    std::vector<double> weights;             ///< of Tukey's biweight; 0 if the offset does not agree
     Eigen::Matrix<double, 5, 5> covariance;  ///< of centre_x, centre_y, mean_radius, stretch_cosine, stretch_sine [px²]
     double largest_step = 0;                 ///< [px]
     double scale = 0;                        ///< robust standard deviation of an offset over its expected one
     bool solved = false;                     ///< false: too few offsets around the outline
 };
 
-/// One step of Gauss and Newton with iteratively reweighted least squares (Tukey's biweight at 4.685, scale by the
-/// median).
+/// One Gauss–Newton step with iteratively reweighted least squares (Tukey's biweight at 4.685, scale by the median).
 ///
-/// The covariance rests on the scatter of offsets, at least that expected of pixel noise, times (1 + ρ)/(1 − ρ) of the
-/// correlation ρ of neighbouring offsets, at least 1. Offsets stand in order of angle. A circle has no stretch.
+/// The covariance follows from the scatter of offsets, at least that expected from pixel noise, times (1 + ρ)/(1 − ρ)
+/// of the correlation ρ of neighbouring offsets, at least 1. Offsets are in order of angle. A circle has no stretch.
 [[nodiscard]] OutlineCorrection corrected_outline(const Outline& outline, const std::vector<EdgeOffset>& offsets,
                                                   OutlineShape shape);
 
-/// Circle through points, by random sample consensus (triples of a fixed sequence), then offsets as above.
+/// Circle through points, by random sample consensus (triples of a fixed sequence), then offsets as in
+/// corrected_outline.
 struct EdgePoint {
     double x = 0, y = 0;
 };

@@ -11,14 +11,14 @@ namespace setae::imaging {
 /// The edge along one ray: a sector of the annulus around the outline.
 struct EdgeRay {
     double angle = 0;      ///< polar [rad]
-    bool visible = false;  ///< enough of its sector lies in the frame
+    bool visible = false;  ///< enough of its sector is in the frame
     bool fitted = false;   ///< level, contrast and place have values
-    double place = 0;      ///< off the outline along its normal [px]
+    double place = 0;      ///< distance from the outline along its normal [px]
     double contrast = 0, contrast_deviation = 0;
     double variance = 0;  ///< of place [px²]
 };
 
-/// All rays of an outline that no longer moves.
+/// All rays of a converged outline.
 struct EdgeFit {
     Outline outline;
     OutlineShape shape = OutlineShape::ellipse;
@@ -33,14 +33,14 @@ struct EdgeFit {
     std::string failure;        ///< why there is no edge; empty where there is one
 };
 
-/// Share of an outline that lies within a frame.
+/// Share of an outline inside a frame.
 [[nodiscard]] double share_within(const Outline& outline, long width, long height);
 
-/// Fits the edge around an outline that is a few pixels off: level, contrast and place along each ray from the pixels
-/// of its sector, one width for all from the mean profile, the outline from the places; repeated until it rests.
+/// Fits the edge around an outline a few pixels away: level, contrast and place along each ray from the pixels of its
+/// sector, one width for all from the mean profile, the outline from the places; repeated until convergence.
 ///
-/// sign: +1 where the outside is brighter. uncertainty: how far off the outline may be [px]. With fringes the rays end
-/// at twice the distance at which the mean profile first turns back outside the edge, but cover 3 px.
+/// sign: +1 if the outside is brighter. uncertainty: possible distance of the outline from the edge [px]. With fringes
+/// the rays end at twice the distance at which the mean profile first turns back outside the edge, at least at 3 px.
 [[nodiscard]] EdgeFit fit_edge(const FramePixels& pixels, const Outline& outline, double sign, double uncertainty,
                                bool fringes);
 

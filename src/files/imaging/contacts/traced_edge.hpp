@@ -13,7 +13,7 @@ struct TracedEdge {
     const Array1D& radius;
     double centre_x = 0, centre_y = 0;
 
-    /// How far a place lies outside the edge along its ray, the nearest of the edge's; below 0 inside [px].
+    /// Distance of a place from the edge along its ray, from the nearest ray of the edge; negative inside [px].
     [[nodiscard]] double distance(double x, double y) const {
         const double dx = x - centre_x, dy = y - centre_y, a_radian = static_cast<double>(radius.size()) / (2.0 * pi);
         const auto ray = (std::lround(std::atan2(dy, dx) * a_radian) + radius.size()) % radius.size();

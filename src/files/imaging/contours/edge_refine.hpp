@@ -10,32 +10,31 @@
 
 namespace setae::imaging {
 
-/// A curve that rests on the edge.
+/// A curve fitted to the edge.
 struct RefinedEdge {
     PlaneCurve curve;
-    Array1D standard_error;  ///< of each point along the normal [px]; infinite where the edge was lost
+    Array1D standard_error;  ///< of each point along the normal [px]; infinite if the edge was lost
     EdgeShape shape;
-    double blur = 0;              ///< width of the shape without what the trace's own error adds [px]
-    double noise_density = 0;     ///< of places before smoothing [px³]
-    double smoothing_length = 0;  ///< [px]
-    double contrast_to_noise =
-        0;  ///< of the step that has the edge's slope and width, over the noise of a pixel on either side
+    double blur = 0;               ///< width of the shape without the contribution of the trace error [px]
+    double noise_density = 0;      ///< of places before smoothing [px³]
+    double smoothing_length = 0;   ///< [px]
+    double contrast_to_noise = 0;  ///< step with slope and width of the edge, over the noise of a pixel on either side
     bool converged = false;
 };
 
-/// Moves a curve that is a few pixels off onto the edge.
+/// Moves a curve a few pixels away onto the edge.
 ///
-/// Each pixel p near the curve tells of its displacement δ along the normal by the shape I(d) (edge_shape.hpp) with a
-/// local level and contrast; the curve X + δn has the least
+/// Each pixel p near the curve measures the displacement δ along the normal by the shape I(d) (edge_shape.hpp) with a
+/// local level and contrast; the curve X + δn minimises
 ///
 ///   Σ_p (I_p − a − b I(d_p) + b I'(d_p) δ(s_p))²/σ²(d_p) + Σ_k ι ℓ⁴ |X_{k+1} − 2X_k + X_{k−1}|²
 ///
-/// ι: the sum of b²I'²/σ² of one point: at rest a wave of the edge is followed by K(q) = 1/(1 + ℓ⁴ (2 − 2 cos q)²), q
-/// per px. Repeated until it rests, with shape and scatter σ(d) renewed. ℓ, where not given, has the least expected
-/// error ∫ [(1 − K)² S + K² N] dq, S: spectrum of the places before smoothing less N. N, the noise's, is measured by
-/// the same sums a few pixels beside the edge on either side: structure of the sample and noise that neighbours share
-/// count as they are. It rests where 19 points in 20 move by less than 0.02 px; what a point moved last counts as error
-/// of its own.
+/// ι: the sum of b²I'²/σ² of one point: at convergence a wave of the edge is followed by K(q) = 1/(1 + ℓ⁴ (2 − 2 cos
+/// q)²), q per px. Repeated until convergence, with shape and scatter σ(d) renewed. ℓ, if not given, minimises the
+/// expected error ∫ [(1 − K)² S + K² N] dq, S: spectrum of the places before smoothing minus N. The noise N is measured
+/// by the same sums a few pixels from the edge on either side, which include structure of the sample and noise
+/// correlated between neighbours. Convergence: 19 points in 20 move by less than 0.02 px; the last movement of a point
+/// is added to its error.
 [[nodiscard]] RefinedEdge refined_edge(EdgeBand& band, const PlaneCurve& start, const std::vector<Anchor>& anchors,
                                        std::optional<double> smoothing_length);
 

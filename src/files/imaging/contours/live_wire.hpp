@@ -10,15 +10,14 @@ namespace setae::imaging {
 
 /// Shortest paths along an edge.
 ///
-/// From pixel to neighbour the way costs its length over 0.02 + e, e: the rise of the picture, smoothed by 1.5 px,
-/// towards the left hand (towards vacuum: its sign is known), over the 99th percentile of all rises, at most 1: what is
-/// steep in the wrong direction is no edge. Source: Mortensen, Barrett, SIGGRAPH 1995 (intelligent scissors); Dijkstra
-/// 1959.
+/// The cost between neighbouring pixels is their distance over 0.02 + e, e: the gradient of the picture, smoothed by
+/// 1.5 px, towards the left (vacuum; its sign is known), over the 99th percentile of all gradients, at most 1. Slopes
+/// in the wrong direction are no edge. Source: Mortensen, Barrett, SIGGRAPH 1995 (intelligent scissors); Dijkstra 1959.
 class LiveWire {
 public:
     LiveWire(const FramePixels& pixels, Vacuum vacuum);
 
-    /// The cheapest path through anchors, in their order or in the reverse one, whichever has vacuum on its left hand.
+    /// The path of least cost through anchors, in their order or reversed, so that vacuum is on the left.
     [[nodiscard]] PlaneCurve through(const std::vector<Anchor>& anchors) const;
 
 private:

@@ -8,9 +8,9 @@
 
 namespace setae::imaging {
 
-/// Borders of a mask along the sides of its pixels, corners only: open ones from side to side of the picture, closed
-/// ones around parts and holes; longest first, then from top to bottom. Where two pixels of the sample touch at a
-/// corner alone they are apart.
+/// Borders of a mask along the sides of its pixels, corners only: open ones between sides of the picture, closed ones
+/// around parts and holes; longest first, then from top to bottom. Two pixels of the sample that touch only at a corner
+/// are separate.
 [[nodiscard]] std::vector<PlaneCurve> outlines(const PixelMask& sample);
 
 }  // namespace setae::imaging

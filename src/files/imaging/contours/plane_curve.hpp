@@ -5,18 +5,18 @@
 
 namespace setae::imaging {
 
-/// A curve through a picture [px], vacuum on the left hand as the picture is seen.
+/// A curve in a picture [px], with vacuum on the left as displayed.
 struct PlaneCurve {
     Array1D x, y;
     bool closed = false;  ///< the last point is joined to the first
 
     [[nodiscard]] Index size() const { return x.size(); }
     [[nodiscard]] double length() const;
-    /// The index of a point, wrapped where the curve is closed, else held at its ends.
+    /// The index of a point, wrapped if the curve is closed, otherwise limited to its ends.
     [[nodiscard]] Index at(Index i) const;
 };
 
-/// Unit vectors across a curve, towards its left hand.
+/// Unit normals of a curve, towards its left.
 struct Normals {
     Array1D x, y;
 };
@@ -26,7 +26,8 @@ struct Normals {
 /// instead.
 [[nodiscard]] PlaneCurve resampled(const PlaneCurve& curve, double step, bool smooth);
 
-/// The mean of its points under a Gaussian of `deviation` points; ends mirrored at themselves, so that they stay.
+/// Mean of the points with a Gaussian weight of `deviation` points; ends are mirrored at the end points, which remain
+/// fixed.
 [[nodiscard]] PlaneCurve smoothed(const PlaneCurve& curve, double deviation);
 
 }  // namespace setae::imaging

@@ -9,18 +9,18 @@
 
 namespace setae::imaging {
 
-/// A picture made ready to be traced.
+/// A picture prepared for tracing.
 struct PreparedPicture {
-    FramePixels pixels;         ///< defined everywhere, without spikes, smoothed where that was asked for
-    PixelMask hidden;           ///< 1 where the picture shows no sample: regions given, undefined pixels
+    FramePixels pixels;         ///< defined everywhere, without spikes, smoothed if requested
+    PixelMask hidden;           ///< 1 where the picture shows no sample: given regions, undefined pixels
     int grey_levels = 0;        ///< 1, 2 or 3 for more, of pixels that are not hidden
     std::vector<Alert> alerts;  ///< UNDEF, SPIKES
 };
 
-/// Pixels that lie above, or below, all eight neighbours by more than 8 standard deviations of the noise are spikes
-/// (X-rays, dead pixels) and become the neighbours' median. The noise is that of differences between neighbours, by
-/// their median.
-/// @throws InvalidArgument for regions outside the picture; UndefinedDataError where nothing is left to look at.
+/// Pixels above, or below, all eight neighbours by more than 8 standard deviations of the noise are spikes (X-rays,
+/// dead pixels) and are replaced by the median of the neighbours. The noise is that of differences between neighbours,
+/// by their median.
+/// @throws InvalidArgument for regions outside the picture; UndefinedDataError if no pixel remains.
 [[nodiscard]] PreparedPicture prepared_picture(const FramePixels& pixels, const TraceOptions& options);
 
 }  // namespace setae::imaging

@@ -7,10 +7,10 @@
 
 namespace setae::imaging {
 
-/// What a smoothing spline leaves of a wave q [1/px]: K(q) = 1/(1 + ℓ⁴ (2 − 2 cos q)²), ℓ: its length [px].
+/// Transfer function of a smoothing spline for a wave q [1/px]: K(q) = 1/(1 + ℓ⁴ (2 − 2 cos q)²), ℓ: its length [px].
 [[nodiscard]] double spline_transfer(double wavevector, double length);
 
-/// Its mean over all waves, (1/π) ∫_0^π K dq: by so much a place follows its own noise.
+/// Mean of K over all waves, (1/π) ∫_0^π K dq: the share of its own noise in a smoothed place.
 [[nodiscard]] double mean_spline_transfer(double length);
 
 /// Spectrum of places along a contour, a pixel apart.
@@ -30,8 +30,8 @@ struct PlaceSpectrum {
 /// ℓ in 0.2 … 12 px, by steps of 7 %, with the least expected squared error.
 [[nodiscard]] double best_smoothing(const PlaceSpectrum& places, double noise);
 
-/// Variance times the correlation length of neighbours, over 8 lags with Bartlett's weights: the density of a series'
-/// longest waves. Source: Newey, West, Econometrica 55 (1987) 703.
+/// Variance times the correlation length of neighbours, over 8 lags with Bartlett's weights: the spectral density of
+/// the longest waves of a series. Source: Newey, West, Econometrica 55 (1987) 703.
 [[nodiscard]] double long_run_variance(const Array1D& series);
 
 }  // namespace setae::imaging

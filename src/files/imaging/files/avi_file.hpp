@@ -13,8 +13,9 @@ namespace setae::imaging {
 /// Whether bytes begin as an AVI.
 [[nodiscard]] bool is_avi(std::string_view head);
 
-/// The first video of an AVI whose frames are stored one by one; places of frames are read at once, frames when asked
-/// for. Source: Microsoft, AVI RIFF File Reference; OpenDML AVI File Format Extensions 1.02 (segments beyond 1 GiB).
+/// The first video of an AVI whose frames are stored one by one; places of frames are read immediately, frames on
+/// request. Source: Microsoft, AVI RIFF File Reference; OpenDML AVI File Format Extensions 1.02 (segments beyond 1
+/// GiB).
 class AviFile {
 public:
     /// @throws FileError; FormatError for an AVI without video, or of a codec that needs other frames to decode one.

@@ -6,8 +6,8 @@
 
 namespace setae::imaging {
 
-/// Reads an image of a DM3 or DM4: those that ImageSourceList names and that are no thumbnail, in its order.
-/// @throws as read_micrograph does.
+/// Reads an image of a DM3 or DM4: those in ImageSourceList that are no thumbnails, in its order.
+/// @throws as read_micrograph.
 [[nodiscard]] Micrograph read_digital_micrograph(const bytes::Source& file, const MicrographOptions& options);
 
 }  // namespace setae::imaging

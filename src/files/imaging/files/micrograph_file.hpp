@@ -9,13 +9,13 @@
 
 namespace setae::imaging {
 
-/// How much of a file tells whether it is a picture.
+/// Number of bytes used to detect a picture.
 inline constexpr std::uint64_t picture_head_bytes = 2048;
 
-/// Whether bytes begin as a file that read_micrograph may read.
+/// Whether bytes begin as a file that read_micrograph can read.
 [[nodiscard]] bool is_micrograph(std::string_view head);
 
-/// read_micrograph of an open file, which may lie in memory.
+/// read_micrograph of an open file, possibly in memory.
 [[nodiscard]] Micrograph read_micrograph_file(const bytes::Source& file, const MicrographOptions& options);
 
 }  // namespace setae::imaging

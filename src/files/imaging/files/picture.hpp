@@ -20,10 +20,10 @@ enum class PictureKind { none, png, jpeg, bmp, tiff };
 /// By the first bytes.
 [[nodiscard]] PictureKind picture_kind(std::string_view head);
 
-/// Size that the header of a PNG, JPEG or BMP states; nothing where it is cut or another kind.
+/// Size in the header of a PNG, JPEG or BMP; empty if it is incomplete or another kind.
 [[nodiscard]] std::optional<PictureSize> stated_size(std::string_view bytes);
 
-/// Grey levels of a picture held in memory; a frame with a fault where it does not decode.
+/// Grey levels of a picture in memory; a frame with a fault if it does not decode.
 [[nodiscard]] FrameRead decoded_picture(std::string_view bytes);
 
 /// Grey level of a colour, ITU-R BT.601.
@@ -31,7 +31,7 @@ enum class PictureKind { none, png, jpeg, bmp, tiff };
     return static_cast<float>(0.299 * red + 0.587 * green + 0.114 * blue);
 }
 
-/// Luminance of interleaved channels: 1, 2 (grey, alpha), 3 or 4 values a pixel, in the order red, green, blue[,
+/// Luminance of interleaved channels: 1, 2 (grey, alpha), 3 or 4 values per pixel, in the order red, green, blue[,
 /// alpha].
 template <class Value>
 [[nodiscard]] FramePixels luminance(const Value* values, PictureSize size, int channels, long row_stride) {

@@ -6,8 +6,8 @@
 
 namespace setae::imaging {
 
-/// Reads a PNG, JPEG or BMP. A pixel size is taken from a PNG's pHYs where it is finer than print.
-/// @throws as read_micrograph does.
+/// Reads a PNG, JPEG or BMP. The pixel size is that of the pHYs chunk of a PNG if it is finer than print.
+/// @throws as read_micrograph.
 [[nodiscard]] Micrograph read_plain_picture(const bytes::Source& file, const MicrographOptions& options);
 
 }  // namespace setae::imaging

@@ -41,11 +41,11 @@ struct RawPixels {
 };
 
 /// Grey levels of pixels in a file.
-/// @throws FormatError, before memory is taken, where they reach beyond the end of the file.
+/// @throws FormatError, before memory is allocated, if they extend beyond the end of the file.
 [[nodiscard]] FramePixels read_pixels(const bytes::Source& file, const RawPixels& layout);
 
-/// Grey levels of pixels in memory, `channels` numbers each: one, two (the second left out), or red, green, blue and
-/// more. Nothing where `bytes` are fewer than the size needs.
+/// Grey levels of pixels in memory, `channels` numbers each: one, two (the second is ignored), or red, green, blue and
+/// more. Empty if `bytes` are fewer than the size needs.
 [[nodiscard]] std::optional<FramePixels> pixels_in(std::string_view bytes, const RawPixels& layout, int channels);
 
 }  // namespace setae::imaging

@@ -17,10 +17,10 @@ namespace setae::imaging {
 /// Source: C. Boothroyd, "TIA (Emispec) file format" (2006), as openNCEM reads it.
 [[nodiscard]] Micrograph read_ser(const bytes::Source& file, const MicrographOptions& options);
 
-/// Adds what the EMI of a series says of microscope and time: the XML between other bytes. Nothing where there is none.
+/// Adds microscope and time from the EMI of a series: the XML between other bytes. No effect if there is none.
 void read_emi(std::string_view emi, Micrograph& micrograph);
 
-/// Name of the EMI that belongs to a series: "a.emi" for "a_1.ser".
+/// Name of the EMI of a series: "a.emi" for "a_1.ser".
 [[nodiscard]] std::string emi_beside(const std::string& ser);
 
 }  // namespace setae::imaging

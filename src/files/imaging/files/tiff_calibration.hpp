@@ -8,12 +8,11 @@
 
 namespace setae::imaging {
 
-/// Adds what the tags of a page say of pixel size, microscope and time to a micrograph. The first of these that states
-/// a size counts: FEI/Thermo Fisher, Olympus SIS, DigitalMicrograph, Zeiss, OME-XML, JEOL, ImageJ, resolution finer
-/// than print.
+/// Adds pixel size, microscope and time in the tags of a page to a micrograph. The first source with a size is used:
+/// FEI/Thermo Fisher, Olympus SIS, DigitalMicrograph, Zeiss, OME-XML, JEOL, ImageJ, resolution finer than print.
 void read_tiff_calibration(const TiffStack& stack, std::size_t page, Micrograph& micrograph);
 
-/// Whether a page holds the block of data that Olympus' programs put beside the image proper, not beside its thumbnail.
+/// Whether a page has the data block that Olympus software adds to the main image, not to its thumbnail.
 [[nodiscard]] bool has_olympus_block(const bytes::TiffPage& page);
 
 }  // namespace setae::imaging

@@ -6,8 +6,8 @@
 
 namespace setae::imaging {
 
-/// Reads an image of a TIFF: pages that are no thumbnails (marked as reduced, without the block that Olympus' programs
-/// put beside the image, or less than half as wide as the widest page).
+/// Reads an image of a TIFF: pages that are no thumbnails (marked as reduced, without the data block of Olympus
+/// software, or less than half as wide as the widest page).
 /// @throws as read_micrograph does.
 [[nodiscard]] Micrograph read_tiff(const bytes::Source& file, const MicrographOptions& options);
 

@@ -12,12 +12,12 @@ namespace setae::imaging {
 
 constexpr int thickest_bar = 40;  ///< px
 
-/// A candidate: its whole pixels, both ends included, and how it stands out.
+/// A candidate: its whole pixels, both ends included, and its contrast.
 struct BarCandidate {
     int left = 0, right = 0, top = 0, bottom = 0;
     double level = 0, deviation = 0;
-    double contrast = 0;  // bar less surroundings: positive for bright bars
-    bool drawn = false;   // clean enough to be drawn, not photographed
+    double contrast = 0;  // bar minus surroundings: positive for bright bars
+    bool drawn = false;   // uniform enough to be drawn, not photographed
     int outline = 0;
     double outline_level = 0;
     std::optional<BarTick> left_tick, right_tick;
@@ -32,12 +32,12 @@ struct BarCandidate {
 /// Something long and thin in a picture.
 struct LongRun {
     cv::Rect box;
-    double height = 0;  ///< by which it stands out of what is above and below, as scaled_levels
-    double sign = 0;    ///< 1 where it is brighter, −1 where it is darker
+    double height = 0;  ///< difference from the pixels above and below, in units of scaled_levels
+    double sign = 0;    ///< 1 if it is brighter, −1 if it is darker
 };
 
-/// The bar within a run: of one level, with straight ends and nothing beyond, apart from what is above and below;
-/// nothing where it is none, touches the picture's border or is shorter than min_length [px].
+/// The bar within a run: of one level, with straight ends and nothing beyond, separate from the pixels above and below;
+/// empty if there is none, it touches the border of the picture or is shorter than min_length [px].
 [[nodiscard]] std::optional<BarCandidate> bar_within(const cv::Mat1f& levels, const LongRun& run, int min_length);
 
 }  // namespace setae::imaging

@@ -9,13 +9,13 @@
 
 namespace setae::imaging {
 
-/// A scale bar, and why its label gives no length.
+/// A scale bar, and why its label is no length.
 struct FoundBar {
     ScaleBar bar;
     std::string label_fault;
 };
 
-/// What find_scale_bars gives, with reasons. levels: as scaled_levels.
+/// Result of find_scale_bars, with reasons. levels: as scaled_levels.
 [[nodiscard]] std::vector<FoundBar> found_bars(const cv::Mat1f& levels);
 
 }  // namespace setae::imaging

@@ -7,9 +7,9 @@
 
 namespace setae::imaging {
 
-/// What the words beside a scale bar stand for.
+/// Meaning of the label of a scale bar.
 struct LabelMeaning {
-    std::string text;              ///< number, blank, unit: "5 nm"; as read where it is neither
+    std::string text;              ///< number, blank, unit: "5 nm"; otherwise as read
     std::string unit;              ///< "pm", "A", "nm", "um", "mm"; empty without one
     std::optional<double> length;  ///< [m]
     std::string fault;             ///< why there is no length
@@ -17,8 +17,8 @@ struct LabelMeaning {
 
 /// Number and unit of a length in a label read without blanks; a comma counts as a point.
 ///
-/// Lengths that bars have are 1, 2, 2.5 or 5 times a power of ten: another number was read wrong, or must be confirmed
-/// by a user. A reciprocal length ("5 1/nm") belongs to a diffraction pattern and is none.
+/// Lengths of bars are 1, 2, 2.5 or 5 times a power of ten: another number is a reading error, or must be confirmed by
+/// the user. A reciprocal length ("5 1/nm") belongs to a diffraction pattern and is no length.
 [[nodiscard]] LabelMeaning meaning_of_label(std::string_view reading);
 
 }  // namespace setae::imaging

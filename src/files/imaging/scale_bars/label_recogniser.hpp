@@ -9,8 +9,8 @@
 
 namespace setae::imaging {
 
-/// Recognises lines made of digits and the units of lengths by Tesseract, whose library is loaded when first asked.
-/// Works in one thread; prints nothing.
+/// Recognises lines made of digits and the units of lengths by Tesseract, whose library is loaded on first use. Works
+/// in one thread; prints nothing.
 class LabelRecogniser {
 public:
     LabelRecogniser();
@@ -18,10 +18,10 @@ public:
     LabelRecogniser(const LabelRecogniser&) = delete;
     LabelRecogniser& operator=(const LabelRecogniser&) = delete;
 
-    /// The line without its blanks, from dark letters on white; nothing where Tesseract is not there (see fault) or
-    /// knows no letter.
+    /// The line without its blanks, from dark letters on white; empty without Tesseract (see fault) or if it recognises
+    /// no letter.
     [[nodiscard]] std::optional<std::string> read(const cv::Mat1b& line);
-    /// Why nothing can be read; empty as long as nothing is known against it.
+    /// Why nothing can be read; empty if no problem is known.
     [[nodiscard]] const std::string& fault() const;
 
 private:

@@ -11,9 +11,9 @@
 
 namespace setae::imaging {
 
-/// Words beside a scale bar.
+/// Text next to a scale bar.
 struct BarLabel {
-    std::string text;              ///< empty where none is legible
+    std::string text;              ///< empty if none is legible
     std::optional<double> length;  ///< [m]
     std::optional<cv::Rect> box;   ///< of the line of letters
     std::string fault;             ///< why there is no length
@@ -21,9 +21,9 @@ struct BarLabel {
 
 /// Reads the label of a bar: a line of letters drawn in the level of the bar or of its outline, the nearest first.
 ///
-/// A length is given where three readings agree, in two masks and at two magnifications, no other contradicts them, the
-/// first letter of the unit has the shape read (µ, n, p and m differ by what is open and closed) and a point, where
-/// there is one, is a dot on the baseline and the only speck there.
+/// A length is returned if three readings agree, in two masks and at two magnifications, no other contradicts them, the
+/// first letter of the unit has the shape read (µ, n, p and m differ by open and closed parts) and a point, if any, is
+/// a dot on the baseline and the only speck there.
 [[nodiscard]] BarLabel read_label(const cv::Mat1f& levels, const DrawnBar& bar, LabelRecogniser& reader);
 
 }  // namespace setae::imaging

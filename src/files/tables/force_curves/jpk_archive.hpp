@@ -14,7 +14,7 @@ namespace setae::tables {
 
 using Properties = std::map<std::string, std::string>;
 
-/// Whether what an archive of JPK holds is one force curve or a map of them, as its header says.
+/// Content of an archive of JPK by its header: one force curve or a map of them.
 enum class JpkKind { other, curve, map };
 
 /// A ZIP archive of JPK: its headers, the folders of its segments; members are read from any thread.
@@ -25,14 +25,14 @@ public:
 
     [[nodiscard]] const bytes::Source& source() const { return source_; }
     [[nodiscard]] JpkKind kind() const;
-    /// Folders of the segments of each curve, in order: "segments/N/" of a curve, which has the number 0, and
-    /// "index/NUMBER/segments/N/" of a map.
+    /// Folders of the segments of each curve, in order: "segments/N/" for a single curve, which has the number 0, and
+    /// "index/NUMBER/segments/N/" for a map.
     [[nodiscard]] const std::map<long, std::vector<std::string>>& curves() const { return curves_; }
     [[nodiscard]] std::string read(const std::string& member) const;
-    /// The properties of a member; none where there is no such member.
+    /// The properties of a member; empty if there is no such member.
     [[nodiscard]] Properties properties(const std::string& member) const;
     [[nodiscard]] const Properties& header() const { return header_; }  ///< of the file
-    [[nodiscard]] const Properties& shared() const { return shared_; }  ///< what segments refer to
+    [[nodiscard]] const Properties& shared() const { return shared_; }  ///< properties that segments refer to
 
 private:
     bytes::Source source_;

@@ -9,12 +9,12 @@
 
 namespace setae::tables {
 
-/// A segment of a force curve of JPK: its own properties and those of the archive that it refers to.
+/// A segment of a force curve of JPK: its properties and those of the archive that it refers to.
 class JpkSegment {
 public:
     JpkSegment(const JpkArchive& archive, std::string folder);
 
-    /// force-segment-header.KEY, or what the segment says by reference: force-segment-header-info.N.KEY.
+    /// force-segment-header.KEY, or the value by reference: force-segment-header-info.N.KEY.
     [[nodiscard]] std::optional<std::string> find(const std::string& key) const;
     /// "extend", "pause", "retract".
     [[nodiscard]] std::string style() const;
@@ -22,7 +22,7 @@ public:
     [[nodiscard]] ForceSegment read() const;
     /// Sensitivity and spring constant from the conversions to "distance" and "force".
     [[nodiscard]] ForceCurveOptions constants() const;
-    /// Which channel is the height, and in which slot.
+    /// Channel of the height, and its slot.
     [[nodiscard]] std::string height_channel() const;
 
 private:

@@ -16,7 +16,7 @@ namespace setae::tables {
 /// Checks that an expression parses with these names. @throws InvalidArgument.
 void require_expression(const std::string& expression, const std::vector<std::string>& names);
 
-/// What an expression may name, in SI.
+/// Named inputs of an expression, in SI.
 struct ExpressionInputs {
     struct Column {
         std::string name;
@@ -29,7 +29,7 @@ struct ExpressionInputs {
 
 /// An expression row by row.
 ///
-/// Its dimension is checked by changing the base units one at a time: where metres become twice as large, a result of
+/// Its dimension is checked by changing the base units one at a time: if metres become twice as large, a result of
 /// dimension length^n must scale with 2^n.
 /// @throws InvalidArgument for an expression that does not parse or whose dimension is not `expected`.
 [[nodiscard]] Array1D evaluate(const std::string& expression, const ExpressionInputs& inputs,

@@ -10,20 +10,20 @@
 
 namespace setae::tables {
 
-/// An expression as a user types it, "3.01 N/m * mems", taken apart for a mapping.
+/// An expression of the user, "3.01 N/m * mems", split for a mapping.
 struct ExpressionText {
     std::string expression;                    ///< "quantity_1 * mems"
-    std::vector<MappedConstant> constants;     ///< the numbers with a unit, by the names the expression has for them
-    std::vector<std::string> names;            ///< the columns it names, each once
-    std::map<std::string, std::string> units;  ///< of columns that it states one for: "kraft[uN]"
+    std::vector<MappedConstant> constants;     ///< the numbers with a unit, by their names in the expression
+    std::vector<std::string> names;            ///< column names in the expression, each once
+    std::map<std::string, std::string> units;  ///< units stated for columns: "kraft[uN]"
 };
 
-/// A number with a unit behind it, a blank between or none, is a quantity; the unit has no blank and no '*'. Names in
-/// front of '(' are functions, those that begin with '_' the parser's own; accents of a name are left out. `first`
-/// numbers the first quantity. @throws InvalidArgument for a column with two units.
+/// A number followed by a unit, with or without a blank between, is a quantity; the unit has no blank and no '*'. Names
+/// before '(' are functions, those that begin with '_' internal names of the parser; accents are removed. `first` is
+/// the number of the first quantity. @throws InvalidArgument for a column with two units.
 [[nodiscard]] ExpressionText expression_text(const std::string& text, std::size_t first = 1);
 
-/// A header cell as expressions name it: "MEMS displ." is "mems_displ", "Déplacement" "deplacement".
+/// Name of a header cell in expressions: "MEMS displ." is "mems_displ", "Déplacement" "deplacement".
 [[nodiscard]] std::string name_in_expressions(const std::string& header);
 
 }  // namespace setae::tables

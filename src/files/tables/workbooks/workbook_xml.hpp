@@ -13,8 +13,9 @@
 
 namespace setae::tables {
 
-inline constexpr std::size_t max_sheet_rows = 1048576, max_sheet_columns = 16384;  // Excel's and LibreOffice's limits
-inline constexpr std::size_t max_sheet_text = std::size_t{256} << 20;  // of a sheet's cells: many may share one string
+inline constexpr std::size_t max_sheet_rows = 1048576, max_sheet_columns = 16384;  // limits of Excel and LibreOffice
+inline constexpr std::size_t max_sheet_text = std::size_t{256} << 20;  // of the cells of a sheet: many may share one
+                                                                       // string
 
 /// A workbook of one kind, opened.
 struct WorkbookContent {
@@ -38,12 +39,12 @@ struct WorkbookContent {
 [[nodiscard]] pugi::xml_document parsed_member(const bytes::Archive& archive, const std::string& member,
                                                const bytes::Source& source);
 
-/// A date or a time of day as text, "2026-01-05 10:20:30" or "10:20:30", from days since 1899-12-30; so that no column
-/// of dates is taken for numbers.
+/// A date or a time of day as text, "2026-01-05 10:20:30" or "10:20:30", from days since 1899-12-30; columns of dates
+/// are then not read as numbers.
 [[nodiscard]] std::string date_text(double days);
 
-/// Puts the text of a cell into its place. `bytes`: of all cells so far.
-/// @throws FormatError for a cell beyond the limits of sheets and for more text than a sheet may hold.
+/// Stores the text of a cell. `bytes`: of all cells so far.
+/// @throws FormatError for a cell beyond the limits of sheets and for more text than allowed per sheet.
 void put_cell(SheetRows& rows, std::size_t row, std::size_t column, std::string text, std::size_t& bytes,
               const Sheet& sheet, const bytes::Source& source);
 

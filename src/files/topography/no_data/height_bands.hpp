@@ -18,11 +18,11 @@ struct HeightBand {
     Index first_line = 0, lines = 0;
 };
 
-/// The heights of a map by bands of scan lines, a curve as one scan line. What is borrowed must outlive it.
+/// The heights of a map in bands of scan lines, a curve as one scan line. Referenced data must outlive this object.
 struct HeightBands {
     Index nx = 0, ny = 0;
     std::size_t count = 0;
-    /// body(number, band) for every band, on several threads where heights are in memory.
+    /// body(number, band) for every band, on several threads if heights are in memory.
     std::function<void(const std::function<void(std::size_t, const HeightBand&)>& body)> for_each;
 };
 

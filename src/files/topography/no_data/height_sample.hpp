@@ -7,19 +7,19 @@
 
 namespace setae::topography {
 
-/// A height and the next one along its scan line; NaN where there is none.
+/// A height and the next one along its scan line; NaN if there is none.
 struct SampledHeight {
     double height, next;
 };
 
-/// What one pass over heights shows: their range, and a sample spread over all of them.
+/// Result of one pass over heights: their range, and a sample spread over all of them.
 struct HeightSample {
-    double least, greatest;              ///< of all defined heights; +∞ and −∞ where there is none
-    std::vector<SampledHeight> heights;  ///< those that are defined, in the order of their places
+    double least, greatest;              ///< of all defined heights; +∞ and −∞ if there is none
+    std::vector<SampledHeight> heights;  ///< the defined ones, in order of position
 };
 
-/// Places of the sample: all points of small maps, else 2^14 at irregular distances, so that no grating is in step with
-/// them.
+/// Positions of the sample: all points of small maps, otherwise 2^14 at irregular distances, which do not coincide with
+/// the period of a grating.
 [[nodiscard]] HeightSample sampled(const HeightBands& bands);
 
 }  // namespace setae::topography

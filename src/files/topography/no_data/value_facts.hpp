@@ -22,24 +22,24 @@ private:
     double mean_ = 0.0, squares_ = 0.0;
 };
 
-/// How the heights that have a value exactly lie among the others.
+/// Distribution of the heights with an exact value among the others.
 struct ValueFacts {
     Index count = 0;
-    Index beyond = 0;  ///< others that lie beyond half way from the median to the value
-    double nearest = std::numeric_limits<double>::infinity();  ///< distance of the others' nearest height
-    Scatter runs, gaps;  ///< lengths of its runs along scan lines, and of what lies between two of them
-    Index steps = 0;     ///< from a run to a defined height beside it
+    Index beyond = 0;  ///< others beyond the midpoint between the median and the value
+    double nearest = std::numeric_limits<double>::infinity();  ///< distance of the nearest other height
+    Scatter runs, gaps;  ///< lengths of its runs along scan lines, and of the gaps between two of them
+    Index steps = 0;     ///< from a run to an adjacent defined height
     Index jumps = 0;     ///< those that are longer than `jump`
-    Scatter beside;      ///< heights beside runs
+    Scatter beside;      ///< heights next to runs
 };
 
 struct AllFacts {
     std::vector<ValueFacts> values;  ///< in the order of the values
-    Index defined = 0;               ///< heights, those of the values among them
+    Index defined = 0;               ///< heights, including those with the values
     double least, greatest;          ///< of the others
 };
 
-/// One pass over all heights. median: of the others. jump: a step that neighbours do not make.
+/// One pass over all heights. median: of the others. jump: a step larger than between neighbours.
 [[nodiscard]] AllFacts facts_of(const HeightBands& bands, const std::vector<double>& values, double median,
                                 double jump);
 

@@ -8,11 +8,11 @@
 
 namespace setae::bytes {
 
-/// Whether a path leads to a regular file that begins as a ZIP archive. What it is an archive of, others say.
+/// Whether a path is a regular file that begins as a ZIP archive, of any content.
 [[nodiscard]] bool is_archive(const std::string& path);
 
 /// The files of a ZIP archive as paths, "archive.zip/folder/member", sorted: files of a folder before its folders.
-/// Hidden ones and what macOS adds are left out. file_source() opens such paths.
+/// Hidden files and those added by macOS are left out. file_source() opens such paths.
 /// @throws FormatError for a damaged archive, a member that leads out of it, and for more than 10 000 members.
 [[nodiscard]] std::vector<std::string> files_of_archive(const std::string& path);
 

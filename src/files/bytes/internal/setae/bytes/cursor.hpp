@@ -11,8 +11,8 @@
 
 namespace setae::bytes {
 
-/// Reads numbers and texts one after another; what lies beyond the end is refused with format, offset and reason. It
-/// takes pieces of 64 KiB from the source, so that headers are walked without reading what they describe.
+/// Reads numbers and texts in sequence; a read beyond the end is refused with format, offset and reason. It reads
+/// pieces of 64 KiB from the source, so headers are parsed without reading the data after them.
 class Cursor {
 public:
     Cursor(const Source& source, std::string format, std::uint64_t offset = 0, std::endian order = std::endian::little);
@@ -21,7 +21,7 @@ public:
     [[nodiscard]] T number() {
         return load<T>(take(sizeof(T)), order_);
     }
-    /// A number at a place of its own; the position stays.
+    /// A number at another place; the position does not change.
     template <class T>
     [[nodiscard]] T number_at(std::uint64_t offset) {
         const auto before = position_;
@@ -31,7 +31,7 @@ public:
         return value;
     }
     [[nodiscard]] std::string bytes(std::uint64_t count);
-    /// `count` bytes as text: up to the first NUL, Latin-1 or UTF-8 made UTF-8, trimmed.
+    /// `count` bytes as text: up to the first NUL, Latin-1 or UTF-8 converted to UTF-8, trimmed.
     [[nodiscard]] std::string text(std::uint64_t count);
     void skip(std::uint64_t count);
     /// @throws FormatError for an offset beyond the end.

@@ -8,15 +8,15 @@
 
 namespace setae::bytes {
 
-/// MD5 digest as 32 lower-case hexadecimal digits: the checksum X3P files carry, no protection against intent.
+/// MD5 digest as 32 lower-case hexadecimal digits: the checksum of X3P files, no protection against manipulation.
 /// Source: RFC 1321.
 [[nodiscard]] std::string md5(std::string_view bytes);
-/// Of a whole source, read piece by piece. @throws what reading it throws.
+/// MD5 digest of a whole source, read piece by piece. @throws exceptions of the source.
 [[nodiscard]] std::string md5(const Source& source);
 
 /// SHA-256 digest as 64 lower-case hexadecimal digits. Source: FIPS 180-4.
 [[nodiscard]] std::string sha256(std::string_view bytes);
-/// Of a whole source, read piece by piece. @throws what reading it throws.
+/// SHA-256 digest of a whole source, read piece by piece. @throws exceptions of the source.
 [[nodiscard]] std::string sha256(const Source& source);
 
 }  // namespace setae::bytes

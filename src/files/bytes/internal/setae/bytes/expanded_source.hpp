@@ -9,9 +9,8 @@
 
 namespace setae::bytes {
 
-/// Bytes that are expanded when first asked for, by whichever thread asks, and then kept. `expand` gives exactly `size`
-/// bytes.
-/// @throws (reading) FormatError where `expand` gives another number of bytes, and what it throws.
+/// Bytes that are expanded at the first request, from any thread, and then kept. `expand` returns exactly `size` bytes.
+/// @throws (reading) FormatError if `expand` returns another number of bytes; exceptions of `expand`.
 [[nodiscard]] Source expanded_source(std::string name, std::uint64_t size, std::function<std::string()> expand);
 
 }  // namespace setae::bytes

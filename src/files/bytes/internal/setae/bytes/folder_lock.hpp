@@ -5,9 +5,8 @@
 
 namespace setae::bytes {
 
-/// Keeps other processes that lock the same folder waiting for as long as it lives; threads of this process too. For a
-/// few reads and writes that must not be divided, not for a computation. Where a file system has no locks, or the
-/// folder cannot be opened, nobody waits.
+/// While it exists, other processes and threads that lock the same folder wait. For a few reads and writes that must
+/// not be divided, not for a computation. No effect on file systems without locks, or if the folder cannot be opened.
 class FolderLock {
 public:
     explicit FolderLock(const std::string& folder);
@@ -15,7 +14,7 @@ public:
     FolderLock(const FolderLock&) = delete;
     FolderLock& operator=(const FolderLock&) = delete;
 
-    /// Whether the path still leads to the folder that is locked; false where none is.
+    /// Whether the path still leads to the locked folder; false without a lock.
     [[nodiscard]] bool holds(const std::string& folder) const;
 
 private:

@@ -14,8 +14,8 @@
 
 namespace setae::bytes {
 
-/// While one lives no other thread uses HDF5, which may be built without care for threads, and the library does not
-/// print. Sessions may stand inside each other, also in a child process that was begun in one.
+/// While it exists, no other thread uses HDF5, which may be built without thread safety, and the library prints
+/// nothing. Sessions may be nested, also in a child process that was started in one.
 class Hdf5Session {
 public:
     Hdf5Session();
@@ -41,14 +41,14 @@ struct Hdf5Handle {
     herr_t (*close)(hid_t);
 };
 
-/// Where the signature of HDF5 stands: at the start, or behind a block of the user's of 512, 1024, 2048 … bytes;
-/// nothing where it is not among the bytes given.
+/// Place of the HDF5 signature: at the start, or after a user block of 512, 1024, 2048 … bytes; empty if it is not
+/// among the given bytes.
 [[nodiscard]] std::optional<std::uint64_t> find_hdf5(std::string_view head);
 
 /// @throws FormatError for bytes that are no HDF5, are truncated, or that the library refuses.
 [[nodiscard]] Hdf5Handle opened_hdf5(const Source& source);
 
-/// Number of values of extents, times `start`; the largest number there is where it would be more.
+/// Product of extents and `start`; the largest representable number on overflow.
 [[nodiscard]] std::uint64_t hdf5_product(const std::vector<hsize_t>& extents, std::uint64_t start = 1);
 
 /// Extents of a dataset or attribute's dataspace; of a single value none.

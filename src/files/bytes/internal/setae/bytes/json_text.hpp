@@ -11,8 +11,7 @@
 
 namespace setae::bytes {
 
-/// JSON of what `name` says, at most max_levels deep. @throws FormatError at the byte where it is none, "…:
-/// `complaint`".
+/// JSON of `name`, at most max_levels deep. @throws FormatError at the byte of the error, "…: `complaint`".
 template <class Json = nlohmann::json>
 [[nodiscard]] Json parsed_json(std::string_view text, const std::string& name, const std::string& complaint) {
     if (const auto at = json_too_deep(text))
@@ -26,7 +25,7 @@ template <class Json = nlohmann::json>
     }
 }
 
-/// The same of what a file may do without: null for text that is no JSON or too deep.
+/// JSON of optional content: null for text that is no JSON or too deep.
 [[nodiscard]] inline nlohmann::json json_or_null(std::string_view text) {
     if (json_too_deep(text)) return nullptr;
     auto json = nlohmann::json::parse(text, nullptr, false);

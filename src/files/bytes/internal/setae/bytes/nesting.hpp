@@ -8,18 +8,19 @@
 
 namespace setae::bytes {
 
-/// Levels that texts of structure (JSON, XML, TOML, YAML) may have one inside another. What measures and describes
-/// surfaces has about ten; parsers and what walks through their results call themselves once a level.
+/// Maximum nesting of structured text (JSON, XML, TOML, YAML). Files of measured surfaces have about ten levels;
+/// parsers and functions for their results recurse once per level.
 inline constexpr std::size_t max_levels = 64;
 
-/// The byte at which JSON opens one level more than max_levels; nothing where it never does. Brackets inside texts do
-/// not count; text that is no JSON gives any answer.
+/// The byte at which JSON exceeds max_levels; empty if it does not. Brackets inside texts are ignored; the result is
+/// undefined for text that is no JSON.
 [[nodiscard]] std::optional<std::uint64_t> json_too_deep(std::string_view text);
 
-/// The same of XML and its elements; comments, sections of characters and instructions do not count.
+/// The byte at which XML elements exceed max_levels; comments, CDATA sections and instructions are ignored.
 [[nodiscard]] std::optional<std::uint64_t> xml_too_deep(std::string_view text);
 
-/// The same of TOML: of arrays and inline tables, and of names with dots, "a.b.c", each of which opens a level.
+/// The byte at which TOML exceeds max_levels, by arrays, inline tables, and names with dots, "a.b.c", each of which
+/// opens a level.
 [[nodiscard]] std::optional<std::uint64_t> toml_too_deep(std::string_view text);
 
 }  // namespace setae::bytes

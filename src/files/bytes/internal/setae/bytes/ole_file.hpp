@@ -16,18 +16,18 @@ namespace setae::bytes {
 /// A compound file (OLE, "structured storage"): a file system of streams within a file, its sectors chained by a table.
 /// The table and the directory are read, streams are not.
 ///
-/// Own reader, for libgsf 1.14 leaks memory on damaged directories, logs to stderr, and ends the program where memory
-/// is short. Source: [MS-CFB] Compound File Binary File Format, versions 3 and 4.
+/// Implemented here because libgsf 1.14 leaks memory on damaged directories, logs to stderr, and ends the program if
+/// memory is short. Source: [MS-CFB] Compound File Binary File Format, versions 3 and 4.
 class OleFile {
 public:
-    /// @throws FormatError "<format>: …" for chains that run in circles or leave the file.
+    /// @throws FormatError "<format>: …" for circular chains and chains that leave the file.
     OleFile(const Source& source, std::string format);
 
-    /// Streams, whichever folder they lie in.
+    /// Streams of all folders.
     [[nodiscard]] std::vector<std::string> names() const;
     [[nodiscard]] bool has(const std::string& name) const;
 
-    /// The stream as a source named "file: stream" that reads from the file where asked.
+    /// The stream as a source named "file: stream" that reads from the file on request.
     /// @throws FormatError for a missing stream, or one that is not wholly in the file.
     [[nodiscard]] Source stream(const std::string& name) const;
 
@@ -41,7 +41,7 @@ private:
     [[noreturn]] void fail(std::uint64_t offset, const std::string& what) const;
     void read_table();
     void read_directory(std::uint32_t first, std::uint32_t first_of_small_table);
-    /// Sectors of a chain: so many, or to the chain's end where 0.
+    /// Sectors of a chain: `count` of them, or all if 0.
     [[nodiscard]] std::vector<std::uint32_t> chain(const std::vector<std::uint32_t>& table, std::uint32_t first,
                                                    std::uint64_t count) const;
     [[nodiscard]] std::vector<std::uint32_t> numbers(const std::vector<std::uint32_t>& sectors) const;
@@ -53,7 +53,7 @@ private:
     Source source_;
     std::string format_;
     std::uint64_t sector_bytes_ = 512, small_sector_bytes_ = 64, min_large_ = 4096;
-    std::uint64_t sectors_ = 0;  ///< that the file has room for
+    std::uint64_t sectors_ = 0;  ///< maximum number by the size of the file
     std::vector<std::uint32_t> table_, small_table_, small_stream_;
     std::vector<Stream> streams_;
 };

@@ -9,13 +9,13 @@
 
 namespace setae::bytes {
 
-/// Bytes that stand side by side in a source.
+/// A contiguous range of bytes in a source.
 struct Piece {
     std::uint64_t offset = 0, size = 0;
 };
 
-/// The pieces one after another, read from the source where asked.
-/// @throws FormatError where the source ends before a piece does.
+/// The pieces in sequence, read from the source on request.
+/// @throws FormatError if the source ends before a piece does.
 [[nodiscard]] Source joined(const Source& source, std::string name, const std::vector<Piece>& pieces);
 
 }  // namespace setae::bytes

@@ -5,10 +5,10 @@
 
 namespace setae::bytes {
 
-/// While one of these lives, no output replaces a file that was read: write_whole_file() refuses every path that leads,
-/// by links of any kind, to an input. The last one that ends forgets them all.
+/// While one of these objects exists, no output replaces a file that was read: write_whole_file() refuses every path
+/// that leads, by links of any kind, to an input. The last one that ends clears the list.
 ///
-/// A program holds one for its run. Threads share what is protected.
+/// A program has one during its run. Threads share the protected inputs.
 class ProtectedInputs {
 public:
     ProtectedInputs();
@@ -17,11 +17,11 @@ public:
     ~ProtectedInputs();
 };
 
-/// A regular file that the run is going to read; every file_source() and read_file() is one by itself. Nothing for
-/// other paths, and while no ProtectedInputs lives.
+/// Registers a regular file as input of the run; every file_source() and read_file() does so. No effect for other
+/// paths, and without a ProtectedInputs.
 void protect_input(const std::string& path);
 
-/// @throws FileError where `path` is a protected input.
+/// @throws FileError if `path` is a protected input.
 void require_no_input(const std::string& path);
 
 }  // namespace setae::bytes

@@ -6,17 +6,16 @@
 
 namespace setae::bytes {
 
-/// Does once in a child process what the caller is about to do with a library that damaged bytes may crash, so that
-/// they cost one file and not the program.
+/// Executes `use` first in a child process, for libraries that may crash on damaged bytes: damage then affects one file
+/// and not the program.
 ///
-/// What `use` throws, gives back or prints is lost: the caller does it again. Locks that `use` takes must be the
-/// caller's own.
-/// @throws FormatError "name: `library`: …" where the child is killed by a signal, ends by itself or takes longer than
-/// a minute; FileError where no child can be had.
+/// Exceptions, results and output of `use` are lost: the caller repeats the work. Locks taken by `use` must belong to
+/// the caller.
+/// @throws FormatError "name: `library`: …" if a signal ends the child, it exits or takes longer than a minute;
+/// FileError if no child can be started.
 void rehearse(const std::string& name, const std::string& library, const std::function<void()>& use);
 
-/// From here on rehearse() does nothing: for fuzzers of what stands above the library, which look for crashes
-/// themselves.
+/// Disables rehearse(): for fuzzers of code that uses the library, which detect crashes themselves.
 void leave_out_rehearsals();
 
 }  // namespace setae::bytes

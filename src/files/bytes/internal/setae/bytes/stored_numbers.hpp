@@ -11,7 +11,7 @@
 
 namespace setae::bytes {
 
-/// A number from bytes of the order named. `from` must hold sizeof(T) bytes.
+/// A number from bytes in the given byte order. `from` must contain sizeof(T) bytes.
 template <class T>
 [[nodiscard]] T load(const char* from, std::endian order) {
     std::array<char, sizeof(T)> bytes{};
@@ -22,7 +22,7 @@ template <class T>
     return value;
 }
 
-/// A whole number of `count` ≤ 8 bytes; the caller has checked that they are there.
+/// An integer of `count` ≤ 8 bytes; the caller has checked their existence.
 [[nodiscard]] inline std::uint64_t number_in(std::string_view bytes, std::size_t offset, std::size_t count,
                                              bool big_endian = false) {
     std::uint64_t value = 0;

@@ -5,13 +5,13 @@
 
 namespace setae::bytes {
 
-/// A new folder that only this user may enter, removed with everything in it. Every temporary file that is not beside
-/// its final name belongs into one: its path cannot be foreseen, so that nothing can lie there before.
+/// A new folder accessible only to this user, removed with its content. Every temporary file that is not next to its
+/// final name belongs in such a folder: its path is unpredictable, so no other file can be there before.
 ///
-/// It is made in $TMPDIR; where that fails in /tmp, /var/tmp or the current folder.
+/// It is created in $TMPDIR, otherwise in /tmp, /var/tmp or the current folder.
 class TemporaryFolder {
 public:
-    /// name: of the folder begins with "setae_NAME_". @throws FileError where it can be made nowhere.
+    /// name: the folder name begins with "setae_NAME_". @throws FileError if it cannot be created anywhere.
     explicit TemporaryFolder(const std::string& name);
     ~TemporaryFolder();
     TemporaryFolder(const TemporaryFolder&) = delete;

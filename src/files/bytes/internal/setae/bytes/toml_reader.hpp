@@ -20,25 +20,25 @@ namespace setae::bytes {
 /// @throws FileError; FormatError with the line for text that is no TOML.
 [[nodiscard]] toml::table parse_toml_file(const std::string& path);
 
-/// Inputs of a file that have a name, by which several keys can mention one of them.
+/// Named inputs of a file, which several keys can refer to.
 struct NamedInputs {
     struct Named {
-        std::string text;  ///< value, ± and unit as the file has them
+        std::string text;  ///< value, ± and unit as in the file
         toml::source_position place;
         bool used = false;
     };
     std::map<std::string, Named> inputs;
 };
 
-/// A key whose value is doubtful, though it can be taken.
+/// A key with a doubtful but valid value.
 struct KeyRemark {
     std::string place;  ///< "study.toml:12"
     std::string key;    ///< "elastomers.soft.surface_energy"
     std::string text;
 };
 
-/// A TOML table that knows which of its keys were asked for, so that finish() finds the misspelt ones; every error
-/// names file and line.
+/// A TOML table that records the keys that were read, so finish() finds misspelt ones; every error contains file and
+/// line.
 class TomlReader {
 public:
     TomlReader(const toml::table& table, std::string path, std::string where);
@@ -48,7 +48,7 @@ public:
     [[nodiscard]] std::optional<double> number(const char* key, const Domain& domain = domain::finite);
     [[nodiscard]] std::optional<std::int64_t> integer(const char* key);
     [[nodiscard]] std::optional<bool> boolean(const char* key);
-    /// What one of a closed set of words stands for. @throws FormatError that lists the words.
+    /// The value of one of a closed set of words. @throws FormatError that lists the words.
     template <class Value>
     [[nodiscard]] std::optional<Value> choice(const char* key,
                                               const std::vector<std::pair<std::string, Value>>& choices) {
@@ -61,10 +61,10 @@ public:
         }
         fail(key, "'" + *word + "', expected one of " + words);
     }
-    /// "37 mJ/m2"; a plain number only where the dimension is none.
+    /// "37 mJ/m2"; a plain number only for a dimensionless quantity.
     [[nodiscard]] std::optional<double> quantity(const char* key, const Expected& expected);
-    /// "37 ± 3.7 mJ/m2"; behind name_inputs() also "NAME" or "NAME = 37 ± 3.7 mJ/m2". Estimate::input is that name,
-    /// else of uncertain values the table and the key.
+    /// "37 ± 3.7 mJ/m2"; after name_inputs() also "NAME" or "NAME = 37 ± 3.7 mJ/m2". Estimate::input is that name,
+    /// otherwise for uncertain values the table and the key.
     [[nodiscard]] std::optional<Estimate> uncertain(const char* key, const Expected& expected);
     [[nodiscard]] Estimate required_uncertain(const char* key, const Expected& expected);
     [[nodiscard]] std::vector<std::string> texts(const char* key);
@@ -74,9 +74,9 @@ public:
     [[nodiscard]] bool is_number(const char* key) const;
     [[nodiscard]] bool is_list(const char* key) const;
     [[nodiscard]] bool is_table(const char* key) const;
-    /// Reads the texts of the table under a key, NAME = "VALUE", as inputs that all tables below may mention by name.
+    /// Reads the texts of the table under a key, NAME = "VALUE", as inputs that all later tables can refer to by name.
     void name_inputs(const char* key);
-    /// @throws FormatError at the first of them that no key has mentioned.
+    /// @throws FormatError at the first named input without a reference.
     void require_inputs_used() const;
     /// Calls body with the table under a key, if there is one.
     void table(const char* key, const std::function<void(TomlReader)>& body);
@@ -85,21 +85,21 @@ public:
     /// Calls body for each table of an array: [[key]].
     void each_table(const char* key, const std::function<void(TomlReader)>& body);
 
-    /// A path that the file says, which is relative to the file's folder where it is not absolute.
+    /// A path in the file, relative to the folder of the file unless absolute.
     [[nodiscard]] std::string beside(const std::string& path) const;
 
     /// Keys of this table, in the order of the file.
     [[nodiscard]] std::vector<std::string> keys() const;
 
-    /// @throws FormatError at the first key nobody asked for, with the nearest known one.
+    /// @throws FormatError at the first unknown key, with the nearest known one.
     void finish() const;
 
-    /// @throws FormatError at the key (or the table where it is missing).
+    /// @throws FormatError at the key (or the table if the key is missing).
     [[noreturn]] void fail(const char* key, const std::string& what) const;
 
-    /// Keeps a remark about a key of this table, in the order they are made.
+    /// Records a warning on a key of this table, in the order of the calls.
     void remark(const char* key, std::string text);
-    /// Those of all readers of the document.
+    /// Warnings of all readers of the document.
     [[nodiscard]] const std::vector<KeyRemark>& remarks() const { return *remarks_; }
 
 private:

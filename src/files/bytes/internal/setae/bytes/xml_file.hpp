@@ -11,11 +11,11 @@
 namespace setae::bytes {
 
 /// XML of a file or member. Documents that define types or entities are refused: no instrument writes them, and
-/// entities serve to make small files large.
-/// @throws FormatError "<format>: …" with the offset of what does not parse.
+/// entities can expand small files to large ones.
+/// @throws FormatError "<format>: …" with the offset of the error.
 [[nodiscard]] pugi::xml_document parsed_xml(std::string_view text, const Source& source, const std::string& format);
 
-/// A number in an element's text, or the fallback where the element is missing or empty.
+/// A number in the text of an element, or the fallback if the element is missing or empty.
 /// @throws FormatError for text that is no finite number.
 [[nodiscard]] double xml_number(const pugi::xml_node& node, double fallback, const Source& source,
                                 const std::string& format);

@@ -7,10 +7,10 @@
 
 namespace setae::bytes {
 
-/// The first document of YAML, at most max_levels deep with what its aliases stand for.
+/// The first document of YAML, at most max_levels deep including the targets of its aliases.
 ///
-/// An alias stands for no node that it is part of, and all of them together for no more than two nodes and sixteen
-/// bytes for each byte of the text: what reads the document may follow every one.
+/// An alias must not refer to a node that contains it, and all aliases together to at most two nodes and sixteen bytes
+/// per byte of the text: readers of the document may then follow every alias.
 /// @throws FormatError with the line.
 [[nodiscard]] YAML::Node parsed_yaml(const std::string& text, const std::string& name);
 

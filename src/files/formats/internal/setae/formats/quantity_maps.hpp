@@ -16,10 +16,10 @@ struct QuantityMap {
     Array2D values;
 };
 
-/// Writes maps of one grid as the channels of a Gwyddion file, each in its own unit; undefined points as write_gwy()
-/// marks those of heights.
+/// Writes maps on one grid as channels of a Gwyddion file, each with its unit; undefined points are marked as in
+/// write_gwy().
 /// size: extent along x and y [m], > 0.
-/// @throws FileError; InvalidArgument for no map, maps of different shape or 4 GiB and more.
+/// @throws FileError; InvalidArgument for an empty list, maps of different shape or 4 GiB and more.
 void write_quantity_maps(const std::string& path, const std::vector<QuantityMap>& maps,
                          const std::array<double, 2>& size);
 

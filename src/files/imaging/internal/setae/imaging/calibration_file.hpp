@@ -11,19 +11,19 @@ namespace setae::imaging {
 struct KeptCalibration {
     Calibration calibration;
     std::string picture;         ///< file name, without its folder
-    std::string picture_sha256;  ///< of the file's bytes, 64 hexadecimal digits
+    std::string picture_sha256;  ///< of the bytes of the file, 64 hexadecimal digits
 };
 
-/// The calibration made with the picture at `path`, to be kept. @throws FileError.
+/// The calibration made with the picture at `path`, for storage. @throws FileError.
 [[nodiscard]] KeptCalibration kept_calibration(const Calibration& calibration, const std::string& picture_path);
 
-/// Writes a calibration as JSON, as a whole: sizes in m, lengths of the bar in px, as the keys say.
-/// Reading it gives the same numbers to the last bit. @throws FileError.
+/// Writes a calibration as JSON, as a whole: sizes in m, lengths of the bar in px, as stated in the keys. Reading
+/// restores the numbers exactly. @throws FileError.
 void write_calibration(const std::string& path, const KeptCalibration& kept);
 
-/// Reads what write_calibration writes.
-/// @throws FileError; FormatError that names file and key: no JSON, another version, keys missing, unknown (with the
-/// nearest known one) or of another type, numbers outside their domain.
+/// Reads the output of write_calibration.
+/// @throws FileError; FormatError with file and key: no JSON, another version, keys missing, unknown (with the nearest
+/// known one) or of another type, numbers outside their domain.
 [[nodiscard]] KeptCalibration read_calibration(const std::string& path);
 
 }  // namespace setae::imaging

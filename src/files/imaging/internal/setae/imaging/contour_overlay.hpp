@@ -9,17 +9,17 @@
 
 namespace setae::imaging {
 
-/// What is drawn beside the trace.
+/// Additional elements of the overlay.
 struct OverlayOptions {
     std::vector<PictureRegion> hidden;       ///< outlined
     std::optional<Calibration> calibration;  ///< its scale bar is marked from end to end
     std::vector<std::vector<Anchor>> anchors;
-    long longest_side = 4000;  ///< larger pictures are averaged down, small ones enlarged
+    long longest_side = 4000;  ///< larger pictures are reduced by averaging, small ones enlarged
 };
 
-/// The picture as PNG, from its 0.5th to its 99.5th percentile of grey, with segments in colour (the first one's colour
-/// differs), anchors as rings, the scale bar and hidden regions, and levels and errors in words. Same pixels and trace,
-/// same bytes.
+/// The picture as PNG, from its 0.5th to its 99.5th percentile of grey, with segments in colour (that of the first
+/// differs), anchors as rings, the scale bar and hidden regions, and levels and errors as text. The bytes depend only
+/// on pixels and trace.
 [[nodiscard]] std::string overlay_png(const FramePixels& pixels, const ContourTrace& trace,
                                       const OverlayOptions& options = {});
 

@@ -11,9 +11,9 @@ namespace setae::imaging {
 ///
 ///   blur = w u, smoothing_length = ℓ u, step = u, noise_density = N u a²
 ///
-/// u: metres a pixel of the curve's length, a: metres a pixel across it. Of square pixels u = a is their size; of
-/// others u is the curve's length in metres over that in pixels and u a the area of a pixel, standard errors times a:
-/// right on average. Of a binary picture (edge_width 0) places are staircases: no response.
+/// u: metres per pixel along the curve, a: metres per pixel across it. For square pixels u = a is their size; for
+/// others u is the length of the curve in metres over that in pixels, u a the area of a pixel, and standard errors are
+/// multiplied by a: correct on average. The places of a binary picture (edge_width 0) are staircases: no response.
 /// @throws InvalidArgument for sizes that are not positive.
 [[nodiscard]] topography::TracedCurve traced_curve(const ContourSegment& segment, const PixelSize& pixel_size);
 

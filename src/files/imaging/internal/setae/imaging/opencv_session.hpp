@@ -8,8 +8,8 @@
 
 namespace setae::imaging {
 
-/// From here on OpenCV writes nothing on the program's streams and takes as many threads as Threads{} stands for; what
-/// it throws is said by whoever catches it.
+/// After this call OpenCV writes nothing to the streams of the program and uses the number of threads of Threads{}; its
+/// exceptions are reported where they are caught.
 inline void keep_opencv_in_hand() {
     static const bool quiet = [] {
         cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);

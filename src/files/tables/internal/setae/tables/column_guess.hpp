@@ -11,17 +11,17 @@
 
 namespace setae::tables {
 
-/// How a column gives the quantity of its role.
+/// Conversion of a column to the quantity of its role.
 enum class Derivation {
     none,
     negative,        ///< displacement as the negative of a gap
     radius_of_area,  ///< contact radius as sqrt(A/π) of a circle with the contact's area
 };
 
-/// A column that may play a role, and why.
+/// A column that may have a role, and why.
 struct RoleCandidate {
     std::size_t column = 0;   ///< from 0
-    double confidence = 0.0;  ///< 0 to 1: 0.95 a word of the field, 0.7 its symbol, 0.5 its unit alone
+    double confidence = 0.0;  ///< 0 to 1: 0.95 for a word of the field, 0.7 for its symbol, 0.5 for only its unit
     std::string reason;       ///< such as "'load' is a word for force, mN its unit"
     Derivation derivation = Derivation::none;
     std::optional<std::string> unit{};  ///< replaces that of the header
@@ -33,18 +33,19 @@ struct RoleGuess {
     std::vector<RoleCandidate> candidates;
 };
 
-/// What the columns of a foreign table seem to be: shown with describe(), turned into a mapping with mapping_from().
+/// Presumed roles of the columns of a foreign table: printed with describe(), converted to a mapping with
+/// mapping_from().
 struct ColumnGuess {
     struct Shown {
         std::string name;
         std::string unit;
-        std::vector<double> first_values;  ///< up to five, as the file spells them
+        std::vector<double> first_values;  ///< up to five, as in the file
         std::string note;                  ///< such as "text", "no unit", "all values undefined"
     };
     static constexpr const char* undefined_note = "all values undefined";
 
     std::string path;
-    TableOptions file;  ///< how the table was read
+    TableOptions file;  ///< layout of the table
     std::vector<Shown> columns;
     std::vector<RoleGuess> roles;
 };
@@ -59,49 +60,49 @@ struct ColumnGuess {
 /// Words: force, load, normal force, F, P, FN; displacement, indentation, penetration, depth, stage, piezo, position,
 /// travel, d, z, δ; gap, separation; contact radius, radius, a; contact area, A; time, t, clock, timestamp; and those
 /// of German, French, Spanish, Italian, Portuguese and Dutch, with or without accents. A unit of another dimension
-/// rules a column out; without words the only column in a unit of force or time is taken at low confidence. Deviations,
-/// set points, rates and temperatures are left aside.
+/// excludes a column; without words the only column in a unit of force or time is used with low confidence. Deviations,
+/// set points, rates and temperatures are ignored.
 [[nodiscard]] ColumnGuess guess_columns(const RawTable& table, const std::string& path, const TableOptions& file = {});
 
 /// The guess of a file. @throws as read_raw_table.
 [[nodiscard]] ColumnGuess guess_columns(const std::string& path, const TableOptions& file = {});
 
-/// The guess for a reader: how the text was read, each column with its first values, each role with its candidates,
-/// their confidence and reasons, and what has to be decided.
+/// The guess as text for users: layout, each column with its first values, each role with its candidates, their
+/// confidence and reasons, and the decisions to be made.
 [[nodiscard]] std::string describe(const ColumnGuess& guess);
 
-/// The mapping a guess amounts to. `chosen` names a column for a role and overrules the guess: by its header ("Load"),
+/// The mapping of a guess. `chosen` gives a column for a role and has priority over the guess: by its header ("Load"),
 /// with a unit that replaces the header's ("Load[mN]"), by its position from 1 ("2", "2[mN]"); or it is an expression
-/// such as "3.01 N/m * mems" or "-1 * load", which names columns by the words of their header in lower case joined with
-/// '_', or by a beginning that no other column has, or as "column2". A column without a unit is a plain number in an
+/// such as "3.01 N/m * mems" or "-1 * load", whose column names are the words of the header in lower case joined with
+/// '_', an unambiguous beginning, or "column2". A column without a unit is a plain number in an
 /// expression: "1 uN * kraft".
-/// @throws FormatError where a role has two candidates and none was chosen (both are named), where force, or, unless
-/// the radius comes from elsewhere, both displacement and contact radius are missing, where a column has no unit, one
-/// of another dimension (a mass for a force is named as such) or holds text. A column without any number is left out
-/// with a note, unless it was chosen.
+/// @throws FormatError if a role has two candidates and none was chosen (the message contains both), if force, or,
+/// unless the radius is in another file, both displacement and contact radius are missing, if a column has no unit, one
+/// of another dimension (a mass for a force is reported as such) or contains text. A column without any number is left
+/// out with a note, unless it was chosen.
 [[nodiscard]] Mapping mapping_from(const ColumnGuess& guess, const ChosenColumns& chosen = {},
                                    LoopColumns wanted = LoopColumns::complete);
 
-/// The mapping of the chosen roles alone. @throws FormatError as above.
+/// The mapping of the chosen roles only. @throws FormatError as mapping_from.
 [[nodiscard]] Mapping mapping_of_chosen(const ColumnGuess& guess, const ChosenColumns& chosen);
 
-/// What a column is called where it is chosen, and the same of what was chosen for a role.
+/// Name of a column in a choice, and the same for the choice of a role.
 [[nodiscard]] ChannelName channel_name(const ColumnGuess& guess, const RoleCandidate& candidate);
 [[nodiscard]] ChannelName channel_chosen(const ColumnGuess& guess, const std::string& role, const std::string& text);
 
-/// A mapping to complete, as TOML: what is chosen or found, a "?" for each unit that no header states, and the columns
-/// that a role may have. read_mapping() refuses it as long as a "?" is left.
-/// @throws FormatError for a choice that no column has.
+/// A mapping to complete, as TOML: chosen or found columns, a "?" for each unit missing in the header, and the possible
+/// columns of a role. read_mapping() refuses it while it contains a "?".
+/// @throws FormatError for a choice that matches no column.
 [[nodiscard]] std::string mapping_template(const ColumnGuess& guess, const ChosenColumns& chosen,
                                            LoopColumns wanted = LoopColumns::complete);
 
-/// What an expression calls a column: "load" for 'Load [mN]', "column2" for one without a name of its own.
+/// Name of a column in expressions: "load" for 'Load [mN]', "column2" for a column without a name.
 [[nodiscard]] std::string expression_name(const ColumnGuess& guess, std::size_t column);
 
-/// What takes the place of the mass's unit where a balance showed a force: "gf" for "g"; empty for another unit.
+/// Unit of force that replaces a unit of mass of a balance: "gf" for "g"; empty for another unit.
 [[nodiscard]] std::string weight_unit(const std::string& unit);
 
-/// `--column force="Load[gf]"`, and how a study says the same.
+/// `--column force="Load[gf]"`, and its form in a study.
 [[nodiscard]] std::string column_option(const ChosenColumns& chosen);
 
 }  // namespace setae::tables

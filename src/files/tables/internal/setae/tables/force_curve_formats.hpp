@@ -15,31 +15,31 @@
 
 namespace setae::tables {
 
-/// What a detector's reading is.
+/// Quantity of the detector reading.
 enum class Reading { volts, amperes, deflection, force };
 
-/// One stretch of a force curve, in SI.
+/// One segment of a force curve, in SI.
 struct ForceSegment {
     std::string name;  ///< "extend", "pause", "retract"
-    Array1D height;    ///< [m] as the file has it
+    Array1D height;    ///< [m] as in the file
     Array1D reading;
-    double duration = 0.0;  ///< [s]; 0 where the file does not tell
+    double duration = 0.0;  ///< [s]; 0 if unknown
 };
 
-/// What every format comes down to.
+/// Common content of all formats.
 struct ForceCurveData {
     std::vector<ForceSegment> segments;
     Reading reading = Reading::volts;
-    double travel_sign = 1.0;  ///< travel of the base into the sample over height: −1 where heights fall on approach
+    double travel_sign = 1.0;  ///< travel of the base into the sample over height: −1 if heights decrease on approach
     ForceCurveOptions constants;
-    double x = undefined, y = undefined;  ///< where it was taken [m]; NaN where the file does not tell
+    double x = undefined, y = undefined;  ///< position [m]; NaN if unknown
     std::map<std::string, std::string> metadata;
 };
 
 /// A file of several force curves, opened.
 struct ForceCurveFile {
     std::optional<MapGrid> grid;
-    std::vector<long> numbers;                        ///< of the curves
+    std::vector<long> numbers;                        ///< numbers of the curves
     std::function<ForceCurveData(long number)> read;  ///< from any thread
 };
 
@@ -50,7 +50,7 @@ struct ForceCurveFile {
 [[nodiscard]] bool is_jpk_map(const bytes::Source& source);
 [[nodiscard]] ForceCurveFile open_jpk_map(const bytes::Source& source);
 
-/// Spectroscopy of Nanosurf: as many curves as its channels have lines.
+/// Spectroscopy of Nanosurf: the number of curves is the number of lines of its channels.
 [[nodiscard]] bool is_nanosurf_force(const bytes::Source& source);
 [[nodiscard]] ForceCurveFile open_nanosurf_force(const bytes::Source& source);
 
@@ -58,7 +58,7 @@ struct ForceCurveFile {
 [[nodiscard]] bool is_nanoscope_force(const bytes::Source& source);
 [[nodiscard]] ForceCurveFile open_nanoscope_force(const bytes::Source& source);
 
-/// Text that JPK's data processing exports.
+/// Text exported by JPK data processing.
 [[nodiscard]] bool is_jpk_text(const bytes::Source& source);
 [[nodiscard]] ForceCurveFile open_jpk_text(const bytes::Source& source);
 

@@ -10,7 +10,7 @@
 
 namespace setae::tables {
 
-/// Name and unit of a header cell; the unit is empty where the cell states none.
+/// Name and unit of a header cell; the unit is empty if missing.
 struct HeaderCell {
     std::string name;
     std::string unit;
@@ -21,7 +21,7 @@ struct HeaderCell {
 [[nodiscard]] HeaderCell parse_header_cell(std::string_view cell);
 
 /// Names and units of `columns` columns from the header lines before them, the last of which may be a row of units.
-/// @throws InvalidArgument where a name and the row of units tell different units.
+/// @throws InvalidArgument if a name and the row of units have different units.
 [[nodiscard]] std::vector<HeaderCell> parse_header(const std::vector<std::string>& header, char separator,
                                                    std::size_t least, std::size_t most);
 

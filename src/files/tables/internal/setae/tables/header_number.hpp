@@ -8,10 +8,10 @@
 
 namespace setae::tables {
 
-/// The finite number that a header's entry is as a whole; nothing where it is none.
+/// The finite number that is the whole entry of a header; empty if it is no number.
 [[nodiscard]] std::optional<double> finite_number(std::string_view text);
 
-/// The number that counts something, 0 to 2^40; nothing where the entry is no such number.
+/// A count, 0 to 2^40; empty if the entry is no such number.
 [[nodiscard]] std::optional<Index> count_in(std::string_view text);
 
 }  // namespace setae::tables

@@ -28,7 +28,7 @@ struct NanoscopeSection {
 /// The sections of a header in their order. @throws FormatError for a header without end.
 [[nodiscard]] std::vector<NanoscopeSection> nanoscope_sections(const bytes::Source& source);
 
-/// The value of a key; nullptr where the section has none.
+/// The value of a key; nullptr if the section has none.
 [[nodiscard]] const std::string* find(const NanoscopeSection& section, std::string_view key);
 /// The first value of that key outside the sections of images.
 [[nodiscard]] const std::string* find(const std::vector<NanoscopeSection>& sections, std::string_view key);
@@ -40,17 +40,17 @@ struct NanoscopeSection {
 [[nodiscard]] std::uint64_t nanoscope_integer(const NanoscopeSection& section, std::string_view key,
                                               const bytes::Source& source);
 
-/// A number and what follows it, such as its unit.
+/// A number and the text after it, such as its unit.
 struct NanoscopeValue {
     double number = 0.0;
     std::string unit;
 };
 [[nodiscard]] std::optional<NanoscopeValue> leading_value(std::string_view text);
 
-/// "V [Sens. Zsens] (0.005035400 V/LSB) 2.910461 V" taken apart; what is not there is empty.
+/// The parts of "V [Sens. Zsens] (0.005035400 V/LSB) 2.910461 V"; missing parts are empty.
 struct NanoscopeScale {
     std::string sensitivity;              ///< "Sens. Zsens"
-    std::optional<NanoscopeValue> step;   ///< of a stored integer of 16 bits: 0.0050354 "V/LSB"
+    std::optional<NanoscopeValue> step;   ///< per stored integer of 16 bits: 0.0050354 "V/LSB"
     std::optional<NanoscopeValue> range;  ///< of all integers: 2.910461 "V"
 };
 [[nodiscard]] NanoscopeScale nanoscope_scale(const std::string& text);
@@ -59,7 +59,7 @@ struct NanoscopeScale {
 [[nodiscard]] std::optional<NanoscopeValue> soft_sensitivity(const std::vector<NanoscopeSection>& sections,
                                                              const std::string& name);
 
-/// A unit as Nanoscope and others spell it in setae's spelling where that differs: degrees are "deg", micrometres "um".
+/// A unit in the spelling of setae: degrees are "deg", micrometres "um".
 [[nodiscard]] std::string plain_unit(std::string_view unit);
 
 }  // namespace setae::tables

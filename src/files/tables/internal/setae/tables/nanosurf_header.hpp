@@ -19,7 +19,7 @@ inline constexpr std::string_view first_nanosurf_line = "[DataSet]", last_nanosu
 using TextSection = std::map<std::string, std::string, std::less<>>;
 using TextSections = std::map<std::string, TextSection, std::less<>>;
 
-/// Whether a file begins as one.
+/// Whether a file begins as a Nanosurf file.
 [[nodiscard]] bool is_nanosurf(std::string_view head);
 
 /// The value of a key; empty where it is missing.
@@ -28,7 +28,7 @@ using TextSections = std::map<std::string, TextSection, std::less<>>;
 /// The sections of a header as nanosurf_head() gives it.
 [[nodiscard]] TextSections nanosurf_sections(const std::string& head);
 
-/// The header up to "#!". @throws FormatError where there is none.
+/// The header up to "#!". @throws FormatError if there is none.
 [[nodiscard]] std::string nanosurf_head(const bytes::Source& source);
 
 /// "Gr0-Ch12" and the name of the section of that channel.
@@ -37,10 +37,10 @@ struct NanosurfChannel {
     std::string section;
 };
 
-/// The channels that a header names, in the order of their numbers in the file. @throws FormatError for more than 1000.
+/// The channels in a header, in the order of their numbers in the file. @throws FormatError for more than 1000.
 [[nodiscard]] std::vector<NanosurfChannel> nanosurf_channels(const TextSections& sections, const bytes::Source& source);
 
-/// How the integers of a channel are stored, and the values they stand for.
+/// Storage of the integers of a channel, and their values.
 struct NanosurfIntegers {
     int bits = 0;  ///< 8, 16 or 32
     bool is_signed = false;
@@ -51,7 +51,7 @@ struct NanosurfIntegers {
     [[nodiscard]] std::uint64_t bytes() const { return points * lines * static_cast<std::uint64_t>(bits / 8); }
 };
 
-/// @throws FormatError "Nanosurf: …" for a section that says otherwise or not enough.
+/// @throws FormatError "Nanosurf: …" for a section with other or incomplete information.
 [[nodiscard]] NanosurfIntegers nanosurf_integers(const TextSection& section, const bytes::Source& source);
 
 }  // namespace setae::tables

@@ -11,16 +11,16 @@ namespace setae::tables {
 
 inline constexpr std::uint64_t longest_text_head = 1 << 20;
 
-/// The text at the beginning of a file up to `marker`, which follows; only as much of the file is read as that takes.
-/// @throws FormatError "<format>: …" at the end of what was searched, where there is no marker in the file or its first
-/// 1 MiB.
+/// The text at the beginning of a file before `marker`; only as much of the file is read as needed.
+/// @throws FormatError "<format>: …" at the end of the search, if the marker is neither in the file nor in its first 1
+/// MiB.
 [[nodiscard]] std::string head_until(const bytes::Source& source, std::string_view marker, const std::string& format);
 
-/// A number that a header states. @throws FormatError "<format>: '<key>' is …" for text that is no finite number.
+/// A number in a header. @throws FormatError "<format>: '<key>' is …" for text that is no finite number.
 [[nodiscard]] double header_number(std::string_view text, std::string_view key, const bytes::Source& source,
                                    const std::string& format);
 
-/// The same for a count of points, at least 1 and below 2^31.
+/// A number of points in a header, at least 1 and below 2^31.
 [[nodiscard]] std::uint64_t header_count(std::string_view text, std::string_view key, const bytes::Source& source,
                                          const std::string& format);
 

@@ -22,14 +22,14 @@ struct TextTable {
     std::vector<Column> columns;
     std::vector<Row> rows;
 
-    /// Place of the column with one of these names, letter case aside; the first name found counts.
+    /// Index of the column with one of these names, ignoring case; the first name found is used.
     [[nodiscard]] std::optional<std::size_t> find(const std::vector<std::string>& names) const;
     /// The names of all columns, for messages.
     [[nodiscard]] std::string names() const;
 };
 
-/// Lines that begin with '#' above the header are passed over; quoted cells may hold separators, quotes twice and line
-/// breaks. The separator is the one of tab, semicolon and comma that the header holds most of.
+/// Lines that begin with '#' above the header are skipped; quoted cells may contain separators, doubled quotes and line
+/// breaks. The separator is the most frequent of tab, semicolon and comma in the header.
 /// @throws FileError; FormatError for a file without header, and at the line of a row with another number of cells.
 [[nodiscard]] TextTable read_text_table(const std::string& path);
 

@@ -12,27 +12,27 @@
 
 namespace setae::tables {
 
-/// Cells of a sheet as text, by row and column from 0; those that are empty are not there.
+/// Cells of a sheet as text, by row and column from 0, without empty ones.
 using SheetRows = std::map<std::size_t, std::map<std::size_t, std::string>>;
 
 struct Sheet {
     std::string name;
     std::string member;   ///< of the archive
-    bool hidden = false;  ///< the program that wrote it does not show the sheet
+    bool hidden = false;  ///< the sheet is hidden in the program that wrote it
 };
 
-/// What a source is of workbooks. Those of Excel before 2007 and binary ones are told, not read.
+/// Kind of workbook. Those of Excel before 2007 and binary ones are recognised, not read.
 enum class WorkbookKind { none, office_open_xml, open_document, old_excel, binary_excel };
 [[nodiscard]] WorkbookKind workbook_kind(const bytes::Source& source);
 
-/// What the text of a formula ends with whose result is not stored.
+/// End of the text of a formula without a stored result.
 inline constexpr std::string_view formula_without_result = " (no result)";
 
 /// A workbook (.xlsx, .ods): its sheets, read one by one. Numbers and results of formulas are spelled with a point,
 /// dates as "2026-01-05 10:20:30", errors such as #N/A are empty; a formula without a stored result is its text.
 class Workbook {
 public:
-    /// @throws FormatError for what is no whole workbook, and for .xls and .xlsb, with the remedy.
+    /// @throws FormatError for an incomplete workbook, and for .xls and .xlsb, with the remedy.
     explicit Workbook(const bytes::Source& source);
     ~Workbook();
     Workbook(const Workbook&) = delete;

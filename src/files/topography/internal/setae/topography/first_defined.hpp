@@ -7,8 +7,8 @@
 
 namespace setae::topography {
 
-/// The first height that is defined, row by row: an origin about which sums lose no digits to an offset. Nothing where
-/// none is.
+/// The first defined height, row by row: an origin for sums without loss of digits by an offset. Empty if there is
+/// none.
 [[nodiscard]] std::optional<double> first_defined(const ArrayView2D& heights);
 
 }  // namespace setae::topography

@@ -13,8 +13,8 @@ namespace setae::topography {
 /// The polyline through the points of a scan, x from 0 to (n − 1) steps; undefined points are left out.
 [[nodiscard]] Profile to_profile(const LineScan& scan);
 
-/// A scan with equal steps from points that lie within 2 % of a step on a regular grid (files round their x), or
-/// nothing. A profile with standard errors or the response of its trace stays one: scans hold neither.
+/// A scan with equal steps from points on a regular grid to within 2 % of a step (files round their x); otherwise
+/// empty. Empty also for a profile with standard errors or the response of its trace, which scans cannot store.
 [[nodiscard]] std::optional<LineScan> to_line_scan(const Profile& profile);
 
 }  // namespace setae::topography
