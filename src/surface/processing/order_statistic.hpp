@@ -11,23 +11,23 @@
 
 namespace setae::processing {
 
-/// Numbers in rows that are computed when they are looked at, so that no array holds all of them; NaN counts for none.
-/// Both functions are called from several threads.
+/// Numbers in rows that are computed on request, without an array of all of them; NaN values are ignored. Both
+/// functions are called from several threads.
 struct ComputedRows {
     Index rows = 0, columns = 0;
     std::function<void(Index row, double* values)> load;
-    std::function<double(Index row, Index column)> at;  ///< one of the same numbers
+    std::function<double(Index row, Index column)> at;  ///< a single one of the same numbers
 };
 
-/// Two numbers that a quantile is looked for between, both included.
+/// Bounds of a quantile, both included.
 struct Bounds {
     double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
 };
 
-/// Some thousands of many numbers, from which bounds of their quantiles follow.
+/// A sample of some thousand numbers, which gives bounds of quantiles of all.
 class Sample {
 public:
-    /// Of few numbers the sample is empty.
+    /// The sample is empty for few numbers.
     explicit Sample(const ComputedRows& values);
 
     /// About a quantile, `width` times five standard errors of its rank on either side; unbounded for an empty sample.
@@ -43,12 +43,12 @@ public:
     explicit QuantileSearch(const Bounds& bounds) : bounds_(bounds) {}
 
     void add(const double* values, Index n);
-    /// Numbers that a search between the same bounds was given.
+    /// Adds the numbers of another search between the same bounds.
     void add(const QuantileSearch& other);
 
     [[nodiscard]] Index defined() const { return defined_; }
-    /// Quantile of the defined numbers, linear between order statistics (type 7 of Hyndman and Fan 1996); nothing where
-    /// it is not between the bounds. @throws InternalError where no number is defined.
+    /// Quantile of the defined numbers, linear between order statistics (type 7 of Hyndman and Fan 1996); empty if it
+    /// is not between the bounds. @throws InternalError if no number is defined.
     [[nodiscard]] std::optional<double> quantile(double probability);
 
 private:
@@ -59,11 +59,11 @@ private:
     std::vector<double> between_;
 };
 
-/// Widths of Sample::around() to try one after the other.
+/// Widths of Sample::around() in the order of trials.
 inline constexpr double search_widths[] = {1.0, 8.0, std::numeric_limits<double>::infinity()};
 
-/// Quantile of the defined numbers as QuantileSearch has it; nothing where none is defined. The same for any number of
-/// threads. Cost: one pass as a rule, three at most; memory for about a twentieth of the numbers.
+/// Quantile of the defined numbers, see QuantileSearch; empty if none is defined. The result is the same for any number
+/// of threads. Cost: usually one pass, at most three; memory for about a twentieth of the numbers.
 [[nodiscard]] std::optional<double> quantile(const ComputedRows& values, double probability,
                                              parallel::Threads threads = {});
 

@@ -19,10 +19,9 @@ struct LinePiece {
 ///   C_iso(q) = −2 ∫_q^∞ C1D'(s) ds/√(s² − q²)
 ///   ∫_a^b q^n C_iso dq = −2 ∫_a^∞ C1D'(s) K_n(s) ds,   K_n(s) = ∫_a^{min(s, b)} q^n dq/√(s² − q²)
 ///
-/// C1D at s holds waves of all |q| > s, so that the identities ∫_0^∞ q^{n+1} C_iso dq = π k_n ∫_0^∞ q^n C1D dq do not
-/// hold between limits. pieces: in order, without gaps, to infinity or to where C1D drops to zero; what lies below a is
-/// not used. Relative error
-/// 1e-8.  Source: Bracewell (2000), ch. 13; exchanged integrals derived here.
+/// C1D at s contains waves of all |q| > s, so the identities ∫_0^∞ q^{n+1} C_iso dq = π k_n ∫_0^∞ q^n C1D dq are not
+/// valid between limits. pieces: in order, without gaps, to infinity or to the end of C1D; parts below a are not used.
+/// Relative error 1e-8.  Source: Bracewell (2000), ch. 13; exchanged integrals derived here.
 struct CutMoments {
     double first = 0.0, second = 0.0, third = 0.0, fifth = 0.0;
 };

@@ -8,7 +8,7 @@
 
 namespace setae::roughness {
 
-/// Squares of the parameters, and the energy, that a part of a spectrum adds: factor · ∫ q^order C dq.
+/// Contribution of a part of a spectrum to the squares of the parameters, and to the energy: factor · ∫ q^order C dq.
 struct Contribution {
     double height2 = 0.0, slope2 = 0.0, curvature2 = 0.0, energy = 0.0;
 
@@ -34,7 +34,7 @@ struct ModePart {
     Contribution adds;   ///< to the parameters; proportional to the density
 };
 
-/// The modes that integrals over a curve of modes sum over, in order. @throws UndefinedDataError for fewer than two.
+/// The modes in integrals over a curve of modes, in order. @throws UndefinedDataError for fewer than two.
 [[nodiscard]] std::vector<ModePart> mode_parts(const spectra::Spectrum& modes, Conversion conversion);
 
 }  // namespace setae::roughness

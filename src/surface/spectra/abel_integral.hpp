@@ -9,10 +9,10 @@ namespace setae::spectra {
 ///
 ///   (1/π) ∫_{q_x}^{q_s} C q dq/√(q² − q_x²), C constant below the first node, zero above the last (q_s)
 ///
-/// From the first node beyond 1.5 q_x on by 1/√(q² − q_x²) = (1/q) Σ_k c_k (q_x/q)^2k, c_k = (2k)!/(4^k k!²), the
-/// integrals of C q^−2k summed up once; up to there piece by piece, Gauss points in v = √(q² − q_x²). Relative error
-/// below 1e-10. nodes: increasing, > 0; spectrum > 0; at least two.  Cost: linear in the nodes once, then in the nodes
-/// within 1.5 q_x.
+/// From the first node beyond 1.5 q_x on the integrand is expanded by 1/√(q² − q_x²) = (1/q) Σ_k c_k (q_x/q)^2k, c_k =
+/// (2k)!/(4^k k!²), with sums of the integrals of C q^−2k computed once; below, Gauss points on each piece in v = √(q²
+/// − q_x²). Relative error below 1e-10. nodes: increasing, > 0; spectrum > 0; at least two.  Cost: linear in the nodes
+/// once, then in the nodes within 1.5 q_x.
 class AbelIntegral {
 public:
     AbelIntegral(const ArrayView1D& nodes, const ArrayView1D& spectrum);

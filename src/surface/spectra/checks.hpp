@@ -5,14 +5,15 @@
 
 namespace setae::spectra {
 
-/// @throws InvalidArgument for fewer than two points a direction or a size that is not positive; looks at no height.
+/// @throws InvalidArgument for fewer than two points per direction or a size that is not positive; does not check
+/// heights.
 void require_shape(const topography::LineScan& scan);
 void require_shape(const topography::HeightMap& map);
 
 /// @throws UndefinedDataError if a height is undefined or infinite.
 void require_defined(const ArrayView1D& heights, const topography::Metadata& metadata);
 
-/// @throws UndefinedDataError that names the measurement and the place.
+/// @throws UndefinedDataError with the measurement and the place.
 [[noreturn]] void throw_undefined(const topography::Metadata& metadata, const std::string& where);
 
 /// lower <= q <= upper up to the rounding of mode numbers times 2π/L.

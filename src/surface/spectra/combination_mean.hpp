@@ -10,7 +10,7 @@ namespace setae::spectra {
 
 [[nodiscard]] Multiplicity all_members(const BinnedSpectra& spectra);
 
-/// Weight of every measurement in a bin, multiplicity included; 0 where it has nothing there.
+/// Weight of every measurement in a bin, multiplicity included; 0 if it has no value there.
 [[nodiscard]] Array1D bin_weights(const BinnedSpectra& spectra, Index bin, Weighting weighting,
                                   const Multiplicity& drawn);
 
@@ -20,8 +20,8 @@ namespace setae::spectra {
 /// Bins whose mean is not NaN.
 [[nodiscard]] std::vector<Index> filled_bins(const Array1D& means);
 
-/// Replaces NaN by full times the ratio of the neighbours, interpolated linearly over the bins. Returns which were
-/// filled.
+/// Replaces NaN by full times the ratio of the neighbours, interpolated linearly over the bins. @returns the filled
+/// bins.
 Eigen::Array<bool, Eigen::Dynamic, 1> fill_lost_bins(Array1D& means, const Array1D& full);
 
 }  // namespace setae::spectra

@@ -20,20 +20,20 @@ namespace setae::spectra {
 ///
 ///   1/n = Σ s²/(Σ s)² = (2π/L_y) ∫ C2D² dq_y/(∫ C2D dq_y)²
 ///
-/// and (Σ S)² − ½ Σ S² over ½ Σ S² estimates n without bias of numerator or denominator. The ½ Σ S² taken off in
-/// addition lowers n by one. Half of that corrects for the transform, which takes the map as periodic in y and so gives
-/// too small a variance where correlation reaches across the map; half allows for the error of n itself. Limits: N − 1
-/// for white noise, 1 for a corrugation along y. Where k is the Nyquist wavevector the modes are real and Var(Σ S) = 2
-/// Σ s².
+/// and (Σ S)² − ½ Σ S² over ½ Σ S² estimates n without bias of numerator or denominator. The additional subtraction of
+/// ½ Σ S² lowers n by one. Half of that corrects for the transform, which treats the map as periodic in y and so
+/// underestimates the variance if the correlation extends across the map; half allows for the error of n. Limits: N − 1
+/// for white noise, 1 for a corrugation along y. If k is the Nyquist wavevector the modes are real and Var(Σ S) = 2 Σ
+/// s².
 ///
-/// The first 128 modes have their own number. Shorter waves take it from one mode in each sixteenth of a decade, linear
-/// in between: memory is N values a mode looked at.
+/// The first 128 modes have a separate n each. For shorter waves n is computed for one mode in each sixteenth of a
+/// decade, and is linear between them. Memory: N values per evaluated mode.
 class LineCoherence {
 public:
     /// points, lines: of the map.
     LineCoherence(Index points, Index lines);
 
-    /// Takes the transform of one line: modes 0 … points/2. Lines may come from any thread.
+    /// Stores the transform of one line: modes 0 … points/2. Lines may come from any thread.
     void take(Index line, const fourier::Complex* modes);
 
     /// n of each mode 1 … points/2. Call once, after all lines.
@@ -41,9 +41,9 @@ public:
 
 private:
     Index points_, lines_;
-    std::vector<Index> modes_;                  ///< looked at, increasing
-    fourier::Buffer<fourier::Complex> values_;  ///< of each mode looked at, its lines
-    Index stride_;                              ///< from mode to mode; keeps the transform's alignment
+    std::vector<Index> modes_;                  ///< evaluated modes, increasing
+    fourier::Buffer<fourier::Complex> values_;  ///< lines of each evaluated mode
+    Index stride_;                              ///< distance of modes; keeps the alignment of the transform
 };
 
 }  // namespace setae::spectra

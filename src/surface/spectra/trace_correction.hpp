@@ -6,12 +6,12 @@
 
 namespace setae::spectra {
 
-/// Frees the spectrum of a traced curve of what tracing did, C1D = (C_traced − R K² N)/T², ends its band where the
-/// trace's noise or its blur takes over, and says so by the alert TRACE_NOISE.
+/// Corrects the spectrum of a traced curve for the effects of tracing, C1D = (C_traced − R K² N)/T², ends its band
+/// where noise or blur of the trace dominate, and adds the warning TRACE_NOISE.
 ///
-/// R: what C_traced itself keeps of the samples' noise, 1 where the spectrum has been divided by segment_response.
-/// Beyond the band T² counts as min_trace_power, so that no number runs away. Negative values stay: clipped ones
-/// would lift the mean. spectrum: increasing wavevectors.
+/// R: share of the noise of the samples in C_traced, 1 if the spectrum has been divided by segment_response. Beyond the
+/// band T² is at least min_trace_power, which limits the correction. Negative values are kept: clipping would raise the
+/// mean. spectrum: increasing wavevectors.
 void correct_for_trace(MeasuredSpectrum& spectrum, const topography::TraceResponse& response,
                        const ArrayView1D& kept_by_segments);
 

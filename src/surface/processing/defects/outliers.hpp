@@ -19,9 +19,9 @@ struct Outliers {
     std::vector<Outlier> points;  ///< in storage order
 };
 
-/// s = q_p(|r|)/Φ⁻¹((1 + p)/2) for the first p of 0.5, 0.9 and 0.99 whose quantile q_p is not 0, else 0, and all r with
-/// |r| > threshold · s. The same for any number of threads. Cost: one pass over r as a rule; two where the sample gives
-/// no lower bound above 0, as of few or of mostly equal numbers.
+/// s = q_p(|r|)/Φ⁻¹((1 + p)/2) for the first p of 0.5, 0.9 and 0.99 whose quantile q_p is not 0, otherwise 0, and all r
+/// with |r| > threshold · s. The result is the same for any number of threads. Cost: usually one pass over r; two if
+/// the sample gives no lower bound above 0, as for few or mostly equal numbers.
 [[nodiscard]] Outliers find_outliers(const ComputedRows& differences, double threshold, parallel::Threads threads);
 
 }  // namespace setae::processing

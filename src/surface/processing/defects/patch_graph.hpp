@@ -9,24 +9,24 @@
 
 namespace setae::processing {
 
-/// What couples neighbours along x and y: 1/Δx², 1/Δy² up to a factor.
+/// Coupling of neighbours along x and y: 1/Δx², 1/Δy² up to a factor.
 struct Couplings {
     double x = 1.0;
     double y = 1.0;
 };
 
-/// Where a patch lies in its own box: origin, size, and whether the box goes all the way round a periodic map.
+/// Position of a patch in its box: origin, size, and whether the box extends all around a periodic map.
 struct PatchBox {
     std::array<Index, 2> origin{}, shape{};
     std::array<bool, 2> wraps{};
-    /// Whether points beyond the box's lower and upper side along x and y do not exist: the map ends there.
+    /// Whether points beyond the lower and upper side of the box along x and y do not exist because the map ends there.
     std::array<std::array<bool, 2>, 2> ends{};
 };
 
 /// Points of a patch in the order of rows of its box.
 struct PatchGraph {
     PatchBox box;
-    std::vector<Run> runs;         ///< in coordinates of the box, sorted, none touching another of its row
+    std::vector<Run> runs;         ///< in coordinates of the box, sorted, not touching others of the same row
     std::vector<Index> run_first;  ///< number of the first point of a run
     Index points = 0;
     Index bandwidth = 0;  ///< largest difference of the numbers of neighbours
@@ -37,7 +37,7 @@ struct PatchGraph {
 /// Calls visit(a, b, along_x) for every pair of neighbours a < b.
 void for_each_edge(const PatchGraph& graph, const std::function<void(Index a, Index b, bool along_x)>& visit);
 
-/// What defined neighbours do to the points of a patch, in its order.
+/// Contribution of defined neighbours to the equations of the points of a patch, in its order.
 struct PatchBoundary {
     Array1D leak_x, leak_y;  ///< sum of couplings to defined neighbours along x and y
     Array1D right;           ///< sum of couplings times (their heights − centre)

@@ -12,15 +12,15 @@ namespace setae::processing {
 /// @throws InvalidArgument unless the cutoff is positive and finite.
 void require_cutoff(double cutoff, std::string_view filter, const topography::Metadata& metadata);
 
-/// The error of a filter that was given a polyline.
+/// Throws the error of a filter for a polyline.
 [[noreturn]] void refuse_profile(std::string_view step, const topography::Profile& profile);
 
-/// What a filter tells of itself: its cutoff, and where that makes no sense on these points.
+/// Record of a filter: its cutoff, and a warning if the cutoff is unsuitable for these points.
 [[nodiscard]] StepRecord filter_record(std::string_view step, double cutoff,
                                        const topography::Measurement& measurement);
 
-/// A filter as a step of a pipeline. `in_place` filters a map or a line scan where it lies and returns how often it
-/// found weights, which the record tells of filters that are weighted.
+/// A filter as a step of a pipeline. `in_place` filters a map or a line scan in place and returns the number of
+/// iterations of weights, which the record contains for weighted filters.
 template <class Filter, class InPlace>
 Processed filtered_in_place(const Filter& filter, topography::Measurement measurement, InPlace in_place,
                             bool weighted) {

@@ -15,8 +15,8 @@ struct Powers {
     Index y = 0;
 };
 
-/// Powers up to x^max_x, y^max_y whose sum is at most `total`, by total first, so that those of a lower total stand
-/// in front.
+/// Powers up to x^max_x, y^max_y whose sum is at most `total`, ordered by total first, so powers of a lower total come
+/// first.
 [[nodiscard]] std::vector<Powers> powers_up_to(Index total, Index max_x, Index max_y);
 
 /// Writes the values of row i in columns first … first + count − 1.

@@ -7,7 +7,7 @@
 
 namespace setae::processing {
 
-/// What a spline through equally spaced points pays for: squares of first and of second differences.
+/// Penalties of a spline through equally spaced points: squares of first and of second differences.
 struct SplineStiffness {
     double stretching = 0.0;  ///< β α²
     double bending = 0.0;     ///< (1 − β) α⁴
@@ -17,14 +17,14 @@ struct SplineStiffness {
 /// differences on periodic lines.
 ///
 /// Rows of the least-squares problem are rotated into a banded triangle (Givens), which keeps twice the digits of the
-/// five-diagonal system: the error is 1e-16 α² of the largest height in place of 1e-16 α⁴. A periodic line is folded,
-/// 0, n−1, 1, n−2 …, which makes it a band too. O(n); the rotations serve any number of lines with the same weights.
+/// five-diagonal system: the error is 1e-16 α² of the largest height instead of 1e-16 α⁴. A periodic line is folded, 0,
+/// n−1, 1, n−2 …, which also gives a band. O(n); the rotations apply to any number of lines with the same weights.
 class SmoothingSpline {
 public:
     SmoothingSpline(const ArrayView1D& weights, const SplineStiffness& stiffness, bool periodic);
 
-    /// In place of n heights, of which those without weight are not looked at. All NaN where fewer points have weight
-    /// than the free modes need.
+    /// Smooths n heights in place; those without weight are not used. All NaN if fewer points have weight than there
+    /// are free modes.
     void smooth(double* heights) const;
 
 private:
@@ -37,7 +37,7 @@ private:
     [[nodiscard]] Index place(Index point) const;
 
     struct Inserted {
-        Index point;  ///< whose height stands on the right; −1: 0
+        Index point;  ///< point whose height is on the right-hand side; −1: 0
         double root_of_weight;
         std::size_t rotations_end;
     };

@@ -6,7 +6,7 @@
 
 namespace setae::processing {
 
-/// @throws InvalidArgument that says what to do for data that are not periodic, UndefinedDataError for undefined
+/// @throws InvalidArgument with the alternative for data that are not periodic, UndefinedDataError for undefined
 /// heights.
 void require_periodic(bool periodic, bool complete, const char* what, const topography::Metadata& metadata);
 
@@ -14,7 +14,7 @@ void require_periodic(bool periodic, bool complete, const char* what, const topo
 class FourierLine {
 public:
     FourierLine(Index points, Index new_points);
-    /// Any number of threads may call it at once.
+    /// Any number of threads may call it simultaneously.
     void resample(const double* heights, double* resampled) const;
 
 private:

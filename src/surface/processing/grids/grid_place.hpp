@@ -9,14 +9,14 @@
 
 namespace setae::processing {
 
-/// Where a position lies between two points of a grid direction.
+/// Position between two points of a grid direction.
 struct GridPlace {
     Index lower;
-    Index upper;      ///< lower + 1, wrapped; lower itself at the last point of a grid that ends there
-    double fraction;  ///< of the way from lower to upper, 0 … 1
+    Index upper;      ///< lower + 1, wrapped; `lower` at the last point of a grid that is not periodic
+    double fraction;  ///< fraction of the distance from lower to upper, 0 … 1
 };
 
-/// Nothing outside [0, n − 1] of a grid that is not periodic; 1e-9 of a step is forgiven.
+/// Empty outside [0, n − 1] of a grid that is not periodic, with a tolerance of 1e-9 of a step.
 inline std::optional<GridPlace> grid_place(double steps, Index n, bool periodic) {
     constexpr double forgiven = 1e-9;
     if (!periodic) {

@@ -10,11 +10,11 @@ namespace setae::processing {
 /// Slopes per step at the points of lines of n heights, NaN = undefined.
 ///
 /// Periodic complete lines: the Fourier derivative without the Nyquist mode. Others: central differences; at ends and
-/// next to undefined points from the two neighbours on the other side (exact for parabolas), the one there is, or 0.
+/// next to undefined points one-sided differences with two neighbours (exact for parabolas) or one, or 0.
 class LineSlopes {
 public:
     LineSlopes(Index points, bool periodic);
-    /// Any number of threads may call it at once.
+    /// Any number of threads may call it simultaneously.
     void find(const double* heights, double* slopes) const;
 
 private:

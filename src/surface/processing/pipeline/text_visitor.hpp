@@ -14,8 +14,8 @@
 
 namespace setae::processing {
 
-/// A visitor of parameters that sees them all as text: calls handle(name, values, text, meaning, set) for each; values
-/// says what it can be, text its value (empty: absent), set(text) gives it another.
+/// A visitor that handles all parameters as text: calls handle(name, values, text, meaning, set) for each; `values`
+/// describes the possible values, `text` is the value (empty: absent), set(text) changes it.
 template <class Handle>
 struct TextVisitor {
     Handle handle;

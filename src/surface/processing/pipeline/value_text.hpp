@@ -6,16 +6,16 @@
 
 namespace setae::processing {
 
-/// A length [m] as the shortest text with a unit that parse_quantity() reads back to the same number: "8 um".
+/// A length [m] as the shortest text with a unit from which parse_quantity() restores the number: "8 um".
 [[nodiscard]] std::string length_text(double length);
 
-/// An angle [rad] as text that parsed_angle() reads back to the same number: "30 deg", else "0.1 rad".
+/// An angle [rad] as text from which parsed_angle() restores the number: "30 deg", otherwise "0.1 rad".
 [[nodiscard]] std::string angle_text(double angle);
 
 /// "30 deg", "30°", "0.5 rad"; 0 needs no unit. @throws InvalidArgument.
 [[nodiscard]] double parsed_angle(std::string_view text);
 
-/// The shortest text of a number that reads back to it.
+/// The shortest text from which a number is restored exactly.
 [[nodiscard]] std::string number_text(double number);
 
 /// "true" or "false". @throws InvalidArgument.

@@ -18,45 +18,46 @@ namespace setae::diagnostics {
 
 using SharedMap = std::shared_ptr<const topography::HeightMap>;
 
-/// Rms heights of one pass side by side [m].
+/// Rms heights from one pass [m].
 struct Form {
     double rms_map = 0.0, rms_level = 0.0;         ///< as measured; without tilt
-    std::optional<double> rms_without_parabola;    ///< of enough points
-    std::optional<topography::MapTrend> parabola;  ///< of the level heights, of enough points
+    std::optional<double> rms_without_parabola;    ///< with enough points
+    std::optional<topography::MapTrend> parabola;  ///< of the level heights, with enough points
 };
 
-/// What the tests look at: heights on a grid, points along the fast axis x in rows, scan lines in columns; a line has
-/// one column. Beside the map itself it holds one more, which the tests change in place one after the other.
+/// Data of the tests: heights on a grid, points along the fast axis x in rows, scan lines in columns; a line has one
+/// column. In addition to the map it contains one more map, which the tests change in place one after the other.
 struct Evidence {
     std::string subject;
     SharedMap map;                  ///< as measured, NaN = undefined
-    topography::HeightMap heights;  ///< without tilt and instrument; by clean() without scars and spikes, gaps filled
-    std::optional<topography::MapTrend> tilt;                ///< what `heights` lack of a map
-    Form form;                                               ///< by form_of()
-    std::optional<spectra::MeasuredSpectrum> scan_spectrum;  ///< by clean(), of enough points
-    std::optional<topography::Mask> scars;                   ///< by scar_points()
-    std::optional<processing::Spikes> spikes;      ///< by clean(); nothing where there are none, or too few points
-    std::vector<processing::NewHeight> at_spikes;  ///< level heights of the spikes, which `heights` lack
-    bool level_is_clean = false;                   ///< by clean(), which found nothing to change
-    std::optional<double> rms_slope_x;             ///< of the clean heights, where clean() came to know it [1]
+    topography::HeightMap heights;  ///< without tilt and instrument; after clean() without scars and spikes, with gaps
+                                    ///< filled
+    std::optional<topography::MapTrend> tilt;                ///< trend removed from `heights`
+    Form form;                                               ///< set by form_of()
+    std::optional<spectra::MeasuredSpectrum> scan_spectrum;  ///< set by clean(), with enough points
+    std::optional<topography::Mask> scars;                   ///< set by scar_points()
+    std::optional<processing::Spikes> spikes;      ///< set by clean(); empty if there are none, or too few points
+    std::vector<processing::NewHeight> at_spikes;  ///< level heights of the spikes, removed from `heights`
+    bool level_is_clean = false;                   ///< set by clean() if nothing was changed
+    std::optional<double> rms_slope_x;             ///< of the clean heights, if clean() computed it [1]
     bool is_line = false;
     bool flat = false;  ///< all defined heights are equal; then `heights` are empty
     Index defined = 0;
     double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;  ///< of the defined heights [m]
 };
 
-/// The map must live as long as the evidence.
+/// The map must outlive the evidence.
 [[nodiscard]] Evidence evidence_of(const topography::HeightMap& map, parallel::Threads threads);
 [[nodiscard]] Evidence evidence_of(const topography::LineScan& scan, parallel::Threads threads);
 
-/// Of level heights.
+/// Rms heights of level heights.
 [[nodiscard]] Form form_of(const Evidence& evidence, parallel::Threads threads);
 
-/// Points of strokes along x that stand out of the lines beside, where there are several times as many as along y:
-/// nothing where there are no more than a surface has by itself.
+/// Points of strokes along x that differ from the adjacent lines, if there are several times as many as along y; empty
+/// if their number is usual for a surface.
 [[nodiscard]] std::optional<topography::Mask> scar_points(const topography::HeightMap& map, parallel::Threads threads);
 
-/// Takes scars, then spikes out of the heights, fills what is undefined, and finds the spectrum of the rest.
+/// Removes scars and spikes from the heights, fills undefined points, and computes the spectrum of the result.
 void clean(Evidence& evidence, parallel::Threads threads);
 
 /// Rms height of the clean heights [m].
@@ -64,7 +65,7 @@ void clean(Evidence& evidence, parallel::Threads threads);
 
 /// Root of the mean squared distance of the defined heights from their mean [m].
 [[nodiscard]] double rms_height(const Array2D& heights);
-/// The same of those that are not chosen.
+/// Rms height of the points that are not selected.
 [[nodiscard]] double rms_height_without(const Array2D& heights, const topography::Mask& chosen);
 
 /// Root mean square of the forward differences along x over their step [1].
@@ -84,12 +85,12 @@ using Found = std::optional<Finding>;
 [[nodiscard]] Found undefined_heights(const Evidence& evidence);
 [[nodiscard]] Found constant_heights(const Evidence& evidence);
 
-/// A digitiser's step [m] and how many neighbours along x have the same height.
+/// Step of a digitiser [m] and the number of neighbours along x with equal height.
 struct Digitised {
     double step, plateau_share;
 };
 
-/// What the levels of the heights show: those of both ends, and the step they have in common.
+/// Levels of the heights: those of both ends, and their common step.
 struct Levels {
     std::vector<Finding> clipped;
     std::optional<Digitised> digitised;
@@ -103,12 +104,12 @@ struct Levels {
 [[nodiscard]] Found scars(const Evidence& evidence);
 
 // of clean heights
-/// The spikes are put back for a while.
+/// The spikes are temporarily restored.
 [[nodiscard]] Found spikes(Evidence& evidence, parallel::Threads threads);
 [[nodiscard]] Found pixel_noise(const Evidence& evidence, const DiagnosisOptions& options);
 [[nodiscard]] Found tip_cutoff(const topography::Measurement& measurement, parallel::Threads threads);
 [[nodiscard]] Found low_wavevector_gap(const Evidence& evidence, const DiagnosisOptions& options);
-/// SCAN_DIRECTION, and ANISOTROPIC of the map without the offsets of its lines, which the heights lose.
+/// SCAN_DIRECTION, and ANISOTROPIC for the map without the offsets of its lines, which are removed from the heights.
 [[nodiscard]] std::vector<Finding> directions(Evidence& evidence, const DiagnosisOptions& options);
 
 }  // namespace setae::diagnostics

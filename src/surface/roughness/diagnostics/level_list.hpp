@@ -7,7 +7,7 @@
 
 namespace setae::diagnostics {
 
-/// A height and how many points have it.
+/// A height and its number of points.
 struct Level {
     double height;
     Index count;
@@ -15,11 +15,11 @@ struct Level {
 
 /// All heights of a map in increasing order, those that differ by less than a billionth of their range as one.
 ///
-/// Cost: linear for heights of few values, as a digitiser gives, and n log n with a copy of all where there are more
-/// than a sixteenth as many values as points.
+/// Cost: linear for few different values, as from a digitiser; n log n with a copy of all heights if the number of
+/// values exceeds a sixteenth of the number of points.
 [[nodiscard]] std::vector<Level> all_levels(const Evidence& evidence);
 
-/// The outermost levels at both ends, in increasing order, at least `needed` of each where there are so many. Of many
+/// The outermost levels at both ends, in increasing order, at least `needed` of each if they exist. If there are many
 /// heights only those near the ends are sorted.
 struct EndLevels {
     std::vector<Level> lowest, highest;

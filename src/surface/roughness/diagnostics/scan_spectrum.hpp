@@ -7,11 +7,11 @@
 
 namespace setae::diagnostics {
 
-/// C1D of the scan lines of a level map without undefined heights, modes 1 … n/2, Hann window where it is not periodic.
+/// C1D of the scan lines of a level map without undefined heights, modes 1 … n/2, Hann window unless it is periodic.
 [[nodiscard]] spectra::MeasuredSpectrum scan_spectrum(const topography::HeightMap& map, parallel::Threads threads);
 
 /// Expectation of a mode k under the window for C1D ∝ k^−exponent, over k^−exponent: the Hann window mixes each mode
-/// with those beside it.
+/// with adjacent ones.
 [[nodiscard]] double window_gain(double mode, double exponent, bool hann);
 
 }  // namespace setae::diagnostics

@@ -9,8 +9,8 @@ namespace setae::diagnostics {
 ///
 ///   E(x) = A s(x) + N,  x = q/q_Nyquist,  s = x^−α, or with its aliases Σ_m |x + 2m|^−α
 ///
-/// Maximised is the likelihood of gamma variates, Σ −ν (ln E + P/E), over A, N >= 0 and 1 < α < 8, for either s; the
-/// results are averaged with their likelihoods as weights, and how far they differ is part of the error.
+/// The fit maximises the likelihood of gamma variates, Σ −ν (ln E + P/E), over A, N >= 0 and 1 < α < 8, for either s.
+/// The results are averaged with their likelihoods as weights, and their difference is part of the error.
 struct WhiteFloor {
     double amplitude = 0.0;       ///< A [m³]
     double exponent = 0.0;        ///< α
@@ -20,8 +20,8 @@ struct WhiteFloor {
     double gain = 0.0;            ///< of the log likelihood over N = 0 with ν = 1, the smaller one of both s
 };
 
-/// x: increasing, in (0, 1].  power > 0 [m³].  freedom: ν of each value's noise part; cautious_freedom: of its surface
-/// part.
+/// x: increasing, in (0, 1].  power > 0 [m³].  freedom: ν of the noise part of each value; cautious_freedom: ν of its
+/// surface part.
 [[nodiscard]] WhiteFloor white_floor(const ArrayView1D& x, const ArrayView1D& power, double freedom,
                                      double cautious_freedom);
 

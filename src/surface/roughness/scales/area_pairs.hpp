@@ -8,23 +8,23 @@
 
 namespace setae::scales {
 
-/// The vectors d = (k Δx, l Δy), k = 0 … x, l = −y … y, for which a map has pairs: half a plane.
+/// The vectors d = (k Δx, l Δy), k = 0 … x, l = −y … y, of pairs on a map: half a plane.
 struct Lags {
     Index x = 0;
     Index y = 0;
 };
 [[nodiscard]] Lags lags_of(const topography::HeightMap& map);
 
-/// Receives A(k, −lags.y … lags.y), NaN where there is no pair, on a cache line. Rows of one block of 16 come in order
+/// Receives A(k, −lags.y … lags.y), NaN without a pair, aligned to a cache line. Rows of one block of 16 come in order
 /// from one thread.
 using LagRow = std::function<void(Index k, const double* values)>;
 
-/// A of every vector of the half plane, row by row.
+/// A for every vector of the half plane, row by row.
 ///
-/// Linear correlation by one padded transform: rows along y, then column by column along x and, the squared spectrum
-/// being real, back by a real transform in place, then rows back. Beside the map there is nothing but the half spectrum
-/// of nx padded rows.
-/// @throws UndefinedDataError where no height is defined.
+/// Linear correlation by one padded transform: rows along y, then column by column along x and, since the squared
+/// spectrum is real, back by a real transform in place, then the inverse transform of the rows. Additional memory: only
+/// the half spectrum of nx padded rows.
+/// @throws UndefinedDataError if no height is defined.
 void for_each_lag_row(const topography::HeightMap& map, parallel::Threads threads, const LagRow& consume);
 
 }  // namespace setae::scales

@@ -5,7 +5,7 @@
 
 namespace setae::scales {
 
-/// An autocorrelation of so many distances, all still to be filled in.
+/// An autocorrelation of so many distances, without values.
 [[nodiscard]] FunctionOfScale empty_autocorrelation(Index distances, const topography::Metadata& metadata);
 
 }  // namespace setae::scales

@@ -5,14 +5,14 @@
 
 namespace setae::scales {
 
-/// Moments of the points of a cell about their own means: what its best plane needs, and what cells joined need.
+/// Moments of the points of a cell about their means: input of the best plane and of the union of cells.
 struct CellMoments {
     double weight = 0.0;                  ///< points, or length
     double x = 0.0, y = 0.0, h = 0.0;     ///< means
     double xx = 0.0, xy = 0.0, yy = 0.0;  ///< sums of products about the means
     double xh = 0.0, yh = 0.0, hh = 0.0;
 
-    /// Joins another cell. Source: Chan, Golub, LeVeque, Am. Stat. 37 (1983) 242.
+    /// Adds another cell. Source: Chan, Golub, LeVeque, Am. Stat. 37 (1983) 242.
     void add(const CellMoments& other) {
         if (!(other.weight > 0.0)) return;
         if (!(weight > 0.0)) {
@@ -33,8 +33,8 @@ struct CellMoments {
         weight = total;
     }
 
-    /// Sum of squares that the best plane leaves; points on one line (or in one place) leave what their best line (or
-    /// mean) does.
+    /// Residual sum of squares of the best plane; for points on one line (or at one place) that of the best line (or
+    /// the mean).
     [[nodiscard]] double residual() const {
         const double determinant = xx * yy - xy * xy, trace = xx + yy;
         double explained = 0.0;

@@ -16,8 +16,8 @@ struct DifferenceMoments {
     double minimum = 0.0, maximum = 0.0;
 };
 
-/// Statistics of the distances given.
-/// @throws InvalidArgument where there is none.
+/// Statistics at the given distances.
+/// @throws InvalidArgument without a distance.
 [[nodiscard]] DifferenceStatistics statistics_of(const std::vector<DifferenceMoments>& moments,
                                                  const DifferenceOptions& options,
                                                  const topography::Metadata& metadata);

@@ -5,7 +5,7 @@
 
 namespace setae::scales {
 
-/// Powers of differences about an origin, added up; extremes.
+/// Sums of powers of differences about an origin; extremes.
 struct DifferenceSums {
     double count = 0.0;
     double powers[4] = {0.0, 0.0, 0.0, 0.0};  ///< Σ (d − origin)^k, k = 1 … 4
@@ -13,8 +13,8 @@ struct DifferenceSums {
 
     DifferenceSums();
     void add(const DifferenceSums& other);
-    /// Adds values; undefined ones are left out. In independent lanes, so that it vectorises; a second pass where one
-    /// is undefined.
+    /// Adds values; undefined ones are left out. In independent lanes for vectorisation; a second pass if one is
+    /// undefined.
     void add(const double* values, Index n, double origin);
 };
 

@@ -11,12 +11,13 @@ namespace setae::scales {
 /// Sums over all pairs of defined points of lines, by lag: ½ Σ (h_i − h_{i+k})² and the number of pairs.
 ///
 /// Lines without holes add |G|² to one spectrum and their squares to one series; lines with holes, w = 1 at defined
-/// points, g = w h, s = w h², add Re(conj(W) S) − |G|² and |W|². Two inverse transforms at the end serve all lines.
+/// points, g = w h, s = w h², add Re(conj(W) S) − |G|² and |W|². Two inverse transforms at the end are sufficient for
+/// all lines.
 class LinePairs {
 public:
     LinePairs(Index points, bool periodic);
 
-    /// Lines of shape (points, any). Each is centred on its own mean.
+    /// Lines of shape (points, any). Each is centred on its mean.
     void add(const ArrayView2D& lines, parallel::Threads threads);
 
     struct Sums {

@@ -12,10 +12,10 @@
 
 namespace setae::scales {
 
-/// Half spectra along y of the rows of a map, each followed by zeros to the transform's length: nx · modes values.
+/// Half spectra along y of the rows of a map, each padded with zeros to the length of the transform: nx · modes values.
 using RowSpectra = fourier::Buffer<fourier::Complex>;
 
-/// `load(i, line)` writes the first `points` values of row i; what follows is zero.
+/// `load(i, line)` writes the first `points` values of row i; the rest is zero.
 inline void transform_rows(Index rows, Index points, const fourier::RealTransform& along_y,
                            const std::function<void(Index, double*)>& load, RowSpectra& spectra,
                            parallel::Threads threads) {

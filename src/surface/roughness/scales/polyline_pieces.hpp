@@ -7,7 +7,7 @@
 
 namespace setae::scales {
 
-/// Throws what validate() throws of a polyline, and UndefinedDataError for an undefined height.
+/// Throws as validate() for a polyline, and UndefinedDataError for an undefined height.
 void require_polyline(const topography::Profile& profile);
 
 /// A term w h(x + offset) of a difference.
@@ -16,7 +16,7 @@ struct Shift {
     double weight = 0.0;
 };
 
-/// Integrals of a piecewise linear function g over x, about an origin g0: ∫ (g − g0)^k dx, and what it ranges over.
+/// Integrals of a piecewise linear function g over x, about an origin g0: ∫ (g − g0)^k dx, and its range.
 struct PieceMoments {
     double length = 0.0;               ///< [m]
     double origin = 0.0;               ///< g0
@@ -24,10 +24,9 @@ struct PieceMoments {
     double minimum = 0.0, maximum = 0.0;
 };
 
-/// Exact moments of g(x) = Σ_s w_s h(x + offset_s), Σ w = 0, over every x for which all x + offset_s lie on the
-/// polyline.
+/// Exact moments of g(x) = Σ_s w_s h(x + offset_s), Σ w = 0, over every x with all x + offset_s on the polyline.
 ///
-/// The breakpoints of all shifted copies are merged: O(points · shifts). Length 0 where the stencil is longer than the
+/// The breakpoints of all shifted copies are merged: O(points · shifts). Length 0 if the stencil is longer than the
 /// polyline.
 [[nodiscard]] PieceMoments difference_moments(const topography::Profile& profile, std::span<const Shift> shifts);
 

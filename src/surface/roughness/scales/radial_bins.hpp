@@ -6,7 +6,7 @@
 
 namespace setae::scales {
 
-/// Bins of the lengths of lag vectors, and how a row of them falls into the bins.
+/// Bins of the lengths of lag vectors, and the assignment of a row of vectors to bins.
 class RadialBins {
 public:
     RadialBins(const spectra::LogGrid& grid, std::array<double, 2> pixel_size, double longest);
@@ -19,8 +19,8 @@ public:
     };
     using Row = std::vector<Sums>;
 
-    /// Adds row k of lag vectors, l = −y … y, each counted `weight` times; undefined values are left out. `values`
-    /// starts on a cache line.
+    /// Adds row k of lag vectors, l = −y … y, each counted `weight` times; undefined values are left out. `values` is
+    /// aligned to a cache line.
     void add(Index k, const double* values, Index y, double weight, Row& sums) const;
 
 private:
@@ -28,7 +28,7 @@ private:
     std::array<double, 2> pixel_size_;
 };
 
-/// The bins that have vectors, as an autocorrelation.
+/// The bins with vectors, as an autocorrelation.
 [[nodiscard]] FunctionOfScale radial_average(const RadialBins::Row& sums, const topography::Metadata& metadata);
 
 }  // namespace setae::scales

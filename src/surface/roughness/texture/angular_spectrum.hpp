@@ -11,7 +11,7 @@ struct StrongestDirection {
     double directionality = 1.0;  ///< largest over mean angular spectrum
 };
 
-/// The direction of the waves that carry most: see SpatialParameters.
+/// The direction of the waves with the most power: see SpatialParameters.
 [[nodiscard]] StrongestDirection strongest_direction(const topography::HeightMap& map, double mean,
                                                      parallel::Threads threads);
 

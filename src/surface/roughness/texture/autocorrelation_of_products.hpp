@@ -11,10 +11,10 @@
 
 namespace setae::texture {
 
-/// Mean products of heights z about their mean at every lag of the full circle, over those at lag 0.
+/// Mean products of heights z about their mean at every lag of the full circle, divided by that at lag 0.
 ///
-/// Scale-dependent statistics use height differences (scales/autocorrelation.hpp); the standard's parameters are of
-/// products. Lags along x are found as far as they are asked for.
+/// Scale-dependent statistics use height differences (scales/autocorrelation.hpp); the parameters of the standard use
+/// products. Lags along x are computed on request.
 class AutocorrelationOfProducts {
 public:
     /// @throws UndefinedDataError for a constant map.
@@ -32,7 +32,7 @@ public:
     }
 
 private:
-    /// Sums over pairs at the rows of wrapped lags made so far.
+    /// Sums over pairs at the computed rows of wrapped lags.
     struct Products {
         Products(Index nx, Index ny, Index rows, const std::function<void(Index, double*)>& load,
                  parallel::Threads threads);
@@ -41,7 +41,7 @@ private:
         std::optional<fourier::InverseMapTransform> transform;
     };
 
-    /// Rows of lags −lag … lag and some more.
+    /// Computes rows of lags −lag … lag and some more.
     void find_rows(Index lag);
     void make_rows(Index first, Index last);
     [[nodiscard]] double mean_at(Index i, Index j) const;
@@ -49,10 +49,10 @@ private:
     Index nx_, ny_, reach_x_, reach_y_;
     bool periodic_;
     parallel::Threads threads_;
-    std::optional<Products> values_;  ///< f itself in the rows found
-    std::optional<Products> counts_;  ///< of pairs, where heights are undefined
+    std::optional<Products> values_;  ///< f in the computed rows
+    std::optional<Products> counts_;  ///< of pairs, if heights are undefined
     double square_ = 0.0;             ///< mean product at lag 0
-    Index found_ = 0;                 ///< lags |i| below this are there
+    Index found_ = 0;                 ///< lags |i| below this are computed
 };
 
 }  // namespace setae::texture

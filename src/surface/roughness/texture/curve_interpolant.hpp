@@ -8,10 +8,10 @@
 namespace setae::texture {
 
 /// A material ratio curve between nodes: parabolas that keep the exact ratios at the nodes and the exact volume between
-/// them. Heights are counted from the mean.
+/// them. Heights are relative to the mean.
 class CurveInterpolant {
 public:
-    /// Nodes are added where the ratio falls by more than 1/1024 from one to the next: two or three passes over the
+    /// Nodes are added if the ratio decreases by more than 1/1024 between neighbours: two or three passes over the
     /// measurement.
     CurveInterpolant(const Elements& elements, parallel::Threads threads);
 
@@ -28,7 +28,7 @@ public:
     [[nodiscard]] double height(double ratio) const;
     /// ∫_h^∞ P dh'.
     [[nodiscard]] double volume(double height) const;
-    /// ∫_−∞^h (1 − P) dh' = volume(h) + h, heights being counted from the mean.
+    /// ∫_−∞^h (1 − P) dh' = volume(h) + h, with heights relative to the mean.
     [[nodiscard]] double void_volume(double height) const;
     /// ∫_h^∞ P² dh'.
     [[nodiscard]] double square(double height) const;

@@ -11,19 +11,19 @@
 
 namespace setae::texture {
 
-/// A triangle by its corners' heights, a <= b <= c, and how many of the locator's heights lie at or below each.
+/// A triangle by the heights of its corners, a <= b <= c, and the number of heights of the locator at or below each.
 struct Triangle {
     double a, b, c;
     int below_a, below_b, below_c;
 };
 
-/// A straight segment, a <= c, or a point, a = c, that counts `weight`.
+/// A straight segment, a <= c, or a point, a = c, with a weight.
 struct Segment {
     double a, c, weight;
     int below_a, below_c;
 };
 
-/// Calls visitor(Triangle) for the triangles between rows first … last − 1 of a map and the rows behind them.
+/// Calls visitor(Triangle) for the triangles between rows first … last − 1 of a map and the next rows.
 template <class Visitor>
 void visit_triangles(const topography::HeightMap& map, Index first, Index last, const HeightLocator& locate,
                      Visitor& visitor) {
@@ -60,7 +60,7 @@ void visit_triangles(const topography::HeightMap& map, Index first, Index last, 
     }
 }
 
-/// Calls visitor(Segment) for points first … last − 1 of a series, each by itself.
+/// Calls visitor(Segment) for points first … last − 1 of a series, each separately.
 template <class Visitor>
 void visit_points(const double* heights, Index first, Index last, const HeightLocator& locate, Visitor& visitor) {
     for (Index i = first; i < last; ++i)
@@ -89,10 +89,10 @@ struct Range {
 /// The elements of a measurement in blocks that do not depend on threads.
 class Elements {
 public:
-    /// @throws InvalidArgument for points of a polyline, or one that runs back.
+    /// @throws InvalidArgument for points of a polyline, or a re-entrant one.
     Elements(const MeasurementView& measurement, Between between);
 
-    /// Number of blocks; sums are made over each and added in their order.
+    /// Number of blocks; sums over blocks are added in their order.
     [[nodiscard]] std::size_t blocks() const { return blocks_; }
 
     template <class Visitor>
@@ -111,11 +111,11 @@ public:
         });
     }
 
-    /// Lowest and highest defined point: no element reaches beyond.
-    /// @throws UndefinedDataError where none is defined.
+    /// Lowest and highest defined point: the range of all elements.
+    /// @throws UndefinedDataError if none is defined.
     [[nodiscard]] Range range() const;
 
-    /// @throws UndefinedDataError where no element is defined, that is, their weight is 0.
+    /// @throws UndefinedDataError if no element is defined, that is, the weight is 0.
     void require_weight(double weight) const;
 
 private:

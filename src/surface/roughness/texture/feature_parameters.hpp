@@ -6,15 +6,15 @@
 
 namespace setae::texture {
 
-/// Peaks and pits that count, found by watersheds.
+/// Significant peaks and pits, by watersheds.
 ///
-/// Every point belongs to the hill of the peak that steps to the highest of its eight neighbours lead to. A hill that
-/// rises over its highest saddle by less than `pruning` Sz is joined to its neighbour across that saddle (Wolf
-/// pruning). Hills that reach the edge of the map or an undefined point are left out: their peaks may lie outside.
-/// Dales are the hills of −z.
-///   Spd, Svd: peaks and pits an area [1/m²];  Spc, Svc: mean of −½(z_xx + z_yy) at them [1/m], pits negative
-///   S5p, S5v: mean of the five highest (deepest) from the mean [m], of fewer where there are fewer;  S10z = S5p + S5v
-/// NaN where there is none.
+/// Every point belongs to the hill of the peak reached by steps to the highest of eight neighbours. A hill whose height
+/// above its highest saddle is less than `pruning` Sz is joined to its neighbour across that saddle (Wolf pruning).
+/// Hills that reach the edge of the map or an undefined point are left out, because their peaks may be outside. Dales
+/// are the hills of −z.
+///   Spd, Svd: peaks and pits per area [1/m²];  Spc, Svc: mean of −½(z_xx + z_yy) at them [1/m], pits negative
+///   S5p, S5v: mean of the five (or fewer) highest (deepest) from the mean [m];  S10z = S5p + S5v
+/// NaN if there is none.
 /// Source: ISO 25178-2:2021, 5; Wolf, Proc. 2nd Int. Workshop on surface topography (1984).
 struct FeatureParameters {
     double Spd = 0.0, Svd = 0.0;
@@ -27,9 +27,8 @@ struct FeatureOptions {
     double pruning = 0.05;  ///< share of Sz
 };
 
-/// Cost: linear, and sorting of the points on watersheds. Memory: two integers a point and 16 bytes a point on a
-/// watershed.
-/// @throws UndefinedDataError where no height is defined; InvalidArgument for pruning outside 0 … 1.
+/// Cost: linear, and sorting of the points on watersheds. Memory: two integers per point and 16 bytes per point on a
+/// watershed. @throws UndefinedDataError if no height is defined; InvalidArgument for pruning outside 0 … 1.
 [[nodiscard]] FeatureParameters feature_parameters(const topography::HeightMap& map, const FeatureOptions& options = {},
                                                    parallel::Threads threads = {});
 

@@ -5,7 +5,7 @@
 
 namespace setae::texture {
 
-/// A measurement behind filters, or nothing where none applies.
+/// A measurement after filters; empty if no filter applies.
 /// @throws InvalidArgument for a polyline, nesting indices that are not positive or S >= L, waviness without L-filter.
 [[nodiscard]] std::optional<topography::Measurement> filtered(const MeasurementView& measurement,
                                                               const Filters& filters, ProfileKind kind,
@@ -14,7 +14,7 @@ namespace setae::texture {
 /// "Gaussian S-filter 2.5 µm, Gaussian L-filter 800 µm"; "none".
 [[nodiscard]] std::string description(const Filters& filters, ProfileKind kind);
 
-/// The reliable band with its ends cut by filters, and what is to be said of it.
+/// The reliable band with its ends limited by filters, and warnings on it.
 struct Bandwidth {
     Band band;
     std::vector<Alert> alerts;  ///< TIP_CUTOFF
@@ -22,10 +22,10 @@ struct Bandwidth {
 [[nodiscard]] Bandwidth bandwidth(const MeasurementView& measurement, const Filters& filters, ProfileKind kind,
                                   parallel::Threads threads);
 
-/// UNDEF where more than 1 % of the heights are undefined.
+/// UNDEF if more than 1 % of the heights are undefined.
 [[nodiscard]] std::vector<Alert> undefined_alerts(const MeasurementView& measurement);
 
-/// Whether a parameter rests on the shortest waves, so that a blunt tip makes it too small.
+/// Whether a parameter depends on the shortest waves, so a blunt tip makes it too small.
 [[nodiscard]] bool rests_on_short_waves(std::string_view symbol);
 
 }  // namespace setae::texture

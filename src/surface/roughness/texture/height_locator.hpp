@@ -11,7 +11,7 @@
 
 namespace setae::texture {
 
-/// How many of some heights are at or below a value, for many values: a table of equal steps, then a few comparisons.
+/// Number of given heights at or below a value, for many values: a table of equal steps, then a few comparisons.
 class HeightLocator {
 public:
     /// heights: not decreasing, at least one.
@@ -20,7 +20,7 @@ public:
         const double range = heights_.back() - heights_.front();
         const int steps = std::clamp(count_, 16, 1 << 14) * 4;
         scale_ = steps / range;
-        if (!std::isfinite(scale_)) scale_ = 0.0;  // one height, or heights closer than numbers can tell
+        if (!std::isfinite(scale_)) scale_ = 0.0;  // one height, or heights that differ by less than the rounding
         heights_.push_back(std::numeric_limits<double>::infinity());
         first_.assign(static_cast<std::size_t>(steps) + 2, count_);
         for (int k = count_ - 1; k >= 0; --k) first_[step_of(heights_[static_cast<std::size_t>(k)])] = k;
@@ -52,11 +52,11 @@ private:
         return static_cast<std::size_t>(static_cast<std::int64_t>((value - heights_.front()) * scale_));
     }
 
-    std::vector<double> heights_;  ///< one infinity behind them
+    std::vector<double> heights_;  ///< followed by one infinity
     int count_;
     double scale_ = 0.0;
-    std::vector<int> first_;  ///< of each step, the first height in it or behind it
-    int most_ = 0;            ///< heights in one step
+    std::vector<int> first_;  ///< of each step, the first height in it or after it
+    int most_ = 0;            ///< maximum number of heights in one step
 };
 
 }  // namespace setae::texture

@@ -10,20 +10,20 @@ namespace setae::texture {
 ///
 ///   Sdq² = ⟨z_x²⟩ + ⟨z_y²⟩,   Sdr = A/A_projected − 1
 ///
-/// The first two are those of the standard's annex D: slopes over one pixel, each direction averaged over its own pairs
-/// of points; area of the triangles through the points, both diagonals averaged. Other programs put central differences
-/// into the integrals Sdq² = ⟨z_x² + z_y²⟩, Sdr = ⟨sqrt(1 + z_x² + z_y²) − 1⟩; these see waves near two pixels less and
-/// come out smaller. Source: ISO 25178-2:2021, 4.4 and D.3.
+/// The first two are those of annex D of the standard: slopes over one pixel, each direction averaged over its pairs of
+/// points; area of the triangles through the points, both diagonals averaged. Other programs put central differences
+/// into the integrals Sdq² = ⟨z_x² + z_y²⟩, Sdr = ⟨sqrt(1 + z_x² + z_y²) − 1⟩; these are less sensitive to waves near
+/// two pixels, and smaller. Source: ISO 25178-2:2021, 4.4 and D.3.
 struct HybridParameters {
     double Sdq = 0.0;          ///< [1]
     double Sdr = 0.0;          ///< [1]
     double Sdq_central = 0.0;  ///< central differences, points with four defined neighbours; NaN without one [1]
     double Sdr_central = 0.0;  ///< the same slopes [1]
-    Index defined = 0;         ///< heights
+    Index defined = 0;         ///< number of heights
 };
 
 /// Three passes.
-/// @throws UndefinedDataError where no pixel has four defined corners.
+/// @throws UndefinedDataError if no pixel has four defined corners.
 [[nodiscard]] HybridParameters hybrid_parameters(const topography::HeightMap& map, parallel::Threads threads = {});
 
 }  // namespace setae::texture

@@ -10,18 +10,18 @@
 
 namespace setae::texture {
 
-/// Whether some of these symbols are among those wanted, or no choice was made.
+/// Whether at least one of these symbols is requested, or all are.
 [[nodiscard]] bool wants(const std::vector<std::string>& only, std::initializer_list<std::string_view> symbols);
 
-/// Values of parameters on their way into a list, each with what the table says of it and what all share.
+/// List of parameters in preparation, each with its entry in the table and the common properties.
 class ParameterRows {
 public:
-    /// only: symbols of the table that are taken; empty: all.
+    /// only: symbols of the table that are added; empty: all.
     ParameterRows(Standard standard, std::string filter, Bandwidth bandwidth, std::vector<Alert> alerts, Index points,
                   std::vector<std::string> only, char letter = 0);
 
-    /// symbol: as in the table; one that is not wanted adds nothing. A row whose value is NaN without an alert of its
-    /// own gets UNDEFINED.
+    /// symbol: as in the table; one that is not requested adds nothing. A row with value NaN and no warning gets
+    /// UNDEFINED.
     void add(std::string_view symbol, Estimate estimate, std::vector<Alert> alerts = {});
 
     [[nodiscard]] std::vector<TextureParameter> take() { return std::move(rows_); }
@@ -33,7 +33,7 @@ private:
     std::vector<Alert> alerts_;
     Index points_;
     std::vector<std::string> only_;
-    char letter_;  ///< that takes the place of the first one, or 0
+    char letter_;  ///< replaces the first letter, or 0
     std::vector<TextureParameter> rows_;
 };
 

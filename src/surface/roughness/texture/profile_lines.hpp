@@ -11,7 +11,7 @@ struct Points {
     Array1D heights;
 };
 
-/// @throws InvalidArgument for a map or a profile that runs back, UndefinedDataError for undefined heights.
+/// @throws InvalidArgument for a map or a re-entrant profile, UndefinedDataError for undefined heights.
 [[nodiscard]] Points points_of(const MeasurementView& line);
 
 /// @throws InvalidArgument for a map.

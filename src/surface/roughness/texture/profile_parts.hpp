@@ -5,11 +5,11 @@
 
 namespace setae::texture {
 
-/// Elements of a profile, each a hill and the dale behind it, found by crossing the mean line.
+/// Elements of a profile, each a hill and the dale after it, found by crossings of the mean line.
 ///
-/// A hill (dale) that is lower than the height threshold or shorter than the length threshold is joined to what lies
-/// around it. Elements begin at the first crossing; what lies before it and behind the last is left out. Source: ISO
-/// 21920-2:2021, 5; ISO 4287:1997, 3.2.7 and 4.3.
+/// A hill (dale) that is lower than the height threshold or shorter than the length threshold is joined to its
+/// neighbours. Elements begin at the first crossing; parts before the first and after the last crossing are left out.
+/// Source: ISO 21920-2:2021, 5; ISO 4287:1997, 3.2.7 and 4.3.
 struct ProfileElements {
     double RSm = 0.0;   ///< mean length [m]; NaN without a whole element
     double RSmq = 0.0;  ///< its rms deviation [m]
@@ -29,7 +29,7 @@ struct ProfileSlopes {
     double Rda = 0.0;    ///< mean of the absolute value [1]
     double Rdt = 0.0;    ///< largest absolute value [1]
     double Rdr = 0.0;    ///< length of the straight segments between points over their length along x, minus 1 [1]
-    double Rdq_2 = 0.0;  ///< rms by differences of neighbours, as spectra have it [1]
+    double Rdq_2 = 0.0;  ///< rms by differences of neighbours, as in spectra [1]
 };
 /// @throws InvalidArgument for a map or a re-entrant profile.
 /// Seven points: z' = (z₊₃ − 9 z₊₂ + 45 z₊₁ − 45 z₋₁ + 9 z₋₂ − z₋₃)/(60 Δx). Source: ISO 21920-2:2021, 4.4; ISO

@@ -8,16 +8,16 @@
 
 namespace setae::texture {
 
-/// Which way is up.
+/// Upward direction.
 enum class Up { hills = 1, dales = -1 };
 
-/// The peak of a hill that counts.
+/// The peak of a significant hill.
 struct Peak {
     Index i, j;
     double height;  ///< of the map [m]
 };
 
-/// Peaks of the hills (pits of the dales) that rise over their highest saddle by at least `least` [m] and lie inside
+/// Peaks of the hills (pits of the dales) with a height of at least `least` [m] above their highest saddle and inside
 /// the map; see FeatureParameters. In the order of the points.
 [[nodiscard]] std::vector<Peak> significant_peaks(const topography::HeightMap& map, Up up, double least,
                                                   parallel::Threads threads = {});

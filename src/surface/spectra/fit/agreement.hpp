@@ -8,7 +8,7 @@
 
 namespace setae::spectral_fit {
 
-/// How well each instrument agrees with the fit, decade by decade, over the groups of modes that the fit has used.
+/// Agreement of each instrument with the fit, by decade, over the groups of modes used in the fit.
 [[nodiscard]] std::vector<Agreement> agreement(const std::vector<ObservedGroup>& groups, const WhittleFit& fit);
 
 /// INSTRUMENTS_DISAGREE for rows that chance does not explain.

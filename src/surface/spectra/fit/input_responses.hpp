@@ -12,13 +12,14 @@
 
 namespace setae::spectral_fit {
 
-/// What a fit and its simulated probes (by name) say of the inputs of its groups: one response for each name, those
-/// without an error left out, in the order of names. band: that of the spectrum.
+/// Response of a fit and its simulated probes (by name) to the inputs of its groups: one per name, without inputs that
+/// have no error, in the order of names. band: that of the spectrum.
 ///
-/// A probe's size moves what is read by ∂ ln T/∂ ln(size). Of factors, true = f × stated, at f = 1:
+/// The size of a probe changes the measured power by ∂ ln T/∂ ln(size). For factors, true = f × stated, at f = 1:
 ///
-///   heights: P → f² P, and of traces their noise as stated;  lengths: P(q) → f P at q/f, E[P] by the response on nodes
-///   q/f over f, what tips follow and add, what light and foils leave at the wavevectors where waves then are
+///   heights: P → f² P, and for traces their stated noise;  lengths: P(q) → f P at q/f, E[P] by the response on nodes
+///   q/f over f, response and additional power of tips, transfer of light and foils at the wavevectors of the scaled
+///   waves
 ///
 /// Source: scaling of C1D, |h̃|²/L; derived here.
 [[nodiscard]] std::vector<InputResponse> input_responses(const std::vector<ObservedGroup>& groups,

@@ -17,7 +17,7 @@ private:
     Array1D steps_;
     Array1D diagonal_, factor_;                      ///< of the eliminated tridiagonal system of second derivatives
     Eigen::ArrayXi interval_;                        ///< of each target
-    Array1D left_, right_, left_bend_, right_bend_;  ///< weights of values and second derivatives at its ends
+    Array1D left_, right_, left_bend_, right_bend_;  ///< weights of values and second derivatives at the ends
 };
 
 }  // namespace setae::spectral_fit

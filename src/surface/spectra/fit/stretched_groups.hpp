@@ -9,27 +9,27 @@
 
 namespace setae::spectral_fit {
 
-/// A stretch and what it is known to.
+/// A stretch and its information matrix.
 struct KnownStretch {
     StretchLaw law;
-    Eigen::MatrixXd information;  ///< of law.values(), by maps and by what is expected before
+    Eigen::MatrixXd information;  ///< of law.values(), from maps and prior
 };
 
 /// Whether groups have lines along several directions.
 [[nodiscard]] bool several_directions(const std::vector<ObservedGroup>& groups);
 
-/// What lines along several directions begin with where maps show no stretch: none, a knot a decade of the band, s
-/// within a factor of e of 1 and within 1.35 of that a decade away (standard deviations).
+/// Prior for lines along several directions if maps show no stretch: none, one knot per decade of the band, s within a
+/// factor of e of 1 and within 1.35 of that a decade away (standard deviations).
 [[nodiscard]] KnownStretch unknown_stretch(const Band& band);
 
-/// The lengths of each group's lines at its nodes, and where C_iso ends: `shortest` is the surface's largest wavevector
-/// in any direction, that across the long one [1/m].
+/// Lengths of the lines of each group at its nodes, and the end of C_iso: `shortest` is the largest wavevector of the
+/// surface in any direction, that across the long one [1/m].
 void take_stretch(std::vector<ObservedGroup>& groups, const StretchLaw& law, double shortest);
 
-/// Where C_iso ends [1/m]: across the long direction that is `shortest`.
+/// End of C_iso [1/m]; across the long direction it is `shortest`.
 [[nodiscard]] double surface_end(const StretchLaw& law, double shortest);
 
-/// Largest wavevector of the surface that lines along a direction see [1/m].
+/// Largest wavevector of the surface for lines along a direction [1/m].
 [[nodiscard]] double lines_end(const StretchLaw& law, double shortest, double direction);
 
 /// ∂ ln E/∂ law.values() of each group, by central differences.
@@ -37,7 +37,7 @@ void take_stretch(std::vector<ObservedGroup>& groups, const StretchLaw& law, dou
                                                               const LogSpline& spline, const WhittleFit& fit,
                                                               const StretchLaw& law);
 
-/// A step of Fisher scoring for the stretch, with what the spectrum would follow of it taken off:
+/// A step of Fisher scoring for the stretch, after elimination of the response of the spectrum:
 ///
 ///   I = DᵀνD − DᵀνJ (JᵀνJ + Q)⁻¹ JᵀνD + Π,  δ = I⁻¹ (Dᵀν(P/E − 1) − Π (law − known))
 struct StretchStep {
@@ -55,7 +55,7 @@ struct DirectionMean {
 [[nodiscard]] DirectionMean direction_mean(const LogSpline& spline, const Eigen::VectorXd& theta, const StretchLaw& law,
                                            const Array1D& wavevector);
 
-/// C_iso that lines along the long direction, turned by `turn`, show: C(q/μ)/μ².
+/// C_iso for lines at the angle `turn` to the long direction: C(q/μ)/μ².
 [[nodiscard]] Array1D density_of_lines(const LogSpline& spline, const Eigen::VectorXd& theta, const StretchLaw& law,
                                        const Array1D& wavevector, double turn);
 

@@ -5,7 +5,7 @@
 
 namespace setae::synthesis {
 
-/// A periodic patch laid over the plane, turned.
+/// A periodic patch on the plane, rotated.
 struct Octave {
     double cosine = 1.0, sine = 0.0;  ///< of the patch's first axis
     double period = 0.0;              ///< [m]

@@ -11,13 +11,13 @@
 
 namespace setae::synthesis {
 
-/// A real function of period 1 in u and v, known by its modes up to |k| <= highest_mode, evaluated anywhere.
+/// A real function of period 1 in u and v, given by its modes up to |k| <= highest_mode, evaluated at arbitrary points.
 ///
 ///   f(u, v) = 2 Re Σ c(k, m) exp(2πi (ku + mv)),  half plane k > 0, or k = 0 and m > 0
 ///
-/// Held on a grid of twice as many points as needed and interpolated by 8 × 8 of them with the kernel exp(β(√(1−z²) −
-/// 1)), whose transform is taken out of the modes beforehand: error below 2e-7 of the rms. Source: Barnett, Magland, af
-/// Klinteberg, SIAM J. Sci. Comput. 41 (2019) C479, type 2.
+/// Stored on a grid with twice the necessary number of points and interpolated from 8 × 8 of them with the kernel
+/// exp(β(√(1−z²) − 1)), by whose transform the modes are divided before: error below 2e-7 of the rms. Source: Barnett,
+/// Magland, af Klinteberg, SIAM J. Sci. Comput. 41 (2019) C479, type 2.
 class PeriodicPatch {
 public:
     static constexpr Index highest_mode = 128;
@@ -31,7 +31,7 @@ public:
 private:
     static constexpr Index points = 4 * highest_mode;
     static constexpr Index width = 8;
-    static constexpr Index stride = points + width;  ///< the first rows and columns follow the last again
+    static constexpr Index stride = points + width;  ///< the first rows and columns are repeated after the last
     fourier::Buffer<double> values_;
 };
 

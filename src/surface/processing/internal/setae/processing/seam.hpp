@@ -5,11 +5,11 @@
 
 namespace setae::processing {
 
-/// The seam of a map or a line that repeats itself: where the last row meets the first.
+/// The seam of a periodic map or line, between its last and its first row.
 struct Seam {
-    double height_step = 0.0;  ///< rms over the points of the seam [m]; of a map the larger one of both directions
+    double height_step = 0.0;  ///< rms over the points of the seam [m]; for a map the larger one of both directions
     double usual_step = 0.0;   ///< rms step between neighbouring rows in that direction [m]
-    bool closed = true;        ///< whether the heights go on across the seam as they do inside
+    bool closed = true;        ///< whether the heights continue across the seam as inside
 };
 
 /// The seam of a measurement.
@@ -17,12 +17,12 @@ struct Seam {
 ///   closed: rms step <= 2 usual rms step, and |mean step| <= 3 usual rms of the mean step of two neighbouring rows,
 ///   in every direction
 ///
-/// The first limit finds ends that differ, the second a tilt that lies below a roughness from point to point. Surfaces
-/// that repeat themselves meet both; of a map with fewer than ten independent points per row chance may say otherwise.
-/// Undefined heights do not count. A profile has no seam: closed.
+/// The first limit detects different ends, the second a tilt below a point-to-point roughness. Periodic surfaces
+/// satisfy both; for a map with fewer than ten independent points per row the result may differ by chance. Undefined
+/// heights are ignored. A profile has no seam: closed.
 [[nodiscard]] Seam seam_of(const topography::Measurement& measurement);
 
-/// Heights that go to their mean at the edges, so that a map or a line can repeat itself.
+/// Tapers heights to their mean at the edges, so a map or a line becomes periodic.
 ///
 ///   h -> m + (h − m) w(x) w(y),  w = sin²(π (i + 1/2)/(2 n share)) within the share of the points at either edge, else
 ///   1

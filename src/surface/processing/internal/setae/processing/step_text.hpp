@@ -9,7 +9,7 @@
 
 namespace setae::processing {
 
-/// A parameter as text: its value with its unit, as pipeline files have it.
+/// A parameter as text: its value with its unit, as in pipeline files.
 struct ParameterText {
     std::string name;
     std::string value;
@@ -21,19 +21,19 @@ struct ParameterText {
 /// @throws InvalidArgument for an unknown parameter (with the nearest name) and for text that is no value of it.
 void set_parameter(Step& step, const ParameterText& parameter);
 
-/// All parameters of a step as text that set_parameter() makes the same values of again; absent ones are left out.
+/// All parameters of a step as text for set_parameter(); absent ones are left out.
 [[nodiscard]] std::vector<ParameterText> parameters(const Step& step);
 
-/// Those that differ from their defaults.
+/// Parameters that differ from their defaults.
 [[nodiscard]] std::vector<ParameterText> changed_parameters(const Step& step);
 
-/// A step from one line, as the command line has it: its name, then NAME=VALUE for each parameter, values with blanks
-/// in double quotes:
+/// A step from one line, as on the command line: its name, then NAME=VALUE for each parameter, values with blanks in
+/// double quotes:
 ///   align_rows method=median region="exclude heights above 20 nm"
 /// @throws InvalidArgument.
 [[nodiscard]] Step step_from_text(std::string_view text);
 
-/// The line step_from_text() reads back to the same step.
+/// The line from which step_from_text() restores the step.
 [[nodiscard]] std::string text(const Step& step);
 
 }  // namespace setae::processing

@@ -5,8 +5,8 @@
 
 namespace setae::roughness {
 
-/// U_el/(A E*) [m] of the waves below a wavevector [1/m], linear between the nodes of at least two; 0 and all beyond
-/// the ends.
+/// U_el/(A E*) [m] of the waves below a wavevector [1/m], linear between at least two nodes; 0 below the first and the
+/// total beyond the last.
 [[nodiscard]] double energy_below(const CumulativeParameters& cumulative, double wavevector);
 
 }  // namespace setae::roughness

@@ -6,14 +6,14 @@
 
 namespace setae::spectra {
 
-/// Self-affine with a cutoff that fades instead of ending.
+/// Self-affine spectrum with a gradual cutoff.
 ///
 ///   C_iso(q) = C_0 max(1, q/q_r)^(−2−2H) exp(−(q/q_s)²)
 struct SoftCutoff {
     double plateau = 0.0;             ///< C_0 [m⁴]
     double rolloff_wavevector = 0.0;  ///< q_r [1/m]
     double hurst_exponent = 0.8;      ///< H, in (0, 1]
-    double short_wavevector = 0.0;    ///< q_s > q_r [1/m], where C_iso has fallen to 1/e of the power law
+    double short_wavevector = 0.0;    ///< q_s > q_r [1/m], where C_iso is 1/e of the power law
 };
 
 /// Two self-affine ranges that meet at a crossover.

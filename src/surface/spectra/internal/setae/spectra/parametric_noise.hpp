@@ -7,11 +7,11 @@
 
 namespace setae::spectra {
 
-/// Neighbouring modes of a Hann window share their data: what of a mode is its own, ω = 1/Σ |ρ|² = 1/(1 + 2 (4/9 +
+/// Neighbouring modes of a Hann window share their data: independent share of a mode, ω = 1/Σ |ρ|² = 1/(1 + 2 (4/9 +
 /// 1/36)).
 inline constexpr double share_under_hann = 0.5142857142857142;
 
-/// Random numbers of one replica. Every index has a number of each kind, whatever is drawn before it.
+/// Random numbers of one replica. Every index has a number of each kind, independent of earlier draws.
 class NoiseNumbers {
 public:
     NoiseNumbers(std::uint64_t seed, std::uint64_t replica);
@@ -26,13 +26,13 @@ private:
     std::uint64_t seed_, normal_, uniform_;  ///< the seed and its two streams
 };
 
-/// C1D of one measurement as other places of the same surface would give it.
+/// Scatter of C1D between places of the same surface, for one measurement.
 ///
 ///   C_k G_k,  G_k gamma distributed with mean 1 and shape ν_k, all independent
 ///
-/// A periodogram of Gaussian heights scatters so, ν_k being the independent values behind it: independent lines times
-/// the share of a mode that is its own, so that sums over modes scatter rightly. freedom: ν of each wavevector, > 0.
-/// One replica a row [m³]; the same seed gives the same numbers, more replicas the same first ones.
+/// This is the scatter of a periodogram of Gaussian heights, ν_k the number of independent values: independent lines
+/// times the independent share of a mode, for a correct scatter of sums over modes. freedom: ν of each wavevector, > 0.
+/// One replica per row [m³]; the same seed gives the same numbers, and the same first replicas for a larger count.
 /// @throws InvalidArgument for sizes that differ, freedoms that are not positive, count < 1.
 /// Source: Brillinger, Time Series (2001) ch. 5 (distribution of periodograms); Franke, Härdle, Ann. Stat. 20 (1992)
 /// 121 (replicas).

@@ -14,8 +14,8 @@ struct SpectrumInterval {
 ///
 ///   2n C1D/χ²_2n((1 + level)/2) … 2n C1D/χ²_2n((1 − level)/2)
 ///
-/// n: independent lines of each mode. One line, n = 1, tells C1D of a mode to a factor of 40 either way.
-/// NaN where a correction leaves C1D <= 0. level: in (0, 1). @throws InvalidArgument outside it, and for a spectrum
+/// n: independent lines of each mode. One line, n = 1, determines C1D of a mode to a factor of 40 in either direction.
+/// NaN if a correction leads to C1D <= 0. level: in (0, 1). @throws InvalidArgument outside it, and for a spectrum
 /// without independent lines. Source: Brillinger, Time Series (2001) ch. 5; coverage in docs/validation/spectra.md.
 [[nodiscard]] SpectrumInterval interval_of(const MeasuredSpectrum& spectrum, double level = 0.95);
 

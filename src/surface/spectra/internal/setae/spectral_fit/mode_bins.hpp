@@ -7,8 +7,8 @@
 
 namespace setae::spectral_fit {
 
-/// Modes k = 1 … n in groups: each by itself up to 16, then about 32 groups a decade. A likelihood of the mean over a
-/// group loses nothing while the expectation is the mean over the same group.
+/// Groups of modes k = 1 … n: single modes up to 16, then about 32 groups per decade. A likelihood of the mean over a
+/// group loses no information if the expectation is the mean over the same group.
 class ModeBins {
 public:
     explicit ModeBins(Index modes);

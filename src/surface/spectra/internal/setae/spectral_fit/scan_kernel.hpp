@@ -10,7 +10,7 @@
 
 namespace setae::spectral_fit {
 
-/// How a line of equidistant points is turned into a periodogram.
+/// Conversion of a line of equidistant points to a periodogram.
 struct ScanShape {
     Index points = 0;
     int trend_degree =
@@ -29,9 +29,9 @@ struct ScanShape {
 [[nodiscard]] Array1D scan_periodogram(const ArrayView2D& heights, double pixel_size, int trend_degree,
                                        parallel::Threads threads = {});
 
-/// What that periodogram expects of a surface, exact in window, detrending, sampling and all aliases.
+/// Expectation of that periodogram for a surface, exact in window, detrending, sampling and all aliases.
 ///
-/// C_iso stands on nodes (hat_node.hpp) at q_jΔ = e^{jh}, so that one kernel serves every pixel size. With R_j the
+/// C_iso is given at nodes (hat_node.hpp) with q_jΔ = e^{jh}, so one kernel applies to every pixel size. With R_j the
 /// autocovariance of a node, a(m) = Σ_i w_i w_{i+m} and u_l = F(w ∘ V_l):
 ///
 ///   E[P_k] = (Δ/n) [ a(0)R(0) + 2 Σ_m a(m) R(mΔ) cos(2πkm/n) − 2 Σ_l Re(ū_l F(w ∘ RV_l))_k + Σ_lm Re(u_l ū_m)_k
@@ -41,12 +41,11 @@ struct ScanShape {
 struct ScanKernel {
     Index first_node = 0;  ///< j of column 0
     Array2D response;  ///< (group of modes, node): E[P] Δ/C_iso(q_j) [1]; columns scale as E[P] = Σ_j response f_j/Δ
-    Array1D flat_response;   ///< the same for C_iso constant below the first node
+    Array1D flat_response;   ///< response for C_iso constant below the first node
     Array1D noise_response;  ///< E[P]/(Δσ²) for white noise of variance σ² in every point
 };
 
-/// The kernel for nodes first … last. Columns made once are kept for the life of the process.
-/// O(n log n) a node.
+/// The kernel for nodes first … last. Computed columns are kept for the lifetime of the process. O(n log n) per node.
 /// @throws InvalidArgument as scan_periodogram, or for last < first.
 [[nodiscard]] ScanKernel scan_kernel(const ScanShape& shape, Index first_node, Index last_node,
                                      parallel::Threads threads = {});

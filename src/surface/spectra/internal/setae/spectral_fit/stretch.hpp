@@ -24,18 +24,18 @@ struct Stretch {
     [[nodiscard]] double length_square(double angle) const;  ///< μ²
 };
 
-/// A stretch that may change with the wavevector: between knots its vector is linear in ln q, beyond them constant.
+/// A stretch that can change with the wavevector: its vector is linear in ln q between knots, constant beyond them.
 class StretchLaw {
 public:
     StretchLaw() = default;
-    /// log_wavevector: increasing; a vector a knot.
+    /// log_wavevector: increasing; one vector per knot.
     StretchLaw(std::vector<double> log_wavevector, std::vector<Eigen::Vector2d> vectors);
 
     [[nodiscard]] bool isotropic() const { return log_wavevector_.empty(); }
     [[nodiscard]] Stretch at(double wavevector) const;
     [[nodiscard]] Index knots() const { return static_cast<Index>(log_wavevector_.size()); }
     [[nodiscard]] double log_wavevector(Index knot) const { return log_wavevector_[static_cast<std::size_t>(knot)]; }
-    /// Both components of all knots, one after the other.
+    /// Both components of all knots, in sequence.
     [[nodiscard]] Eigen::VectorXd values() const;
     [[nodiscard]] StretchLaw with(const Eigen::VectorXd& values) const;
 
@@ -44,7 +44,7 @@ private:
     std::vector<Eigen::Vector2d> vectors_;
 };
 
-/// What a map shows of the stretch over half a decade.
+/// Stretch of a map in half a decade.
 struct ObservedStretch {
     double wavevector = 0.0;  ///< in the middle [1/m]
     Stretch stretch;
@@ -54,23 +54,23 @@ struct ObservedStretch {
 /// Stretch of a map by the angles of its waves: maximum likelihood of its Hann-windowed C2D on annuli of a tenth of a
 /// decade, E = A m^−p with A and the local exponent p of each annulus.
 ///
-/// Waves from eight periods of the map's shorter side to half its Nyquist wavevector, below band.upper and where the
-/// mean power is twenty times the least of any annulus. The five lowest wavevectors along the lines are left out, which
-/// offsets and trends of lines leave their mark on. More scatter than exponential variates have widens the errors.
-/// Empty for maps with undefined heights or without waves left.
+/// Waves from eight periods of the shorter side of the map to half its Nyquist wavevector, below band.upper and with
+/// mean power above twenty times the smallest of any annulus. The five lowest wavevectors along the lines are left out,
+/// because offsets and trends of lines affect them. Scatter above that of exponential variates increases the errors.
+/// Empty for maps with undefined heights or without remaining waves.
 /// Source: derived here; docs/concepts/likelihood.md.
 [[nodiscard]] std::vector<ObservedStretch> observed_stretch(const topography::HeightMap& map, const Band& band,
                                                             parallel::Threads threads = {});
 
-/// The stretch of a surface by its maps, and whether they show one.
+/// The stretch of a surface from its maps, and whether it is significant.
 struct StretchOfMaps {
     StretchLaw law;               ///< isotropic unless p < 0.01 and s > 1.05
     Eigen::MatrixXd information;  ///< of law.values()
     double constancy = 1.0;       ///< probability of differences between maps and scales as large by chance
 };
 
-/// One stretch for all scales where maps and scales agree (p > 0.001), else a knot each decade. Scatter beyond the
-/// errors widens them.
+/// One stretch for all scales if maps and scales agree (p > 0.001), otherwise one knot per decade. Scatter beyond the
+/// errors increases them.
 [[nodiscard]] StretchOfMaps combined_stretch(const std::vector<ObservedStretch>& observed);
 
 }  // namespace setae::spectral_fit

@@ -8,14 +8,15 @@
 
 namespace setae::synthesis {
 
-/// √C as a function of q², by parabolas in 128 cells an octave of q².
+/// √C as a function of q², by parabolas in 128 cells per octave of q².
 ///
-/// The cells are those of the floating-point numbers, so a wavevector has the same amplitude in tables of any range.
-/// A cell whose parabola misses √C by more than 1e-6 at two points between (jumps, kinks, steep falls) calls C itself.
+/// The cells are those of the floating-point numbers, so a wavevector has the same amplitude in tables of any range. A
+/// cell whose parabola differs from √C by more than 1e-6 at two points between (jumps, kinks, steep falls) evaluates C
+/// directly.
 class AmplitudeTable {
 public:
     /// lowest, highest: range of q² [1/m²], 0 < lowest <= highest.
-    /// @throws InvalidArgument where C is negative or not finite, here or in later calls.
+    /// @throws InvalidArgument if C is negative or not finite, here or in later calls.
     AmplitudeTable(const spectra::SpectralDensity& density, double lowest, double highest);
 
     /// √C at q² within the range. Any number of threads may call it.
@@ -23,7 +24,7 @@ public:
 
 private:
     struct Cell {
-        double value, linear, square;  ///< NaN, 0, 0: C itself
+        double value, linear, square;  ///< NaN, 0, 0: C is evaluated directly
     };
 
     [[nodiscard]] double exact(double squared_wavevector) const;

@@ -35,23 +35,25 @@ struct LinePath {
     double step = 0.0;  ///< [m]
 };
 
-/// One surface over the whole plane with all its scales, seen through windows of any size and pixel without being held.
+/// One surface over the whole plane with all its scales, evaluated in windows of any size and pixel without being
+/// stored.
 ///
 ///   h(r) = Σ_b h_b(r),  h_b from the modes with 2^(b−1) < q <= 2^b rad/m,  ⟨|h_q|²⟩ = ∫ C_iso d²q/4π² over the mode's
 ///   cell
 ///
-/// Octave b is a periodic patch of its own, 128 of its shortest wavelengths wide, turned by an angle of its own; the
-/// last one holds all longer wavelengths, its period is at least the longest. No two octaves repeat together, and a
-/// line meets thousands of different places of a patch before it comes back near one. Modes have their expected |h_q|
-/// and random phases, so the surface as a whole has the spectrum C_iso itself, and what a window shows scatters as for
-/// any surface. What this costs: in a window with more than 128² of an octave's shortest wavelengths that octave has no
-/// more than its 10⁴ independent modes.
+/// Octave b is a separate periodic patch, 128 of its shortest wavelengths wide, rotated by its own angle; the last one
+/// contains all longer wavelengths, and its period is at least the longest. No two octaves have a common period, and a
+/// line crosses thousands of different places of a patch before it returns near one. Modes have their expected |h_q|
+/// and random phases, so the surface as a whole has the spectrum C_iso, and windows scatter as for any surface.
+/// Limitation: in a window with more than 128² of the shortest wavelengths of an octave, that octave has only its 10⁴
+/// independent modes.
 ///
-/// The numbers of an octave belong to key and b: other limits of wavelengths leave it as it is. Heights are a function
-/// of the point: windows agree wherever they overlap, to the rounding of positions (10⁷ wavelengths from the origin:
-/// 1e-8 of the octave's rms), and steps longer than a wavelength alias as an instrument's do. Interpolation inside a
-/// patch: 2e-7 of the octave's rms. Spectrum smeared by a mode's cell, 1/64 to 1/128 of q. Same bytes for any number of
-/// threads. Memory: 2 MiB an octave. Cost: 10 ms an octave, then 0.1 to 0.2 µs a point and octave.
+/// The numbers of an octave depend on key and b: other limits of wavelengths do not change it. Heights are a function
+/// of the point: overlapping windows agree to the rounding of positions (10⁷ wavelengths from the origin: 1e-8 of the
+/// rms of the octave), and steps longer than a wavelength cause aliasing as with an instrument. Interpolation error
+/// inside a patch: 2e-7 of the rms of the octave. The spectrum is smeared by the cell of a mode, 1/64 to 1/128 of q.
+/// Same bytes for any number of threads. Memory: 2 MiB per octave. Cost: 10 ms per octave, then 0.1 to 0.2 µs per point
+/// and octave.
 class MultiscaleSurface {
 public:
     /// @throws InvalidArgument unless 0 < shortest < longest, or for a C_iso that is negative, not finite or zero
@@ -67,7 +69,7 @@ public:
     /// @throws InvalidArgument for sizes that differ or positions that are not finite.
     [[nodiscard]] Array1D heights_at(const ArrayView1D& x, const ArrayView1D& y) const;
 
-    /// Of the whole surface: √(Σ C/A) over all modes [m], and √(Σ q² C/A).
+    /// For the whole surface: √(Σ C/A) over all modes [m], and √(Σ q² C/A).
     [[nodiscard]] double rms_height() const;
     [[nodiscard]] double rms_slope() const;
 

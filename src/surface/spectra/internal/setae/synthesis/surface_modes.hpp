@@ -14,8 +14,8 @@ public:
     /// @throws InvalidArgument as random_surface.
     SurfaceModes(const spectra::SpectralDensity& C_iso, const SurfaceGrid& grid, const SurfaceOptions& options);
 
-    /// modes[k] = c(kx, ky) for kx = 0 … nx/2, then the negative ones; ky = 0 … ny/2. Lines that hold conjugate pairs
-    /// obey c(−kx, ky) = conj c(kx, ky).
+    /// modes[k] = c(kx, ky) for kx = 0 … nx/2, then the negative ones; ky = 0 … ny/2. Lines with conjugate pairs
+    /// satisfy c(−kx, ky) = conj c(kx, ky).
     void line(Index ky, std::complex<double>* modes) const;
 
     /// Sums of ⟨|c|²⟩ and of q² ⟨|c|²⟩ over all modes of the lines ±ky.
