@@ -96,7 +96,7 @@ std::string changed(std::string_view text, const Change& change) {
 
 namespace {
 
-/// Letters U+00C0 to U+017F in lower case without accents; digits stand for two letters.
+/// Letters U+00C0 to U+017F in lower case without accents; digits mean two letters.
 constexpr std::string_view base_letters =
     "aaaaaa1ceeeeiiiidnooooo*ouuuuy42aaaaaa1ceeeeiiiidnooooo*ouuuuy4y"
     "aaaaaaccccccccddddeeeeeeeeeegggggggghhhhiiiiiiiiii55jjkkklllllll"

@@ -68,7 +68,7 @@ Direction direction_from(Bits bits) {
             std::bit_cast<double>(turned_s ^ ((quarter >> 1) << 63))};
 }
 
-/// Numbers computed together, so that the compiler vectorises the loops.
+/// Numbers computed together, so the compiler vectorises the loops.
 constexpr Index batch = 128;
 using Batch = std::array<Bits, batch>;
 

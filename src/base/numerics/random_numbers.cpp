@@ -26,7 +26,7 @@ std::complex<double> normal_pair(RandomKey key, std::uint64_t block) {
 }  // namespace
 
 RandomKey substream(RandomKey key, std::uint64_t index) {
-    // a separate key, so that no number drawn elsewhere becomes the key of a stream
+    // a separate key, so no number drawn elsewhere becomes the key of a stream
     constexpr std::uint64_t naming = 0x73756273747265ULL;
     return {key.seed, random_block({key.seed ^ naming, key.stream}, index)[0]};
 }

@@ -109,7 +109,7 @@ zip_stat_t announced(zip* archive, std::uint64_t index, const Source& source) {
     return stat;
 }
 
-/// A member expanded when it is asked for, as far as it is asked for while that is little, then whole and once,
+/// A member expanded when it is requested, as far as it is requested while that is little, then whole and once,
 /// whichever thread asks.
 struct Close {
     void operator()(zip* archive) const { zip_discard(archive); }

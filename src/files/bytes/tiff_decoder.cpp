@@ -73,7 +73,7 @@ public:
         TIFFOpenOptionsSetMaxSingleMemAlloc(options.get(), static_cast<tmsize_t>(max_memory));
         TIFFOpenOptionsSetErrorHandlerExtR(options.get(), keep_complaint, &stream_);
         TIFFOpenOptionsSetWarningHandlerExtR(options.get(), ignore_warning, &stream_);
-        // r: read, m: not mapped, h: no directory before one is asked for
+        // r: read, m: not mapped, h: no directory before one is requested
         tiff_.reset(TIFFClientOpenExt("pixels", "rmh", &stream_, read_stream, refuse_writing, seek_stream, close_stream,
                                       size_of_stream, nullptr, nullptr, options.get()));
         if (!tiff_ || !TIFFSetSubDirectory(tiff_.get(), pieces_.directory)) fail(pieces_.directory);

@@ -25,7 +25,7 @@ std::uint64_t type_bytes(std::uint16_t type) {
     return type < sizes.size() ? sizes[type] : 0;
 }
 
-/// Numbers one after another in bytes that were read for them, so that no more of the file is touched.
+/// Numbers one after another in bytes that were read for them, so no more of the file is touched.
 struct Numbers {
     std::string bytes;
     std::endian order = std::endian::little;
@@ -125,7 +125,7 @@ Directory directory_at(const Source& source, const std::string& format, const He
     return directory;
 }
 
-/// A value as the real number it stands for; nothing for texts and bytes of no meaning.
+/// A value as the real number it means; nothing for texts and bytes of no meaning.
 std::optional<double> value_of(Numbers& numbers, std::uint16_t type) {
     switch (type) {
         case 1: return numbers.next<std::uint8_t>();

@@ -45,7 +45,7 @@ std::string refusal(const std::error_code& error) {
     }
 }
 
-/// What a path leads to in place of a file; nothing where that is one.
+/// What a path leads to instead of a file; empty if that is one.
 const char* other_kind(const std::optional<platform::FileFacts>& facts) {
     if (!facts) return nullptr;
     switch (facts->kind) {
@@ -94,7 +94,7 @@ public:
         if (kept_) --kept_open();
     }
 
-    /// @throws FileError where the bytes cannot be read, or another program changed the file since it was opened.
+    /// @throws FileError if the bytes cannot be read, or another program changed the file since it was opened.
     void read(std::uint64_t offset, std::uint64_t count, char* target) {
         const auto file = opened();
         const bool whole = file->read(offset, count, target);
@@ -231,7 +231,7 @@ Source source_of(const std::string& path) {
     return source;
 }
 
-/// The archive that a path leads into, as "a.zip" of "a.zip/scans/x.txt"; nothing where it leads into none.
+/// The archive that a path leads into, as "a.zip" of "a.zip/scans/x.txt"; empty if it leads into none.
 std::optional<std::string> archive_on_the_way(const std::string& path) {
     for (auto slash = path.find('/', 1); slash != std::string::npos; slash = path.find('/', slash + 1)) {
         const auto outer = path.substr(0, slash);
@@ -242,7 +242,7 @@ std::optional<std::string> archive_on_the_way(const std::string& path) {
     return std::nullopt;
 }
 
-/// A member of an archive under the path that leads to it. @throws FileError where the archive has no such member.
+/// A member of an archive under the path that leads to it. @throws FileError if the archive has no such member.
 Source member_source(const std::string& path, const std::string& outer) {
     const auto file = source_of(outer);
     const Archive archive(file);

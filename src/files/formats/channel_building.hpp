@@ -24,8 +24,8 @@ void read_as_a_whole(Channel& channel, std::function<topography::Measurement()> 
 /// A channel that is unlikely to contain heights: listed with the reason, and read only if the user chooses it.
 [[nodiscard]] Channel doubtful_channel(Channel channel, const std::string& reason);
 
-/// A channel for a member that cannot be opened, so that the others can be read: it has the warning UNREADABLE_MEMBER,
-/// and its `read` throws the currently handled error, whose text is `reason`.
+/// A channel for a member that cannot be opened, so the others can be read: it has the warning UNREADABLE_MEMBER, and
+/// its `read` throws the currently handled error, whose text is `reason`.
 [[nodiscard]] Channel unreadable_member(const bytes::Source& source, const std::string& name,
                                         const std::string& reason);
 

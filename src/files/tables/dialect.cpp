@@ -49,7 +49,7 @@ Groups groups_of(std::string_view number, std::string_view sign) {
 /// What groups thousands and begins no decimals: a blank in its three widths, the Swiss apostrophes.
 constexpr std::array<std::string_view, 6> plain_group_signs{{" ", "\u00a0", "\u202f", "\u2009", "'", "\u2019"}};
 
-/// A number, without quotes, without the signs between its groups; nothing where it has none, or where they may as well
+/// A number, without quotes, without the signs between its groups; empty if it has none, or where they may as well
 /// begin decimals.
 std::optional<std::string> without_groups(std::string_view cell, const Dialect& dialect) {
     const char other = dialect.decimal_point == '.' ? ',' : '.';

@@ -68,7 +68,7 @@ std::optional<HeaderCell> with_trailing_unit(std::string_view cell) {
     return HeaderCell{std::string(trimmed(cell.substr(0, at))), std::string(cell.substr(at + 1))};
 }
 
-/// "force_mN"; one letter counts behind a word only: "force_N", not "x_m".
+/// "force_mN"; one letter counts after a word only: "force_N", not "x_m".
 std::optional<HeaderCell> with_underscore(std::string_view cell) {
     const auto at = cell.rfind('_');
     if (at == std::string_view::npos || at == 0 || !is_plain_unit(cell.substr(at + 1))) return std::nullopt;

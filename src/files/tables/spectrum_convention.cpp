@@ -54,7 +54,7 @@ std::string all_words(const RawTable& table) {
     return folded(text);
 }
 
-/// "one", "two", or nothing where no word says it.
+/// "one", "two", or empty if no word says it.
 std::string sides_in(const std::string& text) {
     std::string plain;
     for (const char c : text)
@@ -64,7 +64,7 @@ std::string sides_in(const std::string& text) {
     return "";
 }
 
-/// What the first column holds by its unit and name; nothing where both a wavevector and a frequency may be meant.
+/// What the first column holds by its unit and name; empty if both a wavevector and a frequency may be meant.
 std::string quantity_of(const RawTable::RawColumn& column) {
     if (is_unit_of(column.unit, dimension::length)) return wavelength;
     const auto unit = folded(column.unit), name = bare(column.name);

@@ -17,7 +17,7 @@ namespace setae::tables {
 namespace {
 
 constexpr std::uint64_t chunk_bytes = 1 << 20;
-/// Lines are gathered before they are turned into their places, so that what is written beside each other is written
+/// Lines are gathered before they are turned into their places, so that what is written next to each other is written
 /// together.
 constexpr Index max_gathered = 16;
 constexpr std::size_t gathered_numbers = 1 << 17;
@@ -38,7 +38,7 @@ struct Chunk {
     std::optional<std::uint64_t> first;  ///< byte of the first line that begins in it
     std::uint64_t lines = 0;
     Index rows = 0;
-    std::uint64_t last_row = 0;  ///< byte of the last line of numbers, where there is one
+    std::uint64_t last_row = 0;  ///< byte of the last line of numbers, if there is one
     std::uint64_t last_row_line = 0;
     std::vector<NumberLines::Break> breaks;
 };

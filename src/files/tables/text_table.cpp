@@ -13,7 +13,7 @@
 namespace setae::tables {
 namespace {
 
-/// Lines of cells; a quoted cell may go on over lines.
+/// Lines of cells; a quoted cell may continue over lines.
 std::vector<TextTable::Row> rows_of(std::string_view text, char separator, std::size_t line) {
     std::vector<TextTable::Row> rows;
     TextTable::Row row{.line = line};

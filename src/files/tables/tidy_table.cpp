@@ -104,7 +104,7 @@ std::size_t before_last(const TextCells& cells) {
     return std::accumulate(cells.widths.begin(), cells.widths.end() - 1, 2 * cells.widths.size());
 }
 
-/// Lines of a table: columns as wide as their widest cell; a last cell that goes beyond `width` goes on below itself.
+/// Lines of a table: columns as wide as their widest cell; a last cell that goes beyond `width` continues below itself.
 std::string aligned(const TidyTable& table, const TextCells& cells, std::size_t width = std::string::npos) {
     if (table.columns.empty()) return table.title.empty() ? "" : table.title + "\n";
     const auto indent = before_last(cells);

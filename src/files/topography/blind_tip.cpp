@@ -93,7 +93,7 @@ public:
     }
 
 private:
-    /// Lowest heights of the tip that the image around a point allows; nothing where the tip fulfils them.
+    /// Lowest heights of the tip that the image around a point allows; empty if the tip fulfils them.
     std::optional<Array2D> demand(Point point) const {
         constexpr int between_checks = 8;
         const Index nx = tip_.rows(), ny = tip_.cols();

@@ -13,7 +13,7 @@ namespace setae::topography {
 struct OrientedCurve {
     Array1D x, y;            ///< [m], y about the mean line
     Array1D along;           ///< length from the beginning of the curve [m]
-    Array1D standard_error;  ///< along the normal [m]; empty where unknown
+    Array1D standard_error;  ///< along the normal [m]; empty if unknown
 
     [[nodiscard]] OrientedCurve points(const std::vector<Index>& chosen) const;
 
@@ -21,7 +21,7 @@ struct OrientedCurve {
     [[nodiscard]] double x_at(double length) const;
 
     /// Standard errors along h [m]: those along the normal divided by the cosine of the slope over five points, at most
-    /// by the cosine 0.1. Empty where unknown.
+    /// by the cosine 0.1. Empty if unknown.
     [[nodiscard]] Array1D height_error() const;
 };
 
@@ -31,7 +31,7 @@ struct Orientation {
 };
 
 /// Defined points that differ from their predecessors; a closed outline's last one also from its first.
-/// @throws InvalidArgument for arrays of different size; UndefinedDataError where fewer than two are left.
+/// @throws InvalidArgument for arrays of different size; UndefinedDataError if fewer than two are left.
 [[nodiscard]] std::vector<Index> distinct_points(const TracedCurve& traced);
 
 /// A closed outline is reduced to its upper part from the leftmost to the rightmost point, not rotated; heights about

@@ -6,7 +6,7 @@
 namespace setae::topography {
 
 /// Highest minus lowest defined height of the surface, or the one of the options.
-/// @throws InvalidArgument for infinite heights or a negative range, UndefinedDataError where nothing is defined.
+/// @throws InvalidArgument for infinite heights or a negative range, UndefinedDataError if nothing is defined.
 [[nodiscard]] double height_range(const HeightMap& surface, const DilationOptions& options);
 
 /// Distance [m] from its axis at which a tip can touch within a height range; for an ArrayTip that of its last finite

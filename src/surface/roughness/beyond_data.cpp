@@ -78,7 +78,7 @@ double abel_factor(double p) {
     return p < -1.0 ? 2.0 * std::sqrt(pi) * std::exp(log_gamma(-0.5 * p) - log_gamma(0.5 * (-p - 1.0))) : 0.0;
 }
 
-/// How C_iso goes on from an end.
+/// How C_iso continues from an end.
 struct PowerLaw {
     double exponent = 0.0, standard_error = 0.0;
     double level = 0.0;  ///< of the curve at the end

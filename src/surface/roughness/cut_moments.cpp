@@ -34,7 +34,7 @@ public:
         moments_.fifth += weight * (upper.fifth - lower.fifth);
     }
 
-    /// From one wavevector to another within a piece. K rises like a root behind either end of the band, which s = from
+    /// From one wavevector to another within a piece. K rises like a root after either end of the band, which s = from
     /// + (to − from) t² makes smooth.
     void add_finite(const LinePiece& piece, double from, double to) {
         using Rule = boost::math::quadrature::gauss<double, 10>;

@@ -39,7 +39,7 @@ struct Sums {
 };
 
 /// Row i of a map, or of a band of its lines, with its neighbours (null beyond an open border) and what their
-/// differences are scaled by. Sums run over the points begin … end − 1; those beside them are looked at.
+/// differences are scaled by. Sums run over the points begin … end − 1; those next to them are looked at.
 struct Neighbourhood {
     const double* previous;
     const double* row;
@@ -53,7 +53,7 @@ struct Neighbourhood {
     bool periodic;
 };
 
-/// Per-line sums along x, one entry a line: Σ h, Σ h², points.
+/// Per-line sums along x, one entry per line: Σ h, Σ h², points.
 struct LineSums {
     double* h;
     double* h2;
@@ -66,7 +66,7 @@ struct Sum {
     double count = 0.0;
 };
 
-/// Σ term(j), first <= j < last, in independent lanes, so that it vectorises without reassociation.
+/// Σ term(j), first <= j < last, in independent lanes, so it vectorises without reassociation.
 template <bool checked, class Term>
 Sum sum_of(Index first, Index last, Term term) {
     constexpr Index lanes = 8;
@@ -163,7 +163,7 @@ double variance(double sum, double sum2, double count) {
     throw UndefinedDataError("no height is defined, so that there is no rms height");
 }
 
-/// Scan lines of a map that are looked at together with those beside them.
+/// Scan lines of a map that are looked at together with those next to them.
 struct ScanLines {
     const ArrayView2D& heights;  ///< (nx, lines)
     Index begin, end;            ///< the lines summed over

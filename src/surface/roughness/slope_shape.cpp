@@ -83,7 +83,7 @@ SlopeShape slope_shape(const topography::HeightMap& map, double rms_slope, paral
     std::vector<Classes> parts(static_cast<std::size_t>((rows + together - 1) / together));
     parallel::for_each_index(parts.size(), threads, [&](std::size_t part) {
         const Index first = static_cast<Index>(part) * together;
-        std::array<Classes, 4> of_triangle;  // neighbours are alike: four tables, so that no sum waits for the last
+        std::array<Classes, 4> of_triangle;  // neighbours are alike: four tables, so no sum waits for the last
         const auto square = [](double x) { return x * x; };
         for (Index i = first; i < std::min(rows, first + together); ++i) {
             const double *lower = map.heights.data() + i * ny, *upper = map.heights.data() + (i + 1) % nx * ny;

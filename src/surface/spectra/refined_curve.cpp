@@ -26,7 +26,7 @@ public:
         Node to{q, function_(q)};
         const bool ends = !(to.value > 0.0);
         if (ends) {
-            // bisected, so that the end is not moved to a node
+            // bisected, so the end is not moved to a node
             Node outside = to;
             to = nodes_.back();
             for (int round = 0; round < 60; ++round) {

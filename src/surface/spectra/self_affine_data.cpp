@@ -98,7 +98,8 @@ private:
     static constexpr int aliases = 4;
 
     [[nodiscard]] double mode(const SelfAffineLines& lines, const spectra::SelfAffine& model, double q) const {
-        // |1 at k, −½ beside it|² of Hann, scaled to keep the mean square; below the first mode C1D stays at half of it
+        // |1 at k, −½ next to it|² of Hann, scaled to keep the mean square; below the first mode C1D stays at half of
+        // it
         double sum = hann_ ? (2.0 / 3.0) * (lines(q) + 0.25 * (lines(std::max(q - fundamental_, 0.5 * fundamental_)) +
                                                                lines(q + fundamental_)))
                            : lines(q);
@@ -141,8 +142,8 @@ SelfAffineFit fit_self_affine(const CombinedSpectrum& spectrum, const SelfAffine
 
 namespace {
 
-/// Modes of one measurement up to q_max in groups, and what they are expected to be; nothing where none is in its
-/// reliable band.
+/// Modes of one measurement up to q_max in groups, and what they are expected to be; empty if none is in its reliable
+/// band.
 std::optional<FittedValues> values_up_to(double q_max, const MeasuredSpectrum& spectrum) {
     auto groups = groups_of(spectrum, q_max);
     if (groups.empty()) return std::nullopt;

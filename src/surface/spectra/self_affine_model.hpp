@@ -15,8 +15,8 @@ namespace setae::spectra {
     return model.plateau * std::pow(wavevector / model.rolloff_wavevector, -2.0 - 2.0 * model.hurst_exponent);
 }
 
-/// C1D [m³] of lines through a self-affine surface, tabulated: 40 nodes a decade, ln(C1D/√(1 − (q/q_s)²)) linear in ln
-/// q between them. Within 5e-4; 0 from q_s on.
+/// C1D [m³] of lines on a self-affine surface, tabulated: 40 nodes per decade, ln(C1D/√(1 − (q/q_s)²)) linear in ln q
+/// between them. Within 5e-4; 0 from q_s on.
 class SelfAffineLines {
 public:
     SelfAffineLines(const spectra::SelfAffine& model, double lowest, double highest);

@@ -103,7 +103,7 @@ void bare_read(benchmark::State& state) {
     state.SetBytesProcessed(state.iterations() * static_cast<std::int64_t>(file_bytes));
 }
 
-/// Bytes are those of the file the heights would come from, of 4 bytes a sample.
+/// Bytes are those of the file the heights would come from, of 4 bytes per sample.
 void fresh_memory(benchmark::State& state) {
     for (auto _ : state) {
         const std::unique_ptr<double[]> memory(new double[file_bytes / 4]);

@@ -34,14 +34,14 @@ bool is_taken(const ContainerDraft& draft, const std::string& name) {
                        [&](const ContainerMember& member) { return member.name == name; });
 }
 
-/// The name, or the name behind the first number that makes it the only one.
+/// The name, or the name after the first number that makes it the only one.
 std::string free_name(const ContainerDraft& draft, const std::string& name) {
     auto free = name;
     for (int number = 1; is_taken(draft, free); ++number) free = fmt::format("{}-{}", number, name);
     return free;
 }
 
-/// A file's name in letters that every program takes, behind the number of its measurement.
+/// A file's name in letters that every program takes, after the number of its measurement.
 std::string member_name(std::size_t number, const std::string& path) {
     auto name = std::filesystem::path(path).filename().string();
     for (auto& character : name)
@@ -131,7 +131,7 @@ double without_rounding(double number) { return std::stod(fmt::format("{:.15g}",
 
 ContainerLength in_nanometres(double length) { return {.value = without_rounding(length / units::nm), .unit = "nm"}; }
 
-/// What a file says of its instrument, and what is known beside it.
+/// What a file says of its instrument, and what is known next to it.
 topography::Instrument with_given(topography::Instrument instrument, const topography::Instrument& given) {
     if (!given.name.empty()) instrument.name = given.name;
     if (!given.type.empty()) instrument.type = given.type;
@@ -219,7 +219,7 @@ std::string plain_content(const Measurement& measurement, const std::string& uni
     return netcdf_content(measurement, unit);
 }
 
-/// What came from the instrument goes beside an original that says the same in a layout others read.
+/// What came from the instrument goes next to an original that says the same in a layout others read.
 void put_source_beside(const std::function<Measurement()>& read, bool is_map, ContainerDraft& draft,
                        ContainerTopography& topography) {
     auto& [original, source, source_channel, squeezed, rest] = topography.datafile;

@@ -35,7 +35,7 @@ struct MemberEntry {
     std::vector<Alert> alerts;
 };
 
-/// A field that was kept because it is not what it should be decides how a file is read: it is not passed over.
+/// A field that was kept because it is not what it should be decides how a file is read: it is not skipped.
 void require_understood(const ContainerTopography& topography) {
     if (topography.extra.empty()) return;
     const auto kept = nlohmann::json::parse(topography.extra);

@@ -28,7 +28,7 @@ namespace {
 
 using nlohmann::json;
 
-/// What stands beside a file of numbers "name.dat" in "name.txt"; nothing where that is no description of dabam.
+/// What stands next to a file of numbers "name.dat" in "name.txt"; empty if that is no description of dabam.
 std::optional<json> description_of(const bytes::Source& source) {
     constexpr std::uintmax_t most = 1 << 20;
     if (source.path.empty()) return std::nullopt;
@@ -70,7 +70,7 @@ Quantity quantity_of(const std::string& name) {
     return word.find("heig") != std::string::npos ? Quantity::heights : Quantity::unknown;
 }
 
-/// A column beside the positions.
+/// A column next to the positions.
 struct Ordinate {
     std::size_t column = 1;
     std::string name;
@@ -84,7 +84,7 @@ struct DabamColumns {
     topography::Metadata metadata;
 };
 
-/// Columns of a header row at tabs or, where there are none, at two blanks or more.
+/// Columns of a header row at tabs or, if there are none, at two blanks or more.
 std::vector<std::string> names_of(std::string_view line) {
     std::vector<std::string> names;
     const bool tabs = line.find('\t') != std::string_view::npos;
@@ -168,7 +168,7 @@ DabamColumns columns_of(const tables::TextStart& start) {
     return columns;
 }
 
-/// Unit of heights or slopes that a factor stands for.
+/// Unit of heights or slopes that a factor means.
 std::string unit_name(double factor, bool slopes) {
     static constexpr std::pair<double, const char*> prefixes[] = {{1.0, ""}, {1e-3, "m"}, {1e-6, "µ"}, {1e-9, "n"}};
     for (const auto& [value, prefix] : prefixes)

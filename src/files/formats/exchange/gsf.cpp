@@ -62,7 +62,7 @@ Index gsf_count(const GsfHeader& header, const std::string& key, const bytes::So
     return static_cast<Index>(tables::header_count(*text, key, source, gsf_name));
 }
 
-/// An extent [m]; 0 where the file states none, or none of length.
+/// An extent [m]; 0 if the file states none, or none of length.
 double gsf_length(const GsfHeader& header, const std::string& key, double metre, const bytes::Source& source) {
     const auto* text = header.find(key);
     return text ? std::abs(tables::header_number(*text, key, source, gsf_name)) * metre : 0.0;

@@ -20,7 +20,7 @@
 #include "storage/raster.hpp"
 
 // Gwyddion's own files: "GWYP", then one object: name, 0, size (32 bits), components; a component: name, 0, type,
-// value. Types: b c i q d s o, in capitals their arrays behind a count of 32 bits. All little-endian. "/N/data" of the
+// value. Types: b c i q d s o, in capitals their arrays after a count of 32 bits. All little-endian. "/N/data" of the
 // container is the N-th map.
 namespace setae::formats {
 namespace {

@@ -35,8 +35,8 @@ void keep_attributes(const Attributes& attributes, topography::Metadata& metadat
     }
 }
 
-/// Extents [m] from the distance of neighbours [µm] along each index, the attribute's last numbers; empty where it
-/// is not stated.
+/// Extents [m] from the distance of neighbours [µm] along each index, the attribute's last numbers; empty if it is not
+/// stated.
 std::vector<double> size_of(const StoredArray& array) {
     const auto found = std::find_if(array.attributes.begin(), array.attributes.end(),
                                     [](const Attribute& attribute) { return attribute.name == element_size; });

@@ -58,7 +58,7 @@ std::optional<double> metres_of(const std::string& unit) {
     return parsed && parsed->dimension == dimension::length ? std::optional(parsed->factor) : std::nullopt;
 }
 
-/// Metres of a pixel along x and y; nothing where the file states none.
+/// Metres of a pixel along x and y; empty if the file states none.
 std::optional<std::array<double, 2>> pixel_of(const bytes::TiffFile& file, const bytes::TiffPage& page,
                                               const ImageJText& imagej) {
     const auto x = file.number(page, TIFFTAG_XRESOLUTION), y = file.number(page, TIFFTAG_YRESOLUTION);

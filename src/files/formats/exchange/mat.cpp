@@ -12,8 +12,8 @@
 #include "storage/hdf5_file.hpp"
 #include "storage/height_likeness.hpp"
 
-// MATLAB: levels 4 and 5, and version 7.3, which is HDF5 behind a block of 512 bytes. A row of a matrix is a line
-// of the picture, the first row its top, as imagesc shows it.
+// MATLAB: levels 4 and 5, and version 7.3, which is HDF5 after a block of 512 bytes. A row of a matrix is a line of the
+// picture, the first row its top, as imagesc shows it.
 namespace setae::formats {
 namespace {
 

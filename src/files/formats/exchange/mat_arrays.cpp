@@ -54,7 +54,7 @@ bool is_name(std::string_view name) {
            std::all_of(name.begin(), name.end(), is_part);
 }
 
-/// The number of values of a shape; nothing where it is absurd.
+/// The number of values of a shape; empty if it is absurd.
 std::optional<std::uint64_t> values_in(const std::vector<Index>& shape) {
     std::uint64_t values = 1;
     for (const auto extent : shape) {
@@ -218,7 +218,7 @@ std::optional<Level4> level4_header(std::string_view head, std::endian order) {
     return header;
 }
 
-/// The name behind a header, if it is one.
+/// The name after a header, if it is one.
 std::optional<std::string> level4_name(std::string_view bytes) {
     if (bytes.empty() || bytes.back() != '\0') return std::nullopt;
     const std::string name(bytes.substr(0, bytes.find('\0')));

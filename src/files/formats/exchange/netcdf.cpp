@@ -77,7 +77,7 @@ std::optional<double> axis_length(const StoredArray& axis, Index points) {
     return step * n;
 }
 
-/// Extents of heights(x[, y]) [m]; empty where one is not known.
+/// Extents of heights(x[, y]) [m]; empty if one is not known.
 std::vector<double> uniform_size(const ArrayFile& file, const StoredArray& heights, const std::optional<double>& unit,
                                  const bytes::Source& source) {
     std::vector<double> size;
@@ -147,7 +147,7 @@ void add_info(topography::Metadata& metadata, const std::string& text) {
         metadata.instrument.tip_radius = instrument[value].get<double>() * length->factor;
 }
 
-/// Heights made undefined where the variable mask is not 0.
+/// Heights made undefined if the variable mask is not 0.
 void apply_mask(topography::Measurement& measurement, const StoredArray& mask) {
     const auto masked = values_of(mask, nc);
     std::visit(

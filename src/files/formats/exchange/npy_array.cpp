@@ -26,7 +26,7 @@ constexpr std::size_t max_dimensions_of_npy = 64;
     throw FormatError(source.name, {.offset = offset}, "NPY: " + what);
 }
 
-/// Text behind 'key': in the header's dictionary.
+/// Text after 'key': in the header's dictionary.
 std::string_view entry(std::string_view dictionary, std::string_view key, const bytes::Source& source) {
     const auto at = dictionary.find(fmt::format("'{}'", key));
     const auto colon = at == std::string_view::npos ? at : dictionary.find(':', at);

@@ -206,7 +206,7 @@ void keep_trailer(std::string_view text, topography::Metadata& metadata) {
     }
 }
 
-/// What stands behind the heights, as far as the last bytes of the file hold it.
+/// What stands after the heights, as far as the last bytes of the file hold it.
 void read_trailer(const bytes::Source& source, std::uint64_t data, topography::Metadata& metadata) {
     const auto from = std::max(data, source.size - std::min(source.size, longest_sdf_header));
     const auto tail = bytes::decoded(source.bytes(from, source.size - from), bytes::Encoding::detect);
@@ -224,7 +224,7 @@ class Words {
 public:
     Words(const bytes::Source& source, std::uint64_t offset) : source_(source), next_(offset), at_(offset) {}
 
-    /// The next word; empty behind the last.
+    /// The next word; empty after the last.
     std::string_view word() {
         for (;;) {
             const auto begin = piece_.find_first_not_of(" \t\r\n", used_);

@@ -12,8 +12,8 @@
 #include "storage/stored_array.hpp"
 
 // What TopoStats keeps of an image: HDF5 with the heights [nm] as "image", those before its filters as
-// "image_original", and the nanometres of a pixel as "pixel_to_nm_scaling"; masks, traces, statistics and settings
-// beside them.
+// "image_original", and the nanometres of a pixel as "pixel_to_nm_scaling"; masks, traces, statistics and settings next
+// to them.
 namespace setae::formats {
 namespace {
 

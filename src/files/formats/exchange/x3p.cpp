@@ -99,7 +99,7 @@ std::optional<ValidPoints> valid_points(const Package& package, const X3pDocumen
     return ValidPoints{member, document.valid_checksum};
 }
 
-/// Calls undo(k) for every invalid point k = 0 … count − 1 behind `first`.
+/// Calls undo(k) for every invalid point k = 0 … count − 1 after `first`.
 template <class Undo>
 void for_each_invalid(const ValidPoints& valid, std::uint64_t first, std::uint64_t count, Undo undo) {
     require_checksum(valid.bits, valid.checksum);
@@ -241,7 +241,7 @@ double grid_step(const std::vector<double>& values, Index n, const char* axis, c
     return step;
 }
 
-/// Length of one step along an axis. @throws FormatError where neither increment nor positions tell it.
+/// Length of one step along an axis. @throws FormatError if neither increment nor positions tell it.
 template <class GridIndex>
 double step_of(const X3pAxis& axis, const std::vector<double>& values, Index n, const char* name,
                const bytes::Source& source, GridIndex index) {

@@ -26,7 +26,7 @@ constexpr double greatest_float = 1.7e38;
 
 using BcrHeader = std::map<std::string, std::string>;
 
-/// Bytes of a character of the header: 1 or 2; 0 where the bytes are no such header.
+/// Bytes of a character of the header: 1 or 2; 0 if the bytes are no such header.
 std::uint64_t character_bytes(std::string_view head) {
     using namespace std::string_view_literals;
     const bool wide =

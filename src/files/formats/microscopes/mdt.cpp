@@ -123,7 +123,7 @@ MdtAxis read_axis(bytes::Cursor& cursor) {
     return axis;
 }
 
-/// Text of announced length at the cursor; empty where it would leave its frame.
+/// Text of announced length at the cursor; empty if it would leave its frame.
 std::string title_at(bytes::Cursor& cursor, std::uint64_t end) {
     if (cursor.position() + 4 > end) return {};
     const auto length = cursor.number<std::uint32_t>();

@@ -43,7 +43,7 @@ NanonisEntries nanonis_entries(const std::string& head) {
     return entries;
 }
 
-/// The first line below a key; empty where there is none.
+/// The first line below a key; empty if there is none.
 std::string first_line(const NanonisEntries& entries, const std::string& key) {
     const auto found = entries.find(key);
     return found == entries.end() || found->second.empty() ? std::string() : found->second.front();
@@ -135,7 +135,7 @@ Match detect_nanonis(std::string_view head, const bytes::Source&) {
                                                                                                        : Match::no;
 }
 
-/// Where the numbers begin, behind what the header ends with.
+/// Where the numbers begin, after what the header ends with.
 std::uint64_t data_offset(std::uint64_t header_end, const bytes::Source& source) {
     const auto gap = source.up_to(header_end, longest_gap);
     const auto mark = gap.find(nanonis_data_mark);

@@ -42,8 +42,8 @@ std::uint64_t integer(const NanoscopeSection& section, std::string_view key, con
     return tables::nanoscope_integer(section, key, source);
 }
 
-/// What one unit of raw data stands for: in SI, and the unit it is written in; the factor of a unit setae does not know
-/// is 0.
+/// What one unit of raw data means: in SI, and the unit it is written in; the factor of a unit setae does not know is
+/// 0.
 struct ValueScale {
     double factor = 0.0;
     std::string unit;

@@ -47,7 +47,7 @@ topography::Metadata metadata_of(const tables::TextSections& sections, const byt
     return metadata;
 }
 
-/// Integers of a channel and the values they stand for.
+/// Integers of a channel and the values they mean.
 struct Values {
     Raster raster;
     double factor = 0.0, offset = 0.0;  ///< to Dim2Unit
@@ -70,7 +70,7 @@ Values values_of(const tables::TextSection& section, std::uint64_t at, const byt
     return values;
 }
 
-/// Extent [m] along each axis; empty where one is no length.
+/// Extent [m] along each axis; empty if one is no length.
 std::vector<double> size_of(const tables::TextSection& section, std::size_t dimensions, const bytes::Source& source) {
     std::vector<double> size;
     for (std::size_t k = 0; k < dimensions; ++k) {

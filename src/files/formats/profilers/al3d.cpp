@@ -88,7 +88,7 @@ Index count_of(const Tags& tags, const std::string& key, const bytes::Source& so
     return static_cast<Index>(value);
 }
 
-/// The floats that InvalidPixelValue stands for: all within its tolerance, a handful whatever its sign.
+/// The floats that InvalidPixelValue means: all within its tolerance, a handful whatever its sign.
 std::vector<double> undefined_values(const Tags& tags) {
     const auto at = tags.values.find("InvalidPixelValue");
     const auto marker = at == tags.values.end() ? std::nullopt : tables::finite_number(at->second);
@@ -105,7 +105,7 @@ std::vector<double> undefined_values(const Tags& tags) {
     return values;
 }
 
-/// The texture behind the depth image is not read, but a file without all of it is not whole: planes of bytes, rows
+/// The texture after the depth image is not read, but a file without all of it is not whole: planes of bytes, rows
 /// padded to 8.
 void require_texture(const Tags& tags, const Raster& depth, const bytes::Source& source) {
     if (!tags.values.contains("TextureImageOffset")) return;

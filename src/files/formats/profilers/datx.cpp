@@ -23,7 +23,7 @@ namespace {
 constexpr const char* datx = "datx";
 constexpr double huge = 1e30;  // what marks missing data is far above any height
 
-/// What the table says of an object; empty where it says nothing.
+/// What the table says of an object; empty if it says nothing.
 std::string related(const std::vector<Hdf5Record>& triples, const std::string& object, const std::string& relation) {
     const auto tells = [&](const Hdf5Record& triple) {
         return triple.texts.size() == 3 && triple.texts[0] == object && triple.texts[1] == relation;
@@ -65,7 +65,7 @@ std::optional<double> pixel(const Hdf5File& file, const std::string& path, const
     return record->numbers[1];
 }
 
-/// What one stored value is [m], and the unit it is stored in; nothing where that is no length.
+/// What one stored value is [m], and the unit it is stored in; empty if that is no length.
 struct HeightScale {
     double factor = 1.0;
     std::string unit;

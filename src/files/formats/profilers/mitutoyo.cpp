@@ -66,7 +66,7 @@ std::vector<Metric> metrics_of(const tables::SheetRows& data) {
     return metrics;
 }
 
-/// Unit behind the number of a length such as "0.08mm".
+/// Unit after the number of a length such as "0.08mm".
 std::string unit_of(const std::string& length) {
     const auto at = length.find_first_not_of("0123456789.,+- ");
     return at == std::string::npos ? "" : length.substr(at);
@@ -97,7 +97,7 @@ HeightCurve curve_of(const tables::SheetRows& data, const bytes::Source& source)
     return curve;
 }
 
-/// Entries of the certificate beside each other: name, then value.
+/// Entries of the certificate next to each other: name, then value.
 void take_certificate(const tables::SheetRows& certificate, topography::Metadata& metadata) {
     constexpr std::size_t date_row = 1, first_row = 42, last_row = 48, value_column = 4;
     metadata.acquisition_time = cell(certificate, date_row, value_column);

@@ -88,7 +88,7 @@ public:
         if (!found || found->size != sizeof(T)) return std::nullopt;
         return cursor_.number_at<T>(found->offset);
     }
-    /// UTF-16 behind a byte 4.
+    /// UTF-16 after a byte 4.
     std::string text(const MntEntry& entry, std::initializer_list<std::uint16_t> path) {
         constexpr std::uint64_t longest = 4096;
         const auto found = at(entry, path);

@@ -33,7 +33,7 @@ constexpr Index max_lines = 1 << 20;
     throw FormatError(source.name, {.line = line}, "NMM: " + what);
 }
 
-/// The member that describes the procedure; empty where the archive is of another kind.
+/// The member that describes the procedure; empty if the archive is of another kind.
 std::string description_member(const bytes::Archive& archive) {
     for (const auto& name : archive.names()) {
         const auto file = name.substr(name.find_last_of("/\\") + 1);
@@ -157,7 +157,7 @@ std::string line_member(const ScanField& field, Index scan, Index line) {
     return fmt::format("{}_{}_{}", field.prefix, scan + 1, line + 1);
 }
 
-/// Heights of one line behind those of the lines before; memory grows with what is there.
+/// Heights of one line after those of the lines before; memory grows with what is there.
 void read_line(const bytes::Archive& archive, const ScanField& field, Index scan, Index line,
                std::vector<double>& heights) {
     const auto member = line_member(field, scan, line);

@@ -13,7 +13,7 @@
 #include "storage/raster.hpp"
 
 // NMS files of NanoFocus: a header of fixed offsets and 3468 bytes, heights as integers of 2 bytes between two limits
-// in µm, then a picture of 1 byte a point. No signature: the header tells its own length, and the rest must agree.
+// in µm, then a picture of 1 byte per point. No signature: the header tells its own length, and the rest must agree.
 namespace setae::formats {
 namespace {
 

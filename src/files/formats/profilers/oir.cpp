@@ -38,7 +38,7 @@ struct OirContent {
         images;  ///< by name, without the number of the part at its end
 };
 
-/// What follows a block's header, letter by letter: t a text behind its length, i a number; behind 'n', as often as a
+/// What follows a block's header, letter by letter: t a text after its length, i a number; after 'n', as often as a
 /// number says.
 std::string_view layout_of(std::uint32_t block) {
     static constexpr std::string_view layouts[] = {"",    "t",    "t",     "t",   "t",   "ntt", "nti", "nti",
@@ -82,7 +82,7 @@ void read_list(bytes::Cursor& cursor, std::uint64_t end, OirContent& content) {
                         cursor.position(), end));
 }
 
-/// Points of an image: its name ends in "_0", longer images go on in parts "_1", "_2" …
+/// Points of an image: its name ends in "_0", longer images continue in parts "_1", "_2" …
 void read_points(bytes::Cursor& cursor, std::uint64_t end, OirContent& content) {
     cursor.skip(4);
     const auto size = cursor.number<std::uint32_t>();

@@ -15,7 +15,7 @@
 
 // Sensofar PLu: a head of 500 bytes (date as text of 128 bytes and as seconds since 1970, comment of 256 bytes,
 // calibration of the axes, configuration of the measurement), then layer after layer: rows, columns, float32 in µm row
-// after row, least and greatest, and pictures of 3 bytes a pixel. All little-endian.
+// after row, least and greatest, and pictures of 3 bytes per pixel. All little-endian.
 namespace setae::formats {
 namespace {
 
@@ -60,7 +60,7 @@ PluHead read_head(bytes::Cursor& cursor) {
     return head;
 }
 
-/// "Fri Mar 10 16:35:59 2023", NULs behind it.
+/// "Fri Mar 10 16:35:59 2023", NULs after it.
 bool is_date(std::string_view text) {
     static constexpr std::array days{"Mon", "Tue", "Wed", "Thu", "Fri", "Sat", "Sun"};
     static constexpr std::array months{"Jan", "Feb", "Mar", "Apr", "May", "Jun",

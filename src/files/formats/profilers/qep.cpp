@@ -24,7 +24,7 @@
 // Mahr MarWin QEP: a ZIP archive of profiles. A profile begins with "[p3dlin]", has its number of points at byte 20, at
 // byte 196 a table of texts (number, then length and characters of each; ">Key=Value"), the sections "[sellsg]" and
 // "[Trajec]", and 49 bytes after the beginning of the latter x, y, z [mm] as float64 and a float32 a point that is not
-// 0 where the point is invalid.
+// 0 if the point is invalid.
 namespace setae::formats {
 namespace {
 

@@ -20,8 +20,8 @@
 #include "storage/raster.hpp"
 
 // Digital Surf SUR and PRO: objects one after another, each with a header of 512 bytes, a comment, a private zone and
-// its points as integers of 16 or 32 bits, or as zlib streams behind a list of their lengths. Height = raw · z spacing
-// + z offset.
+// its points as integers of 16 or 32 bits, or as zlib streams after a list of their lengths. Height = raw · z spacing +
+// z offset.
 namespace setae::formats {
 namespace {
 
@@ -149,7 +149,7 @@ struct Stream {
     std::uint64_t offset = 0, size = 0, expanded = 0;
 };
 
-/// The points behind a list of streams, expanded when they are read; the cursor goes behind them.
+/// The points after a list of streams, expanded when they are read; the cursor goes after them.
 bytes::Source compressed_points(const SurHeader& header, bytes::Cursor& cursor) {
     const auto count = cursor.number<std::uint32_t>();
     if (count > cursor.remaining() / 8)
@@ -213,7 +213,7 @@ std::string orientation_text(const SurHeader& header) {
     return "rows from the top, as stored";
 }
 
-/// Extent along each direction [m]; nothing where a unit is missing or no length.
+/// Extent along each direction [m]; empty if a unit is missing or no length.
 std::vector<double> extent_of(const SurHeader& header) {
     const auto x = tables::try_parse_unit(header.x.unit),
                y = tables::try_parse_unit(header.lines > 1 ? header.y.unit : header.x.unit);

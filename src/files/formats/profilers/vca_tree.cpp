@@ -180,7 +180,7 @@ private:
     int count_ = 0;
 };
 
-/// n points of which the first and the last are `extent` apart; nothing where the file states no such length.
+/// n points of which the first and the last are `extent` apart; empty if the file states no such length.
 std::optional<double> whole_size(const VcaItem* extent, Index points) {
     if (!extent || points < 2) return std::nullopt;
     const auto unit = tables::try_parse_unit(extent->text);
@@ -188,8 +188,8 @@ std::optional<double> whole_size(const VcaItem* extent, Index points) {
     return extent->number * unit->factor * static_cast<double>(points) / static_cast<double>(points - 1);
 }
 
-/// What raw values are multiplied with to be metres; 0 where they are no heights. Without a stated scale, heights keep
-/// 1 and no unit.
+/// What raw values are multiplied with to be metres; 0 if they are no heights. Without a stated scale, heights keep 1
+/// and no unit.
 double height_factor(const VcaItem& data, ChannelInfo& info) {
     const auto* scale = data.find("DataScale");
     const auto kind = data.text_at("DataKind");

@@ -52,9 +52,9 @@ struct VcaItem {
     Index rows = 0, columns = 0;  ///< of matrices
     std::vector<VcaItem> children;
 
-    /// The entry at a path below this one, such as "MetaData/Date"; nullptr where there is none.
+    /// The entry at a path below this one, such as "MetaData/Date"; nullptr if there is none.
     [[nodiscard]] const VcaItem* find(std::string_view path) const;
-    /// Text of the string there; empty where there is none.
+    /// Text of the string there; empty if there is none.
     [[nodiscard]] std::string text_at(std::string_view path) const;
     [[nodiscard]] bool is_matrix() const { return type == VcaType::matrix || type == VcaType::anonymous_matrix; }
 };

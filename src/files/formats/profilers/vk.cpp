@@ -19,7 +19,7 @@
 
 // Keyence VK3 and VK4: a table of offsets, the conditions of the measurement, and up to three images of light and of
 // height, each with a header and a palette; lengths in pm. VK6 and VK7 hold a VK4 file as member "Vk4File" of a ZIP
-// archive behind a picture.
+// archive after a picture.
 namespace setae::formats {
 namespace {
 
@@ -70,7 +70,7 @@ Conditions conditions_of(bytes::Cursor& cursor, const Offsets& offsets) {
     return conditions;
 }
 
-/// UTF-16 text behind its number of characters.
+/// UTF-16 text after its number of characters.
 std::string text_of(bytes::Cursor& cursor) {
     const auto text =
         bytes::decoded(cursor.bytes(std::uint64_t{cursor.number<std::uint32_t>()} * 2), bytes::Encoding::utf16);

@@ -75,7 +75,7 @@ bool are_coordinates(const StoredArray& array) {
     return each_constant && ((first[0] < middle[0]) == (middle[0] < last[0]));
 }
 
-/// Whole numbers that go on by one from value to value, also from the end of a line to the next.
+/// Whole numbers that continue by one from value to value, also from the end of a line to the next.
 bool count_on(const StoredArray& array) {
     if (array.hold && array.shape[0] * array.shape[1] > largest_packed) return false;
     const auto kept = array.hold ? array.hold() : nullptr;

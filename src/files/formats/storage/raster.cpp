@@ -93,7 +93,7 @@ TakeSamples samples_taker(Sample sample, std::endian order) {
     }
 }
 
-/// Raw values made heights in place. Without a branch: h − (h − h) is h where it is finite and NaN where it is not.
+/// Raw values made heights in place. Without a branch: h − (h − h) is h where it is finite and NaN if it is not.
 void make_heights(double* values, Index count, const RawScale& scale) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const double factor = scale.factor, offset = scale.offset, least = scale.least, greatest = scale.greatest;

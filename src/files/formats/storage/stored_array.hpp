@@ -25,7 +25,7 @@ struct Attribute {
 
 using Attributes = std::vector<Attribute>;
 
-/// The text of an attribute; empty where there is none.
+/// The text of an attribute; empty if there is none.
 [[nodiscard]] std::string text_of(const Attributes& attributes, const std::string& name);
 /// The only number of an attribute; empty if there is none or several.
 [[nodiscard]] std::optional<double> number_of(const Attributes& attributes, const std::string& name);

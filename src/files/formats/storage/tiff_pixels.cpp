@@ -108,7 +108,7 @@ void require_pieces(const bytes::TiffFile& file, const Layout& layout) {
                            layout.pieces.nx, layout.pieces.ny));
 }
 
-/// Whether rows lie in the file as they are, one behind the other.
+/// Whether rows lie in the file as they are, one after the other.
 bool side_by_side(const Layout& layout) {
     if (layout.compression != COMPRESSION_NONE || layout.pieces.tiled) return false;
     const auto strip_bytes = layout.pieces.row_bytes() * layout.pieces.piece_ny;

@@ -18,8 +18,8 @@ struct TiffPixels {
     Raster raster;
 };
 
-/// Pixels of one sample each. @throws FormatError for several samples a pixel, a type that is no number of 1, 2, 4 or 8
-/// bytes, strips or tiles beyond the end of the file or fewer than the page needs, or a page larger than max_expanded
+/// Pixels of one sample each. @throws FormatError for several samples per pixel, a type that is no number of 1, 2, 4 or
+/// 8 bytes, strips or tiles beyond the end of the file or fewer than the page needs, or a page larger than max_expanded
 /// of its bytes.
 [[nodiscard]] TiffPixels tiff_pixels(const bytes::TiffFile& file, const bytes::TiffPage& page);
 

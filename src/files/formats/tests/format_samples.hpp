@@ -10,8 +10,7 @@
 #include "setae/formats/channel.hpp"
 
 /// Files of every format, made byte by byte, and what they hold. Each format has at least one map that is not square
-/// and whose corners differ, so that no axis is taken for another. Tests, fuzzing and timings take their files from
-/// here.
+/// and whose corners differ, so no axis is taken for another. Tests, fuzzing and timings take their files from here.
 namespace setae::formats::tests {
 
 struct FormatSample {

@@ -26,7 +26,7 @@ struct Units {
 };
 
 /// Units from the header, else the one given; where neither says a column's, the other column's holds for both (a
-/// measurement has one length unit), with an alert. Empty where nobody says any.
+/// measurement has one length unit), with an alert. Empty if nobody says any.
 Units find_units(const HeightCurve& curve, ChannelInfo& info, const ReadOptions& options, const bytes::Source& source) {
     Units units{curve.x.unit, curve.heights.unit};
     if (tables::is_unit_of(units.x, dimension::wavevector))

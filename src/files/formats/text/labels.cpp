@@ -21,7 +21,7 @@ constexpr Index min_positions = 3, rows_looked_at = 64;
 constexpr double rounding_of_labels = 0.1;  ///< of a step
 constexpr double share_of_others = 0.25;    ///< of other rows that are evenly spaced, too: a tilted plane
 
-/// Values as evenly spaced labels; nothing where they are not.
+/// Values as evenly spaced labels; empty if they are not.
 std::optional<AxisLabels> evenly_spaced(const Eigen::Ref<const Array1D, 0, Eigen::InnerStride<>>& values) {
     const Index n = values.size();
     if (n < 2) return std::nullopt;

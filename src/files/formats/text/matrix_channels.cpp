@@ -149,7 +149,7 @@ bool count_on(const tables::NumberLines& lines) {
     return numbers(0, 0) != numbers(numbers.rows() - 1, numbers.cols() - 1);  // a step of 1 is lost beside 1e30
 }
 
-/// Why unnamed numbers are no map; empty where they may be one.
+/// Why unnamed numbers are no map; empty if they may be one.
 std::string why_no_map(const tables::NumberLines& lines, const Layer& layer, const ReadOptions& options) {
     constexpr Index max_columns = 6, tallest = 200;
     if (options.keep_values || options.layout == TextLayout::matrix) return {};

@@ -141,7 +141,7 @@ private:
         return value;
     }
 
-    /// "h=305 w=75": lines and values a line.
+    /// "h=305 w=75": lines and values per line.
     bool take_counts(std::string_view line) {
         std::vector<std::string_view> words;
         tables::split_cells(line, ' ', words);

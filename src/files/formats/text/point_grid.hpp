@@ -10,7 +10,7 @@ namespace setae::formats {
 
 /// Heights of points at the nodes of a regular grid, or why they form no grid.
 struct PointGrid {
-    Array2D heights;               ///< h(x, y), smallest x and y first; NaN where a node has no point
+    Array2D heights;               ///< h(x, y), smallest x and y first; NaN if a node has no point
     std::array<double, 2> size{};  ///< n · step along x and y, in the unit of the positions
     std::string problem;           ///< empty for a grid
 

@@ -117,7 +117,7 @@ HeightCurve curve_of(const tables::RawTable& table) {
     return curve;
 }
 
-/// Why two columns are no profile; empty where they may be one.
+/// Why two columns are no profile; empty if they may be one.
 std::string why_no_profile(const HeightCurve& curve) {
     if (const auto quantity = other_quantity(curve.x.name); !quantity.empty())
         return fmt::format("the first column is named {}, expected positions", quantity);
@@ -205,7 +205,7 @@ std::vector<Channel> own_profile(const bytes::Source& source) {
                     problem.empty() ? "" : " (" + problem + ")"));
 }
 
-/// The numbers of the first bytes; nothing where they make no table.
+/// The numbers of the first bytes; empty if they make no table.
 std::optional<tables::RawTable> head_table(std::string_view head, const bytes::Source& source) {
     const bool whole = head.size() >= source.size;
     try {

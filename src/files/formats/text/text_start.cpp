@@ -10,7 +10,7 @@
 namespace setae::formats {
 namespace {
 
-/// Lines up to the header of a second map, where there is one.
+/// Lines up to the header of a second map, if there is one.
 void keep_first_part(std::vector<std::string_view>& lines) {
     bool numbers = false;
     for (std::size_t i = 0; i < lines.size(); ++i) {

@@ -99,7 +99,7 @@ double usual_step(const Array1D& positions) {
     return count > 0.0 ? sum / count : median;
 }
 
-/// Nodes of a line with equal steps that positions lie on; nothing where they lie on none, or on few of them.
+/// Nodes of a line with equal steps that positions lie on; empty if they lie on none, or on few of them.
 std::optional<std::vector<Index>> nodes_of(const Array1D& positions, double last_digit) {
     const Index n = positions.size();
     if (n < min_points) return std::nullopt;
@@ -252,7 +252,7 @@ double last_digit(const Array1D& positions) {
     constexpr double rounding = 1e-6;
     const double largest = positions.abs().maxCoeff();
     if (!(largest > 0.0) || !std::isfinite(largest)) return 0.0;
-    const int first = -static_cast<int>(std::floor(std::log10(largest)));  // places behind the point of its first digit
+    const int first = -static_cast<int>(std::floor(std::log10(largest)));  // places after the point of its first digit
     for (int places = first; places < first + max_digits; ++places) {
         const double digit = std::pow(10.0, static_cast<double>(-places));
         const bool all = std::all_of(positions.begin(), positions.end(), [digit](double x) {

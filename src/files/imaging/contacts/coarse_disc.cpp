@@ -17,7 +17,7 @@ using Grey = FramePixels;
 
 constexpr long pixels_across = 200;
 constexpr double false_alarms = 0.01;    // gradients of pure noise that pass, in a frame
-constexpr double min_gradient = 1.2e-3;  // of the largest grey level: a third of a level of 8 bits a pixel
+constexpr double min_gradient = 1.2e-3;  // of the largest grey level: a third of a level of 8 bits per pixel
 constexpr double padding = 0.25;         // centres may lie beyond the frame by this share of it
 constexpr std::size_t max_candidates = 3;
 constexpr int rays = 96;
@@ -281,7 +281,7 @@ std::vector<EdgePoint> edge_points(const Grey& grey, const Outline& outline, dou
     return points;
 }
 
-/// The outline through points of the edge; nothing where they make none.
+/// The outline through points of the edge; empty if they make none.
 std::optional<Outline> outline_through(const std::vector<EdgePoint>& points, const Outline& start) {
     if (points.size() < 12) return std::nullopt;
     Outline outline = consensus_circle(points, std::max(1.0, 0.06 * start.mean_radius), start);

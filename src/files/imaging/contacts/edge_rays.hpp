@@ -30,7 +30,7 @@ struct EdgeFit {
     double visible_share = 0;   ///< of the outline, within the frame
     double agreeing_share = 0;  ///< of the visible rays
     double significance = 0;    ///< median contrast of a ray over its standard deviation
-    std::string failure;        ///< why there is no edge; empty where there is one
+    std::string failure;        ///< why there is no edge; empty if there is one
 };
 
 /// Share of an outline inside a frame.

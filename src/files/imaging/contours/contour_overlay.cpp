@@ -15,7 +15,7 @@ namespace setae::imaging {
 namespace {
 
 constexpr double min_side = 800;  // px: smaller pictures are enlarged
-// blue, green, red; told apart by the colour-blind (Okabe, Ito 2008)
+// blue, green, red; distinguished by the colour-blind (Okabe, Ito 2008)
 const cv::Scalar first_colour(0, 159, 230), other_colour(233, 180, 86), anchor_colour(66, 228, 240),
     hidden_colour(167, 121, 204), bar_colour(115, 158, 0);
 

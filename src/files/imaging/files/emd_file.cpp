@@ -32,7 +32,7 @@ bool exists(hid_t place, const std::string& name) {
 
 std::vector<hsize_t> sides_of(hid_t data) { return bytes::hdf5_extents(Handle(H5Dget_space(data), &H5Sclose)); }
 
-/// Text of an attribute, of fixed or variable length; empty where there is none.
+/// Text of an attribute, of fixed or variable length; empty if there is none.
 std::string text_attribute(hid_t object, const char* name) {
     if (H5Aexists(object, name) <= 0) return {};
     const Handle attribute(H5Aopen(object, name, H5P_DEFAULT), &H5Aclose);
@@ -213,7 +213,7 @@ nlohmann::json velox_metadata(hid_t image) {
     return bytes::json_or_null(text.substr(0, text.find('\0')));
 }
 
-/// The value at a path of JSON as text; empty where there is none.
+/// The value at a path of JSON as text; empty if there is none.
 std::string json_text(const nlohmann::json& json, const std::string& path) {
     const nlohmann::json::json_pointer pointer(path);
     if (json.is_discarded() || !json.contains(pointer)) return {};

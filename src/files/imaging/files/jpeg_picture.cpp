@@ -28,7 +28,7 @@ struct Faults : jpeg_error_mgr {
     std::longjmp(faults.back, 1);
 }
 
-/// What libjpeg warns of and goes on with pixels of its own making.
+/// What libjpeg warns of and continues with pixels of its own making.
 void leave_where_pixels_are_made_up(j_common_ptr jpeg, int level) {
     if (level >= 0) return;
     switch (jpeg->err->msg_code) {

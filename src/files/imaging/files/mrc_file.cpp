@@ -60,7 +60,7 @@ bool read_fei_header(const bytes::Source& file, std::uint64_t section, Micrograp
 }
 
 /// Pixel size of the cell's dimensions [Å] over its sampling. A cell without positive dimensions says nothing: programs
-/// write 0 where nobody told them, and damaged ones anything.
+/// write 0 if nobody told them, and damaged ones anything.
 void set_cell(Micrograph& micrograph, std::array<double, 2> cell, std::array<std::int32_t, 2> sampling) {
     const std::string source = "MRC cell dimensions";
     const bool positive = cell[0] > 0.0 && cell[1] > 0.0 && std::isfinite(cell[0]) && std::isfinite(cell[1]) &&

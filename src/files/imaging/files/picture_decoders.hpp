@@ -15,7 +15,7 @@ namespace setae::imaging {
 /// Refuses files with missing data, which libjpeg would fill with grey.
 [[nodiscard]] FrameRead decoded_jpeg(std::string_view bytes, PictureSize size);
 
-/// Source: Microsoft, Bitmap Storage; headers of OS/2 and Windows, 1 to 32 bits a pixel, run lengths.
+/// Source: Microsoft, Bitmap Storage; headers of OS/2 and Windows, 1 to 32 bits per pixel, run lengths.
 [[nodiscard]] FrameRead decoded_bmp(std::string_view bytes, PictureSize size);
 
 }  // namespace setae::imaging

@@ -183,7 +183,7 @@ std::optional<PixelSize> printed_size(const TiffStack& stack, const bytes::TiffP
 }
 
 /// SightX: the description is XML, resolution is that of the picture on the screen at the magnification named. SEM: the
-/// description holds the bar's length in pixels and what it stands for.
+/// description holds the bar's length in pixels and what it means.
 bool read_jeol(const TiffStack& stack, const bytes::TiffPage& page, Micrograph& micrograph) {
     const auto text = stack.text(page, tag::description);
     const auto untested = [&] {

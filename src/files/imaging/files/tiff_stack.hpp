@@ -21,7 +21,7 @@ public:
 
     [[nodiscard]] std::size_t size() const { return pages_; }
     [[nodiscard]] PictureSize size_of(std::size_t page) const;  ///< 0 × 0 if the directory is damaged
-    /// @throws FormatError where the pixels cannot be found or expanded.
+    /// @throws FormatError if the pixels cannot be found or expanded.
     [[nodiscard]] FrameRead read(std::size_t page) const;
 
     /// Pixel size [m] that the first page states; @throws InvalidArgument for pixels that are not square.
@@ -34,7 +34,7 @@ public:
     /// The directory of a page; for further pages of ImageJ's stacks the only directory.
     [[nodiscard]] const bytes::TiffPage& page(std::size_t index) const;
     [[nodiscard]] const bytes::Source& file() const { return file_.source; }
-    /// Whole number of an entry; nothing where the page has none.
+    /// Whole number of an entry; empty if the page has none.
     [[nodiscard]] std::optional<std::uint64_t> number(const bytes::TiffPage& page, std::uint16_t tag) const;
     /// First number of an entry of any type; empty if it is no number or not finite.
     [[nodiscard]] std::optional<double> real(const bytes::TiffPage& page, std::uint16_t tag) const;

@@ -49,7 +49,7 @@ cv::Mat1b mask_where(const cv::Mat1f& levels, double level, double tolerance, bo
 }
 
 /// Rows along the lower edge (of a picture upside down: the upper one) of one drawn level, with letters on them, across
-/// the whole width; 0 where there are none.
+/// the whole width; 0 if there are none.
 int rows_of_data_bar(const cv::Mat1f& levels) {
     const int most = static_cast<int>(highest_data_bar * levels.rows);
     double level = 0, best = 0;

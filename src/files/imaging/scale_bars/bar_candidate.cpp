@@ -32,7 +32,7 @@ class Measurement {
 public:
     Measurement(const cv::Mat1f& levels, int min_length) : levels_(levels), min_length_(min_length) {}
 
-    /// A bar within `box`, the place of something long and thin that stands out by `height`; nothing where it is none.
+    /// A bar within `box`, the place of something long and thin that stands out by `height`; empty if it is none.
     [[nodiscard]] std::optional<BarCandidate> operator()(const cv::Rect& box, double height, double sign) const {
         BarCandidate bar;
         if (!rows(bar, box, height) || !columns(bar, box, height, sign)) return std::nullopt;
@@ -85,7 +85,7 @@ private:
             return false;
         std::vector<double> differences;
         for (int x = bar.left; x <= bar.right; ++x)
-            for (const int way : {-1, 1}) {  // the row beside it may be blurred
+            for (const int way : {-1, 1}) {  // the row next to it may be blurred
                 const int edge = way < 0 ? bar.top : bar.bottom;
                 differences.push_back(
                     std::max(sign * (bar.level - at(edge + way, x)), sign * (bar.level - at(edge + 2 * way, x))));
@@ -113,7 +113,7 @@ private:
         return share(bar.top - 1, bar.top - 2) >= 0.85 && share(bar.bottom + 1, bar.bottom + 2) >= 0.85;
     }
 
-    /// Rows end at one place, and nothing goes on beyond it.
+    /// Rows end at one place, and nothing continues beyond it.
     [[nodiscard]] bool ends_straight(const BarCandidate& bar) const {
         constexpr int beyond = 8;
         for (const int way : {-1, 1}) {
@@ -267,7 +267,7 @@ private:
                 if (step <= down) covered += std::clamp(1 - apart(bar, bar.bottom + step, x), 0.0, 1.0);
             }
             covered /= up + down;
-            if (covered < 0.3 && (k < first || k > last)) continue;  // the ground beside it
+            if (covered < 0.3 && (k < first || k > last)) continue;  // the ground next to it
             weight += covered;
             middle += covered * x;
         }

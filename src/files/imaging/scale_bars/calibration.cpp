@@ -71,7 +71,7 @@ std::string ambiguity(const std::vector<FoundBar>& found, const std::optional<do
     for (std::size_t k = 1; k < found.size(); ++k) {
         const auto& other = found[k].bar;
         if (other.confidence < best.confidence - equally_good) continue;
-        double ratio = other.length / best.length;  // of the pixels' sizes, where both stand for one length
+        double ratio = other.length / best.length;  // of the pixels' sizes, where both mean one length
         if (!given && best.labelled_length && other.labelled_length)
             ratio /= *other.labelled_length / *best.labelled_length;
         const double error =

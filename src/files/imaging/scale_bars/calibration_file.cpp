@@ -23,7 +23,7 @@ using Json = nlohmann::ordered_json;
 constexpr const char* version_key = "setae_calibration";
 constexpr int version = 1;
 
-/// An object of a JSON file that knows which keys were asked for; errors name file and key.
+/// An object of a JSON file that knows which keys were requested; errors name file and key.
 class ObjectReader {
 public:
     ObjectReader(const Json& object, std::string path, std::string where)

@@ -130,7 +130,7 @@ void collect(const cv::Mat1b& bytes, const cv::Mat1f& levels, const Search& sear
     }
 }
 
-/// Fringes repeat, bars do not: at least two others of the same polarity, length and thickness beside it.
+/// Fringes repeat, bars do not: at least two others of the same polarity, length and thickness next to it.
 bool repeats(const BarCandidate& bar, const std::vector<BarCandidate>& all) {
     int count = 0;
     for (const auto& other : all) {
@@ -276,7 +276,7 @@ std::vector<DrawnBar> drawn_bars(const cv::Mat1f& levels) {
     std::vector<BarCandidate> chosen;
     for (const auto& bar : found)
         if (bar.drawn && bar.thickness() >= thinnest && !repeats(bar, found)) chosen.push_back(bar);
-    // the inside of an outlined bar stands for its outline, too, which looks like two thin bars
+    // the inside of an outlined bar means its outline, too, which looks like two thin bars
     std::stable_sort(chosen.begin(), chosen.end(), [](const BarCandidate& a, const BarCandidate& b) {
         if ((a.outline > 0) != (b.outline > 0)) return a.outline > 0;
         return a.length() * a.thickness() > b.length() * b.thickness();

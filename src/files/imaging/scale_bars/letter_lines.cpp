@@ -88,7 +88,7 @@ std::vector<LetterLine> letter_lines(const cv::Mat1b& mask, const std::vector<cv
     }
     std::sort(letters.begin(), letters.end(),
               [](const Part& a, const Part& b) { return std::pair(a.box.x, a.label) < std::pair(b.box.x, b.label); });
-    // lines: letters joined by what stands beside them
+    // lines: letters joined by what stands next to them
     std::vector<std::size_t> line_of(letters.size());
     std::iota(line_of.begin(), line_of.end(), 0U);
     for (std::size_t i = 0; i < letters.size(); ++i)

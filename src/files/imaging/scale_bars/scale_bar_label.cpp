@@ -132,7 +132,7 @@ cv::Mat1b mask_of(const cv::Mat1f& patch, const Ink& ink) {
     return closed;
 }
 
-/// What the readings of the nearest line that holds a length agree on; nothing where none holds one.
+/// What the readings of the nearest line that holds a length agree on; empty if none holds one.
 std::optional<BarLabel> agreed(const std::vector<Reading>& readings) {
     const Reading* best = nullptr;
     for (const auto& reading : readings)

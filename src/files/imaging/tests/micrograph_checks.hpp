@@ -35,7 +35,7 @@ inline bool has_alert(const Micrograph& micrograph, const std::string& code) {
                        [&](const Alert& alert) { return alert.code == code; });
 }
 
-/// What reading bytes is refused with; empty where they are read.
+/// What reading bytes is refused with; empty if they are read.
 inline std::string refusal(const std::string& bytes, const MicrographOptions& options = {}) {
     try {
         (void)read_bytes(bytes, options);

@@ -45,7 +45,7 @@ inline std::string tiff_picture(int compression) {
 
 inline std::string png_picture() { return encoded_picture(".png"); }
 
-/// A PNG with the chunk pHYs behind its header.
+/// A PNG with the chunk pHYs after its header.
 inline std::string with_pixels_per_metre(std::string png, std::uint64_t x, std::uint64_t y) {
     const Bytes big{true};
     const auto chunk = "pHYs" + big.whole(x, 4) + big.whole(y, 4) + '\1';

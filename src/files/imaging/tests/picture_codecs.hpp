@@ -87,7 +87,7 @@ inline std::string bmp_bytes(const cv::Mat& image) {
            std::string(24, '\0') + palette + pixels;
 }
 
-/// Pages of grey, 8 or 16 bits or floats, written by libtiff, directories behind pixels.
+/// Pages of grey, 8 or 16 bits or floats, written by libtiff, directories after pixels.
 inline void write_tiff(const std::string& path, const std::vector<cv::Mat>& pages, int compression = COMPRESSION_LZW) {
     auto* const tiff = TIFFOpen(path.c_str(), "w");
     if (!tiff) throw std::runtime_error(path + ": libtiff cannot write");

@@ -60,7 +60,7 @@ Array1D numbering(const std::vector<ForceSegment>& segments) {
     return all;
 }
 
-/// Even steps within each segment, one behind the other; nothing where a duration is not known.
+/// Even steps within each segment, one after the other; empty if a duration is not known.
 std::optional<Array1D> times(const std::vector<ForceSegment>& segments) {
     Array1D all(joined(segments, &ForceSegment::height).size());
     Index at = 0;
@@ -76,7 +76,7 @@ std::optional<Array1D> times(const std::vector<ForceSegment>& segments) {
     return all;
 }
 
-/// Deflection [m]; nothing where the constants it needs are not known.
+/// Deflection [m]; empty if the constants it needs are not known.
 std::optional<Array1D> deflection(const ForceCurveData& data, const Array1D& reading,
                                   const ForceCurveOptions& constants) {
     if (data.reading == Reading::deflection) return reading;

@@ -40,7 +40,7 @@ ForceSegment segment_of(const char* name, const Array1D& height, const Array1D& 
     return {name, height.head(rows), reading.head(rows), 0.0};
 }
 
-/// Value behind "key:" among the header lines.
+/// Value after "key:" among the header lines.
 std::optional<std::string> entry(const RawTable& table, std::string_view key) {
     for (const auto& line : table.header) {
         const auto colon = line.find(':', key.size());
@@ -88,7 +88,7 @@ std::optional<RawTable> nova_table(const bytes::Source& source) {
     return table;
 }
 
-/// First row behind the constant readings an export begins with.
+/// First row after the constant readings an export begins with.
 Index after_padding(const Array1D& reading) {
     Index i = 1;
     while (i < reading.size() && reading[i] == reading[0]) ++i;

@@ -42,7 +42,7 @@ private:
     std::map<long, std::vector<std::string>> curves_;
 };
 
-/// The value of a key; nothing where it is missing.
+/// The value of a key; empty if it is missing.
 [[nodiscard]] std::optional<std::string> property(const Properties& properties, const std::string& key);
 
 }  // namespace setae::tables

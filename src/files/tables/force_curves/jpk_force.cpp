@@ -71,7 +71,7 @@ ForceCurveData read_curve(const JpkArchive& archive, const std::vector<std::stri
     return data;
 }
 
-/// The pattern of a map's positions; nothing where it is no grid. @throws FormatError for one that is damaged.
+/// The pattern of a map's positions; empty if it is no grid. @throws FormatError for one that is damaged.
 std::optional<MapGrid> grid_of(const JpkArchive& archive) {
     const auto& header = archive.header();
     const auto pattern = family(header) + "-map.position-pattern.";

@@ -28,7 +28,7 @@ namespace {
 constexpr std::string_view force_images = "ciao force image list";
 constexpr double largest_long_step = 1e-6;  ///< [V]; of 32-bit integers: a larger one is that of their upper 16 bits
 
-/// A channel's integers and what they stand for.
+/// A channel's integers and what they mean.
 struct ForceBlock {
     std::string name;
     std::uint64_t offset = 0, bytes = 2;
@@ -43,7 +43,7 @@ struct NanoscopeForce {
     ForceBlock deflection;
     std::optional<ForceBlock> height;
     double metres_per_volt = 0.0;  ///< of the height's channel
-    double ramp = 0.0;             ///< [m], where there is none
+    double ramp = 0.0;             ///< [m], if there is none
     ForceCurveOptions constants;
     std::optional<MapGrid> grid;
     std::map<std::string, std::string> metadata;
@@ -97,7 +97,7 @@ std::optional<ForceBlock> block_of(const NanoscopeSection& section, const bytes:
     return block;
 }
 
-/// Metres per volt of a sensitivity; nothing where the header states none of that kind.
+/// Metres per volt of a sensitivity; empty if the header states none of that kind.
 std::optional<double> metres_per_volt(const std::vector<NanoscopeSection>& sections, const std::string& name) {
     const auto soft = soft_sensitivity(sections, name);
     const auto slash = soft ? soft->unit.find('/') : std::string::npos;

@@ -49,7 +49,7 @@ struct CurveChannel {
 struct NanosurfPhase {
     std::string name;
     CurveChannel height, deflection;
-    double duration = 0.0;  ///< [s]; 0 where the file does not tell
+    double duration = 0.0;  ///< [s]; 0 if the file does not tell
 };
 
 struct NanosurfCurves {
@@ -85,7 +85,7 @@ std::optional<double> spring_constant_of(const TextSections& sections) {
     return std::nullopt;
 }
 
-/// [m/V] of the detector: an input "5,TipSignalDC,Deflection,m,2.8e-07,0" says what 10 V stand for.
+/// [m/V] of the detector: an input "5,TipSignalDC,Deflection,m,2.8e-07,0" says what 10 V mean.
 std::optional<double> sensitivity_of(const TextSections& sections) {
     for (const auto& [key, value] : section_named(sections, "DataSet\\Calibration\\Scanhead")) {
         std::vector<std::string_view> cells;
@@ -97,7 +97,7 @@ std::optional<double> sensitivity_of(const TextSections& sections) {
     return std::nullopt;
 }
 
-/// Where the curves were taken: "x;y;…" in metres of each; NaN where the file does not say.
+/// Where the curves were taken: "x;y;…" in metres of each; NaN if the file does not say.
 std::vector<std::array<double, 2>> places_of(const TextSections& sections, std::uint64_t lines) {
     std::vector<std::array<double, 2>> places(lines, {undefined, undefined});
     const std::string root = "DataSet\\SpecInfos";
@@ -148,7 +148,7 @@ std::map<std::pair<std::string, std::string>, CurveChannel> curve_channels(const
     return channels;
 }
 
-/// The phases that have height and deflection. @throws FormatError where they do not match.
+/// The phases that have height and deflection. @throws FormatError if they do not match.
 NanosurfCurves curves_of(const bytes::Source& source) {
     const auto head = nanosurf_head(source);
     NanosurfCurves curves{.sections = nanosurf_sections(head)};

@@ -48,7 +48,7 @@ double half_step(const Array1D& time, Index sample, double t) {
     return 0.5 * std::abs(time[other] - time[sample]);
 }
 
-/// Where the last defined value of a series stands, from 0; −1 where there is none.
+/// Where the last defined value of a series stands, from 0; −1 if there is none.
 Index last_defined(const Array1D& values) {
     Index last = values.size() - 1;
     while (last >= 0 && std::isnan(values[last])) --last;

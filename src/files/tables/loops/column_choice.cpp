@@ -76,7 +76,7 @@ bool is_expression(const ColumnGuess& guess, const std::string& text) {
     return text.find_first_of("+-*/^()") != std::string::npos && columns_named(guess, parse_header_cell(text)).empty();
 }
 
-/// The column of a role; nothing where there is none.
+/// The column of a role; empty if there is none.
 std::optional<RoleCandidate> decided(const ColumnGuess& guess, const RoleGuess& role, const ChosenColumns& chosen) {
     if (const auto choice = chosen.find(role.role); choice != chosen.end())
         return column_chosen(guess, role.role, choice->second);
@@ -237,7 +237,7 @@ void add_checked(const ColumnGuess& guess, const std::string& role, const RoleCa
                     fmt::join(names, " and "), columns.size() == 1 ? "has" : "have", column_option(stated)));
 }
 
-/// A column named for a role whose unit is of another dimension; empty where there is none.
+/// A column named for a role whose unit is of another dimension; empty if there is none.
 std::string misfit_among(const ColumnGuess& guess, const std::string& role) {
     for (const auto& vocabulary : loop_vocabularies())
         for (std::size_t k = 0; k < guess.columns.size() && vocabulary.role == role; ++k) {
@@ -268,7 +268,7 @@ std::string likely_position(const ColumnGuess& guess, const std::string& role) {
                                   : wrong));
 }
 
-/// A column of the role, its best candidate where none is chosen; nothing where it has none.
+/// A column of the role, its best candidate where none is chosen; empty if it has none.
 std::optional<RoleCandidate> likeliest(const ColumnGuess& guess, const RoleGuess& role, const ChosenColumns& chosen) {
     if (chosen.contains(role.role)) return decided(guess, role, chosen);
     return role.candidates.empty() ? std::nullopt : std::optional(role.candidates.front());

@@ -19,7 +19,7 @@ namespace {
 [[noreturn]] void refuse(const mu::ParserError& error) { throw InvalidArgument(error.GetMsg()); }
 
 /// @throws InvalidArgument for what muParser takes and an expression over columns is not: a value given to a column, a
-/// list of expressions of which the last one counts, and text behind a zero byte.
+/// list of expressions of which the last one counts, and text after a zero byte.
 void require_one_value(const std::string& text) {
     if (text.find('\0') != std::string::npos) throw InvalidArgument("the expression contains a zero byte");
     constexpr std::string_view before_equals = "=<>!";

@@ -19,7 +19,7 @@ namespace {
 bool in_name(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 bool in_number(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
-/// A unit without blank and '*' behind a number, and the bytes it takes with the blank before it.
+/// A unit without blank and '*' after a number, and the bytes it takes with the blank before it.
 struct FoundUnit {
     Unit unit;
     std::size_t length = 0;
@@ -49,7 +49,7 @@ FoundUnit unit_behind(std::string_view text) {
 
 namespace {
 
-/// A name's length and the unit in brackets behind it.
+/// A name's length and the unit in brackets after it.
 struct FoundName {
     std::string name;
     std::optional<std::string> unit;

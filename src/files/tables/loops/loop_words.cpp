@@ -29,7 +29,7 @@ std::vector<std::string> words_of(std::string_view name) {
     return words;
 }
 
-/// What a column of a force, a length or a time may be beside the loop's own.
+/// What a column of a force, a length or a time may be next to the loop's own.
 const Words& other_quantities() {
     static const Words words{"std", "stdev", "sd", "sem", "sigma", "error", "err", "uncertainty", "noise", "setpoint",
                              "target", "rate", "speed", "velocity", "slope", "max", "min", "temperature", "temp",

@@ -49,7 +49,7 @@ void require_name(const bytes::TomlReader& reader, const std::string& name) {
         reader.fail(name.c_str(), fmt::format("'{}' cannot be a name in expressions; use letters, digits and _", name));
 }
 
-/// "3.01 N/m": the number and the unit behind it.
+/// "3.01 N/m": the number and the unit after it.
 MappedConstant parse_constant(bytes::TomlReader& reader, const std::string& name) {
     const char* key = name.c_str();
     require_name(reader, name);
@@ -193,7 +193,7 @@ bool same_header(const RawTable::RawColumn& column, const std::string& wanted) {
            (cell.unit.empty() || cell.unit == column.unit);
 }
 
-/// nullptr where the table lacks the column.
+/// nullptr if the table lacks the column.
 const RawTable::RawColumn* find_column(const RawTable& table, const MappedColumn& wanted) {
     if (wanted.position) {
         const auto index = static_cast<std::size_t>(*wanted.position - 1);

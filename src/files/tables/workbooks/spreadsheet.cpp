@@ -120,7 +120,7 @@ std::optional<Place> find_table(const SheetRows& rows) {
                                 ? rows.end()
                                 : std::prev(rows.lower_bound(place.first_row));
         const bool named = header != rows.end() && header->second.contains(column);
-        if (!number && !named) continue;  // remarks beside the table
+        if (!number && !named) continue;  // remarks next to the table
         place.columns.push_back(column);
         place.text.push_back(!number && words > numbers);
     }
@@ -196,7 +196,7 @@ std::string without_table(const SheetRows& rows, const Sheet& sheet) {
 
 namespace {
 
-/// What an error says behind the file's name.
+/// What an error says after the file's name.
 std::string without_file(const std::string& what, const bytes::Source& source) {
     return what.starts_with(source.name + ": ") ? what.substr(source.name.size() + 2) : what;
 }

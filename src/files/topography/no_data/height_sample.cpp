@@ -45,7 +45,7 @@ struct Range {
     double least = unbounded, greatest = -unbounded;
 };
 
-/// The range widened by heights; NaN is passed over. In lanes, so that it vectorises.
+/// The range widened by heights; NaN is skipped. In lanes, so it vectorises.
 void widen(Range& range, const double* heights, Index n) {
     constexpr Index lanes = 8;
     std::array<double, lanes> least, greatest;

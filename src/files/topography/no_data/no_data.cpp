@@ -64,7 +64,7 @@ double quantile(const std::vector<double>& sorted, double share) {
     return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
 }
 
-/// Nothing where they have too few different values for a distribution.
+/// Empty if they have too few different values for a distribution.
 std::optional<Others> others_in(const HeightSample& sample, const std::vector<double>& values) {
     const auto is_value = [&](double h) { return std::find(values.begin(), values.end(), h) != values.end(); };
     std::vector<double> heights, steps;

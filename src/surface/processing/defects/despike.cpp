@@ -35,8 +35,8 @@ struct Field {
 /// Points from one on each side, cut off on both sides alike where the field ends.
 Index narrowed(Index reach, Index place, Index count) { return std::min({reach, place, count - 1 - place}); }
 
-/// Median of h − h(i, j) over the defined points around (i, j), the tilt taken off; NaN where there is none. Points
-/// that `left_out` marks do not count, and with `symmetric` nor do those that lie opposite to them.
+/// Median of h − h(i, j) over the defined points around (i, j), the tilt taken off; NaN if there is none. Points that
+/// `left_out` marks do not count, and with `symmetric` nor do those that lie opposite to them.
 double local_median(const Field& field, const Tilt& tilt, Index i, Index j, Index reach_i, Index reach_j,
                     const Mask* left_out, bool symmetric) {
     std::array<double, (2 * largest_reach + 1) * (2 * largest_reach + 1)> values;
@@ -54,7 +54,7 @@ double local_median(const Field& field, const Tilt& tilt, Index i, Index j, Inde
     return n > 0 ? median({values.data(), static_cast<std::size_t>(n)}) : undefined;
 }
 
-/// Median of the differences of each height to the one so many places further; 0 where there is none.
+/// Median of the differences of each height to the one so many places further; 0 if there is none.
 double median_rise(const Field& field, Index down, Index along, parallel::Threads threads) {
     const auto rise = [=](Index i, Index j) { return field.at(i + down, j + along) - field.at(i, j); };
     const ComputedRows rises{field.rows - down, field.columns - along,
@@ -108,7 +108,7 @@ struct Differences {
     }
 
 private:
-    /// Whether all heights around are defined, so that it is done.
+    /// Whether all heights around are defined, so it is done.
     bool load_several(Index i, Index reach_i, Index j, Index count, double* r) const {
         if (!defined_around(field, i, reach_i, j - reach, count + 2 * reach)) return false;
         find_local_medians(field.heights + i * field.columns + j, field.columns, tilt, {reach_i, reach},

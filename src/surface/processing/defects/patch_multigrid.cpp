@@ -42,8 +42,8 @@ struct Steps {
     }
 };
 
-/// One grid: −sum of couplings to neighbours, diagonal the sum of all with the leaks; couplings 0 where a point is none
-/// of the unknowns.
+/// One grid: −sum of couplings to neighbours, diagonal the sum of all with the leaks; couplings 0 if a point is none of
+/// the unknowns.
 struct Level {
     Index nx, ny;
     std::array<bool, 2> wraps;
@@ -113,7 +113,7 @@ struct Level {
         }
     }
 
-    /// product = A field, where unknown.
+    /// product = A field, if unknown.
     void multiply(const Array2D& field, Array2D& product) const {
         for (Index i = 0; i < nx; ++i)
             for (Index j = 0; j < ny; ++j) {

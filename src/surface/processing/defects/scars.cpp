@@ -45,7 +45,7 @@ std::vector<Result> by_blocks(const RowsOfHeights& map, parallel::Threads thread
                                    });
 }
 
-/// Rms of the differences of neighbouring scan lines; 0 where there are none.
+/// Rms of the differences of neighbouring scan lines; 0 if there are none.
 double rms_difference(const RowsOfHeights& map, parallel::Threads threads) {
     struct Sum {
         double squares = 0.0, count = 0.0;
@@ -102,7 +102,7 @@ struct Marks {
     [[nodiscard]] bool any(Index i) const { return in_row[static_cast<std::size_t>(i)] != 0; }
 };
 
-/// Points beside a scar along x belong to it.
+/// Points next to a scar along x belong to it.
 void spread_along_x(Marks& marks) {
     auto& points = marks.points;
     const auto join = [&](Index from, Index to) {
@@ -158,7 +158,7 @@ std::vector<Marks> marks_of_rows(const RemoveScars& step, const RowsOfHeights& m
     return marks;
 }
 
-/// New heights of one row's scars, from the nearest points before and behind that are none.
+/// New heights of one row's scars, from the nearest points before and after that are none.
 void fill_row(double* heights, const std::uint8_t* marks, Index n, ScarReplacement replacement) {
     for (Index j = 0; j < n; ++j) {
         if (!marks[j]) continue;

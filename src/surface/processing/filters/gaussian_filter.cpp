@@ -24,7 +24,7 @@ void require_valid(const GaussianFilter& filter, const topography::Metadata& met
 
 Regression kind_of(Kept keep) { return keep == Kept::long_waves ? Regression::value : Regression::residual; }
 
-/// The heights in place of which the filter's come: undefined ones are marked first, for regression gives a value there
+/// The heights instead of which the filter's come: undefined ones are marked first, for regression gives a value there
 /// too.
 void filter_in_place(Eigen::Ref<Array2D> heights, const Neighbourhood& near, Kept keep, parallel::Threads threads) {
     const auto undefined_points = (heights.isNaN()).count();

@@ -52,7 +52,7 @@ Array2D sums_of_one(const GaussianAxis& axis, Index orders) {
 struct Levers {
     Array1D inverse;  ///< 1/sum of weights
     Array1D mean;     ///< of the coordinate
-    Array1D lever;    ///< (point − mean)/variance of the coordinate; 0 where nothing is fitted along this direction
+    Array1D lever;    ///< (point − mean)/variance of the coordinate; 0 if nothing is fitted along this direction
 
     Levers(const Array2D& sums, const Array1D& coordinate, bool fitted)
         : inverse(1.0 / sums.row(0).transpose()), mean(Array1D::Zero(sums.cols())), lever(Array1D::Zero(sums.cols())) {

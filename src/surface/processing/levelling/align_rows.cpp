@@ -21,7 +21,7 @@ using numerics::for_each_row;
 using topography::HeightMap;
 using topography::Mask;
 
-/// Mean or median of the points of a line that count, or of their differences to the line before; NaN where there are
+/// Mean or median of the points of a line that count, or of their differences to the line before; NaN if there are
 /// none.
 double level_of(LineBand& band, Index line, RowAlignment method, std::vector<double>& values) {
     values.clear();

@@ -29,7 +29,7 @@ struct Spread {
     }
 };
 
-/// Σ term(h) over defined heights, in lanes so that it vectorises.
+/// Σ term(h) over defined heights, in lanes so it vectorises.
 template <class Term>
 double sum_of(const double* heights, Index n, Term term) {
     constexpr Index lanes = 4;

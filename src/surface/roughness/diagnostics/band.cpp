@@ -78,7 +78,7 @@ Found low_wavevector_gap(const Evidence& evidence, const DiagnosisOptions& optio
     const Array1D lines =
         (2.0 * mode * map.size[1] / map.size[0]).max(1.0).min(static_cast<double>(map.heights.cols()));
     const auto slope = fitted_slope(mode, power, spectra::share_under_hann * lines, true);
-    // C1D steeper than 1/q: rms height rests on the longest waves and grows with the size of the scan
+    // C1D steeper than 1/q: rms height depends on the longest waves and grows with the size of the scan
     const double certain = normal_quantile(1.0 - options.false_alarm);
     if (!(slope.exponent - certain * slope.standard_error > 1.0)) return {};
     const double growth = std::pow(10.0, 0.5 * (slope.exponent - 1.0)),

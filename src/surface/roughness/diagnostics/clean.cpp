@@ -15,7 +15,7 @@ using processing::NewHeight;
 /// The least number of points along x and in all that spikes and spectra are looked for in.
 constexpr Index min_points = 16;
 
-/// Undefined points become the straight line between the defined ones beside them along x, and beyond the last of them
+/// Undefined points become the straight line between the defined ones next to them along x, and beyond the last of them
 /// its height. Lines without a defined point become 0.
 void fill_along_lines(Array2D& heights, parallel::Threads threads) {
     constexpr Index together = 16;  // lines lie across memory: those on one cache line are looked at by one thread
@@ -42,8 +42,8 @@ void fill_along_lines(Array2D& heights, parallel::Threads threads) {
     });
 }
 
-/// Chosen points become the straight line along y between those beside them that are not chosen; at a border the height
-/// of the last one.
+/// Chosen points become the straight line along y between those next to them that are not chosen; at a border the
+/// height of the last one.
 void bridge_lines(Array2D& heights, const topography::Mask& chosen) {
     const Index ny = heights.cols();
     for (Index i = 0; i < heights.rows(); ++i) {

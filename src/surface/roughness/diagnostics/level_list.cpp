@@ -37,7 +37,7 @@ std::vector<Level> counted(std::vector<double> heights) {
     return levels;
 }
 
-/// How many points have each value, without sorting all; nothing where there are too many values.
+/// How many points have each value, without sorting all; empty if there are too many values.
 std::optional<std::vector<Level>> few_values(const Array2D& heights) {
     const auto most = static_cast<std::size_t>(heights.size() / 16);
     std::unordered_map<double, Index> counts;
@@ -133,7 +133,7 @@ EndLevels end_levels(const Evidence& evidence, std::size_t needed, parallel::Thr
         high.push_back({evidence.highest, outer.at_highest});
         const double range = evidence.highest - evidence.lowest;
         EndLevels ends{joined(low, range), joined(high, range)};
-        // the innermost one may go on beyond the bound
+        // the innermost one may continue beyond the bound
         if (std::min(ends.lowest.size(), ends.highest.size()) > needed) return ends;
     }
     const auto all = all_levels(evidence);

@@ -20,7 +20,7 @@ namespace {
 
 using topography::Measurement;
 
-/// A measurement's spectrum in bins, with the independent values behind each.
+/// A measurement's spectrum in bins, with the independent values after each.
 struct Binned {
     std::string subject;
     spectra::MeasuredSpectrum spectrum;

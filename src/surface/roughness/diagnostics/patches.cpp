@@ -108,7 +108,7 @@ Patches patches(const topography::Mask& mask, Neighbours neighbours, bool period
             if (inside) here.push_back({begin, j, 0});
             else std::fill(out + begin, out + j, 0);
         }
-        // a run takes over the number of one it touches, so that few numbers have to be joined
+        // a run takes over the number of one it touches, so that few numbers must be joined
         auto b = before.begin();
         for (auto& run : here) {
             while (b != before.end() && b->end + reach <= run.begin) ++b;

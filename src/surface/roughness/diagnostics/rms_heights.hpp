@@ -9,8 +9,8 @@
 namespace setae::diagnostics {
 
 /// Rms deviations of the defined heights from their mean [m], of several maps with the same defined points, computed
-/// together so that the sums do not wait for each other: this takes as long as one map. rows_of(i): their rows i, each
-/// read before the next call; called twice for each row, in order. Sums are in the order of the points.
+/// together so the sums do not wait for each other: this takes as long as one map. rows_of(i): their rows i, each read
+/// before the next call; called twice for each row, in order. Sums are in the order of the points.
 template <std::size_t count, class RowsOf>
 std::array<double, count> rms_heights(Index rows, Index columns, const RowsOf& rows_of) {
     std::array<double, count> sum{}, mean, squares{}, rms;

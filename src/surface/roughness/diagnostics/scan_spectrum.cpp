@@ -15,7 +15,7 @@ spectra::MeasuredSpectrum scan_spectrum(const topography::HeightMap& map, parall
 
 double window_gain(double mode, double exponent, bool hann) {
     if (!hann || mode < 2.0) return 1.0;
-    // |1 at k, −½ beside it|², scaled to keep the mean square
+    // |1 at k, −½ next to it|², scaled to keep the mean square
     return (2.0 / 3.0) *
            (1.0 + 0.25 * (std::pow((mode - 1.0) / mode, -exponent) + std::pow((mode + 1.0) / mode, -exponent)));
 }

@@ -28,7 +28,7 @@ public:
 
     [[nodiscard]] Index rows() const { return rows_; }
     [[nodiscard]] Index columns() const { return kept_.cols(); }
-    /// Row i, until three others are asked for.
+    /// Row i, until three others are requested.
     [[nodiscard]] const double* row(Index i) {
         auto& holds = held_[static_cast<std::size_t>(i % 3)];
         double* const values = kept_.row(i % 3).data();
@@ -45,7 +45,7 @@ private:
 };
 
 /// Mean of what `difference` makes of a point and those around it, over all points that lie so far inside and where it
-/// is defined; 0 where there is none.
+/// is defined; 0 if there is none.
 template <class Rows, class Difference>
 double mean_difference(Rows& rows, Index before_i, Index behind_i, Index before_j, Index behind_j,
                        const Difference& difference) {

@@ -14,7 +14,7 @@ namespace {
 /// Means of both spectra over windows of a tenth of their modes: how much one lies above the other.
 struct Lift {
     double factor = 1.0;      ///< at the shortest wavelengths
-    double wavelength = 0.0;  ///< below which the factor is above 2 [m]; 0 where it never is
+    double wavelength = 0.0;  ///< below which the factor is above 2 [m]; 0 if it never is
 };
 
 Lift lift(const spectra::MeasuredSpectrum& with, const spectra::MeasuredSpectrum& without) {

@@ -101,7 +101,7 @@ CellMoments visit(const Grid& grid, Index level, Index cx, Index cy, LevelSums& 
     return cell;
 }
 
-/// Levels with at least `fewest` points a cell along each direction that is halved.
+/// Levels with at least `fewest` points per cell along each direction that is halved.
 Index levels_of(Index points, Index cells, Index fewest) {
     Index levels = 0;
     while (points / (cells << levels) >= fewest) ++levels;
@@ -116,7 +116,7 @@ void require_cells(Index levels, const VariableBandwidthOptions& options, const 
                                           topography::label(metadata), options.min_points));
 }
 
-/// One value a level, finest first.
+/// One value per level, finest first.
 FunctionOfScale result_of(const LevelSums& sums, double longest, double reliable_from,
                           const topography::Metadata& metadata) {
     const auto levels = static_cast<Index>(sums.residual.size());

@@ -62,7 +62,7 @@ TEST(ParameterSpread, GivesSumsOfVariancesItsFreedom) {
 // ± and interval of one number speak of the same scatter: SE of f is s of ln f times f, to first order.
 TEST(ParameterSpread, StandardErrorIsThatOfTheInterval) {
     ParameterSpread spread;
-    spread.replicas = {of_height(1.0), of_height(3.0)};  // not looked at beside the jackknife
+    spread.replicas = {of_height(1.0), of_height(3.0)};  // not looked at next to the jackknife
     spread.left_out = {{of_height(1.001), of_height(1.003), of_height(0.998)}};
     spread.sources = {{"tip radius", of_height(1.002), of_height(0.998)}};
     const auto estimate = spread.estimate(1.0, height);

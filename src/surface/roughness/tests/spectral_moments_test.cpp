@@ -75,7 +75,7 @@ TEST(SpectralParameters, OfLinesCutAreThoseOfTheSurfaceCut) {
         EXPECT_NEAR(a.rms_curvature / b.rms_curvature, 1.0, 5e-4);
         EXPECT_NEAR(a.elastic_energy_per_modulus / b.elastic_energy_per_modulus, 1.0, 5e-4);
     }
-    // known to 2e7 1/m alone: the last power law goes on
+    // known to 2e7 1/m alone: the last power law continues
     auto lines = profile_curve(), surface = isotropic_curve();
     const auto known =
         std::upper_bound(lines.wavevector.begin(), lines.wavevector.end(), 2e7) - lines.wavevector.begin();

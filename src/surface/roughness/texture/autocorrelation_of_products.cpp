@@ -61,7 +61,7 @@ AutocorrelationOfProducts::AutocorrelationOfProducts(const topography::HeightMap
                                  ": all heights are equal, so their autocorrelation is undefined");
 }
 
-/// Mean product of the pairs at a lag, undefined where there are none.
+/// Mean product of the pairs at a lag, undefined if there are none.
 double AutocorrelationOfProducts::mean_at(Index i, Index j) const {
     const auto grid_x = values_->sums.rows(), grid_y = values_->sums.cols();
     const double product = values_->sums(i, j);

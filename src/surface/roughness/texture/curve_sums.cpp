@@ -9,8 +9,8 @@ namespace {
 double square(double x) { return x * x; }
 double cube(double x) { return x * x * x; }
 
-/// What is summed at a height: a weight, and beside it a moment or volume where volumes are asked for. Both lie in one
-/// register, so that they are added at once.
+/// What is summed at a height: a weight, and next to it a moment or volume where volumes are requested. Both lie in one
+/// register, so they are added at once.
 template <Volumes volumes>
 struct Summand {
     using Values [[gnu::vector_size(2 * sizeof(double))]] = double;

@@ -54,7 +54,7 @@ double flattest_start(const CurveInterpolant& curve) {
     return best_place;
 }
 
-/// The straight line that stands for the core, at ratios 0 and 1.
+/// The straight line that means the core, at ratios 0 and 1.
 struct CoreLine {
     double upper = 0.0;
     double lower = 0.0;

@@ -36,7 +36,7 @@ double crossing(double lower, double upper, double target, Function function) {
     return numerics::bisected([&](double x) { return function(x) >= target; }, lower, upper).first;
 }
 
-/// Places of the finite heights, so that they increase.
+/// Places of the finite heights, so they increase.
 std::vector<Index> increasing_order(const ArrayView1D& heights) {
     std::vector<Index> order;
     for (Index k = 0; k < heights.size(); ++k)

@@ -79,8 +79,8 @@ Rim rim_of(AutocorrelationOfProducts& f, double level, std::array<double, 2> pix
     return rim;
 }
 
-/// The distance at an extreme point of the rim, improved by a parabola over the angles beside it where that fits to 5 %
-/// of a pixel.
+/// The distance at an extreme point of the rim, improved by a parabola over the angles next to it where that fits to 5
+/// % of a pixel.
 double refined(const Rim& rim, const RimPoint& extreme, double pixel) {
     const double reach = std::min(0.5, 1.75 * pixel / extreme.distance);
     Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();

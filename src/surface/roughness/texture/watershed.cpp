@@ -39,7 +39,7 @@ private:
 
 constexpr std::array<std::array<Index, 2>, 8> neighbours{
     {{-1, -1}, {-1, 0}, {-1, 1}, {0, -1}, {0, 1}, {1, -1}, {1, 0}, {1, 1}}};
-constexpr std::size_t first_forward = 4;  ///< of these eight, those behind a point in storage order
+constexpr std::size_t first_forward = 4;  ///< of these eight, those after a point in storage order
 
 /// Heights the way that is up, with neighbours across periodic edges.
 class Grid {
@@ -229,7 +229,7 @@ std::vector<Peak> significant_peaks(const topography::HeightMap& map, Up up, dou
     const Grid grid(map, up);
     auto basins = basins_of(grid, threads);
     const auto count = basins.peak.size();
-    // from the highest saddle down: of two lands that meet, the one with the lower peak is joined to the hill beside
+    // from the highest saddle down: of two lands that meet, the one with the lower peak is joined to the hill next to
     // it, or stays a hill
     Sets lands(count), hills(count);
     const auto peak_height = [&](Label basin) { return grid.at(basins.peak[static_cast<std::size_t>(basin)]); };

@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-// Power spectra beside the bare transforms and copies they rest on, all in one run.
+// SPDX-License-Identifier: GPL-3.0-or-later Power spectra next to the bare transforms and copies they depend on, all in
+// one run.
 #include <cmath>
 #include <complex>
 #include <cstring>

@@ -151,7 +151,7 @@ Array2D quadrature(const Array1D& grid, const ArrayView1D& nodes) {
         const double q_i = nodes[i], square = q_i * q_i;
         const auto integrals = [&](double q) {
             auto value = i == last ? lower(q / q_i) : whole(q / q_i);
-            if (i == 0) {  // constant below the first node in place of its lower half
+            if (i == 0) {  // constant below the first node instead of its lower half
                 const auto half = lower(q / q_i), disc = hat_node::line_integrals_of_disc(q / q_i);
                 value.zeroth += disc.zeroth - half.zeroth;
                 value.first += disc.first - half.first;

@@ -45,7 +45,7 @@ void move_lengths(PeriodogramClass& data, const ObservedGroup& group, const TipR
     const double factor = std::exp(log_factor);
     const Array1D wavevector = data.wavevector / factor, nodes = data.nodes / factor;
     data.periodogram *= factor;
-    // the spectrum's end stays where it is, that much further behind the last node
+    // the spectrum's end stays where it is, that much further after the last node
     if (group.end_response.size() > 0)
         data.response.col(data.nodes.size() - 1) += log_factor / node_spacing * group.end_response;
     data.response /= factor;

@@ -50,7 +50,7 @@ void add_response(ObservedGroup& group, const ScanShape& shape, const SpectrumRa
     if (last <= first + 1)
         throw InvalidArgument(fmt::format("pixels of {} m below the surface's shortest wavelength", step));
     auto kernel = scan_kernel(shape, first, last + 1, threads);
-    // between the last node and q_s C goes on, beyond it there is nothing: the hat of the node behind takes what is
+    // between the last node and q_s C continues, beyond it there is nothing: the hat of the node after takes what is
     // missing
     const double rest = end - static_cast<double>(last) - 0.5;
     const Index count = last - first + 1;

@@ -193,7 +193,7 @@ bool evident(const Mean& mean) {
            Stretch{mean.vector}.ratio() > min_stretch;
 }
 
-/// A knot each decade that maps speak of; nothing where none is evidently stretched.
+/// A knot each decade that maps speak of; empty if none is evidently stretched.
 StretchOfMaps by_decade(const std::vector<ObservedStretch>& observed, double constancy) {
     std::map<int, std::vector<ObservedStretch>> decades;
     for (const auto& o : observed) decades[static_cast<int>(std::floor(std::log10(o.wavevector)))].push_back(o);

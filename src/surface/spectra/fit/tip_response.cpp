@@ -237,7 +237,7 @@ public:
         return hats;
     }
 
-    /// Modes behind each wavevector, none beyond the patch.
+    /// Modes after each wavevector, none beyond the patch.
     [[nodiscard]] Array1D modes() const {
         return Array1D::NullaryExpr(wavevector_.size(),
                                     [&](Index i) { return i < beyond_ ? 0.0 : bins_.modes(i - beyond_); });

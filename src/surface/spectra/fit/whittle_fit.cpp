@@ -216,7 +216,7 @@ private:
         Array1D expected;                 // E
         Eigen::MatrixXd derivative;       // ∂ ln E/∂x at fixed tip
         Eigen::MatrixXd total;            // with the tip's response
-        Eigen::VectorXd amplitude_slope;  // ∂ ln A/∂theta; empty where no tip responds
+        Eigen::VectorXd amplitude_slope;  // ∂ ln A/∂theta; empty if no tip responds
     };
 
     [[nodiscard]] Expectation expectation(std::size_t index, const Eigen::VectorXd& x) const {

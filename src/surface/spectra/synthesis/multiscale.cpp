@@ -77,7 +77,7 @@ std::complex<double> phase(numerics::RandomKey key, Index k, Index m) {
 }
 
 struct MadeOctave {
-    std::optional<Octave> octave;  ///< nothing where the band holds no power
+    std::optional<Octave> octave;  ///< empty if the band holds no power
     ScaleMoments moments;
 };
 

@@ -28,7 +28,7 @@ HalfSpectrum half_spectrum(const Array2D& map, parallel::Threads threads) {
     return spectrum;
 }
 
-/// How many modes of the whole spectrum line m of the half stands for.
+/// How many modes of the whole spectrum line m of the half means.
 double multiplicity(Index m, Index ny) { return m == 0 || 2 * m == ny ? 1.0 : 2.0; }
 
 double mean_square(const Array2D& map) {

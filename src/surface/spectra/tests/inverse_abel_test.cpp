@@ -63,7 +63,7 @@ TEST(InverseAbel, UndoesTheIntegralOverLines) {
     const Array1D q = decades(2e4, 2e7, 20);
     const auto result = isotropic_from_lines(q, spectra::profile_from_isotropic(nodes, C_iso, q));
     for (Index k = 0; k < q.size(); ++k) {
-        if (q[k] > 1e7) continue;  // the last third of a decade rests on the power law beyond
+        if (q[k] > 1e7) continue;  // the last third of a decade depends on the power law beyond
         const double place = std::log(q[k] / nodes[0]) / std::log(nodes[1] / nodes[0]);
         const auto node = static_cast<Index>(place);
         const double exact = std::exp(std::log(C_iso[node]) +

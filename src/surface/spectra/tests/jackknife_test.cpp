@@ -11,7 +11,7 @@
 namespace setae::spectra::jackknife_test {
 namespace {
 
-/// Measurements given by their values in three bins; NaN where one has none.
+/// Measurements given by their values in three bins; NaN if one has none.
 BinnedSpectra made_of(const std::vector<std::array<double, 3>>& values, std::vector<std::string> instruments) {
     BinnedSpectra binned;
     binned.wavevector = Array1D::NullaryExpr(3, [&](Index b) { return binned.grid.centre(b); });

@@ -117,7 +117,7 @@ TEST(SelfAffineFit, DoesNotDependOnTheUnitOfLength) {
 }
 
 TEST(SelfAffineFit, OfTheModesOfOneMapKnowsWindowAndAliases) {
-    // sampled from a surface that goes on beyond its pixels
+    // sampled from a surface that continues beyond its pixels
     const SelfAffine model{1e-27, 2.0 * pi / 4e-7, 0.8, 2.0 * pi / 5e-9};
     const auto whole = synthesis::random_surface(spectra::density(model), {1024, 1024, 4e-6, 4e-6}, {.key = {3, 0}});
     topography::HeightMap map{Array2D(128, 128), {2e-6, 2e-6}, false, {}};

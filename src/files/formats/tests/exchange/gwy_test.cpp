@@ -107,7 +107,7 @@ TEST(Gwy, DamageIsRefusedWithItsPlace) {
               std::string::npos);
     const auto unit = gwy_field(heights, 4e-6, 3e-6, "m", "m");
     auto shorter = unit;
-    shorter[std::string("GwyDataField").size() + 1] = 40;  // the field ends within its component xreal or behind
+    shorter[std::string("GwyDataField").size() + 1] = 40;  // the field ends within its component xreal or after
     EXPECT_NE(refusal(gwy_file(of_field(shorter))).find("GWY: "), std::string::npos);
 }
 
@@ -120,7 +120,7 @@ TEST(Gwy, ComponentsWithoutEndAreRefused) {
 TEST(Gwy, OpeningAGigabyteReadsItsHeadersAlone) {
     auto small = gwy_file(of_field(field) + gwy_text("/0/data/title", "behind the heights"));
     const std::uint64_t more = std::uint64_t{8} * (11264 * 11264 - 12);
-    const auto grow = [&](const std::string& name) {  // the size of an object behind its name
+    const auto grow = [&](const std::string& name) {  // the size of an object after its name
         std::uint32_t size = 0;
         const auto at = small.find(name + '\0') + name.size() + 1;
         std::memcpy(&size, small.data() + at, sizeof(size));

@@ -140,7 +140,7 @@ TEST(Hdf5, HeapsThatDoNotAddUpAreRefusedBeforeTheLibrarySeesThem) {
     ASSERT_NE(heap, std::string::npos);
     EXPECT_EQ(channels_of(content).size(), 1u);
     for (const std::size_t byte :
-         {8, 10, 24, 26, 56 + 8, 56 + 9}) {  // of the heap's size, of the text's, of the free space behind it
+         {8, 10, 24, 26, 56 + 8, 56 + 9}) {  // of the heap's size, of the text's, of the free space after it
         auto damaged = content;
         damaged[heap + byte] ^= 0x40;
         EXPECT_NE(message_of([&] { (void)channels_of(damaged); }).find("a heap"), std::string::npos) << byte;
@@ -189,7 +189,7 @@ TEST(Hdf5, BombsAreRefused) {
     const auto content = file.bytes();
     ASSERT_LT(content.size(), side * side * 8 / 100);
     const auto channels = channels_of(content);
-    ASSERT_EQ(channels.size(), 2u);  // what is beside it is read
+    ASSERT_EQ(channels.size(), 2u);  // what is next to it is read
     EXPECT_NE(message_of([&] { (void)channels[0].read(); }).find("it is damaged, or a map of one value"),
               std::string::npos);
     EXPECT_EQ(std::get<HeightMap>(channels[1].read()).heights(1, 2), 5.0 * units::nm);

@@ -44,7 +44,7 @@ FormatSample sample(const std::string& name, std::string content, Array2D height
             .tolerance = tolerance};
 }
 
-/// Heights raw · 1e-9 of one type, the point (3, 1) undefined where the type has a value for that.
+/// Heights raw · 1e-9 of one type, the point (3, 1) undefined if the type has a value for that.
 template <class Value>
 FormatSample binary(std::uint8_t type, double undefined_raw) {
     Array2D raw(nx, ny), heights(nx, ny);

@@ -66,7 +66,7 @@ std::string rows(const Array2D& raw, std::endian order, bool reflected) {
     return builder.content();
 }
 
-/// PackBits of rows that do not repeat: runs of at most 128 bytes as they are, each behind its length less one.
+/// PackBits of rows that do not repeat: runs of at most 128 bytes as they are, each after its length less one.
 std::string packed_rows(const std::string& content, std::size_t row) {
     std::string packed;
     for (std::size_t at = 0; at < content.size(); at += row)

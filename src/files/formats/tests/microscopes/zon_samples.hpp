@@ -14,13 +14,13 @@ using namespace setae::tests;
 /// A ZON file; 2 µm a pixel, 10 nm a unit.
 struct ZonFile {
     Array2D raw;
-    Array2D validity = {};  ///< one byte a point; empty: no such member
+    Array2D validity = {};  ///< one byte per point; empty: no such member
     bool packed = false;    ///< KPK1: members by Zstandard
     bool colour = false;
 };
 
 [[nodiscard]] Members zon_members(const ZonFile& file);
-/// Members behind a picture: KPK0, or KPK1 where packed, each member then by Zstandard.
+/// Members after a picture: KPK0, or KPK1 where packed, each member then by Zstandard.
 [[nodiscard]] std::string keyence_package(Members members, bool packed);
 [[nodiscard]] std::string zon_file(const ZonFile& file);
 /// A ZAG file of ZON files under their names; those that begin with "hidden" are not to be shown.

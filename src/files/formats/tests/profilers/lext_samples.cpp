@@ -31,7 +31,7 @@ std::string settings() {
         calibration_x, calibration_y, calibration_z);
 }
 
-/// An Exif directory of one entry, put behind the file; the pointer of the first page is set to it.
+/// An Exif directory of one entry, put after the file; the pointer of the first page is set to it.
 std::string with_exif(std::string file, std::uint32_t placeholder) {
     ByteBuilder directory;
     const auto xml = settings();

@@ -17,7 +17,7 @@ struct VkFile {
 };
 
 [[nodiscard]] std::string vk4_file(const VkFile& file);
-/// The same behind a picture, as VK6 or VK7.
+/// The same after a picture, as VK6 or VK7.
 [[nodiscard]] std::string vk6_file(const VkFile& file, char version = '6');
 /// A picture of 2 × 2 points as BMP.
 [[nodiscard]] std::string bmp_picture();

@@ -19,7 +19,7 @@ constexpr Index nx = 11, ny = 9;
 
 double height(Index i, Index j) { return 0.001 * static_cast<double>((37 * i * i + 29 * j * j + 5 * i * j) % 97); }
 
-/// Rows of heights behind what `label` gives for each.
+/// Rows of heights after what `label` gives for each.
 template <class Label>
 std::string rows(const char* separator, const Label& label) {
     std::string text;

@@ -145,7 +145,7 @@ TEST(TiffMicrograph, MarksInstrumentsUntestedOnRealFiles) {
     EXPECT_TRUE(has_alert(sightx, "UNTESTED_FORMAT"));
 }
 
-/// Found by fuzzing: memory for a strip was taken before the file was asked for it.
+/// Found by fuzzing: memory for a strip was taken before the file was requested it.
 TEST(TiffMicrograph, TakesNoMemoryForAStripThatTheFileCannotHold) {
     const TiffFile tiff{.big_tiff = true};
     expect_refusal(tiff.bytes({{TiffField{279, 16, 1, Bytes{}.whole(std::uint64_t{1} << 60, 8)}, tiff.shorts(259, 5)}}),

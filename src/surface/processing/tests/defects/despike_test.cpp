@@ -207,7 +207,7 @@ TEST(Despike, PutsTheLocalMedianWhereSpikesWere) {
     const auto clean = self_affine(128, 0.8, 5);
     auto map = clean;
     const auto planted = plant(map, 8e-8, 20, 3);
-    map.heights(60, 60) += 1e-7, map.heights(60, 61) += 1e-7;  // beside each other
+    map.heights(60, 60) += 1e-7, map.heights(60, 61) += 1e-7;  // next to each other
     const auto done = apply(Despike{}, map);
     EXPECT_EQ(number_of(done.record, "spikes"), 22.0);
     EXPECT_NEAR(number_of(done.record, "rms_height_before"), rms_of(map.heights), 1e-18);

@@ -114,7 +114,7 @@ std::vector<ObservedSurface> observed(double heights = 1.0, double lengths = 1.0
     return all;
 }
 
-/// Waves may go on beyond Nyquist, so that lengths can move; tips cut no data off.
+/// Waves may continue beyond Nyquist, so that lengths can move; tips cut no data off.
 LikelihoodOptions options() {
     return {.shortest_wavelength = 0.7 * shortest_wavelength,
             .tip_band = false,
@@ -224,7 +224,7 @@ TEST(InputResponses, OfATipAreThoseOfAnotherRadius) {
     }
 }
 
-// A tip's part of the spectrum's error is the same beside the covariance as in it.
+// A tip's part of the spectrum's error is the same next to the covariance as in it.
 TEST(InputResponses, LeaveTheTotalErrorAsItIs) {
     auto known = touched(radius, 0.0);
     const auto with = likelihood_spectrum(touched(radius, 0.1 * radius), options()),

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double wide = std::numeric_limits<double>::infinity();
 
-/// A quarter of a patch, so that it is not periodic. Offsets of its lines are a tenth of its rms height.
+/// A quarter of a patch, so it is not periodic. Offsets of its lines are a tenth of its rms height.
 topography::HeightMap stretched_map(std::uint64_t seed, double stretch, double angle, bool line_offsets = false) {
     constexpr Index points = 256, fine = 2 * points;
     constexpr double pixel = 10e-9, size = fine * pixel;

@@ -45,7 +45,7 @@ TEST(TipResponse, OfATipThatFitsEverywhereIsOne) {
 }
 
 // The same ratio from other surfaces, dilated as a whole and summed over modes without smoothing: four patches of
-// sixteen lines a correlation length apart and thirteen modes know it to 3.5 %, the simulation behind T to as much.
+// sixteen lines a correlation length apart and thirteen modes know it to 3.5 %, the simulation after T to as much.
 TEST(TipResponse, IsTheRatioOfPowersOfOtherSurfacesReadByTheTip) {
     auto options = simulation(1e-6);
     options.repetitions = 4;
@@ -245,8 +245,8 @@ TEST(TipResponse, HasTheDerivativesOfItsOwnDifferences) {
     EXPECT_LT(at(response.wavevector, response.size_response, 2.0 * pi / 300e-9), -0.05);
 }
 
-// A ball rests on peaks and cannot enter valleys: it loses less of what peaks show, and reads heights more skewed than
-// they are.
+// A ball depends on peaks and cannot enter valleys: it loses less of what peaks show, and reads heights more skewed
+// than they are.
 TEST(TipResponse, LosesLessOfPeaksThanOfValleys) {
     auto peaks = simulation(1e-6), valleys = peaks, gaussian = peaks;
     peaks.skewness = 0.8;

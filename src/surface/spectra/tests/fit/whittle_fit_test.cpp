@@ -50,7 +50,7 @@ TEST(WhittleFit, FindsASmoothSpectrumFromItsExpectation) {
     for (const double q : {2e5, 1e6, 7e6, 9e7}) EXPECT_NEAR(log_error(fit, q), 0.0, 2e-3) << q;
 }
 
-// E = C + σ² N: noise and surface are told apart where C falls below it.
+// E = C + σ² N: noise and surface are distinguished where C falls below it.
 TEST(WhittleFit, TellsNoiseFromTheSurface) {
     auto c = direct(1e5, 9.9e7, 1e4);
     constexpr double noise = 1e-34;

@@ -63,7 +63,7 @@ private:
 [[nodiscard]] Index coarsest_side_of(Index n, Index coarsest);
 
 /// Rows of a map, divided as evenly as the coarser maps of the same problem allow: every coarser map has the halves of
-/// the same rows in the same process, and in the coarsest map a process begins at a multiple of `step`.
+/// the same rows in the same process, and in the coarsest map per process begins at a multiple of `step`.
 /// ranks: nullptr or one process: all rows.
 /// @throws InvalidArgument for more ranks than the coarsest map has steps.
 [[nodiscard]] Slab nested_slab(Index rows, Index coarsest, Index step, const Ranks* ranks);

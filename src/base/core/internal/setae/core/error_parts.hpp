@@ -16,7 +16,7 @@ struct ErrorParts {
     std::string expected;  ///< expected
 };
 
-/// The parts of a message of this project: "FILE:LINE: GOT; expected EXPECTED; REMEDY", or "at byte N" in place of the
+/// The parts of a message of this project: "FILE:LINE: GOT; expected EXPECTED; REMEDY", or "at byte N" instead of the
 /// line. of_file: the message is that of a FileError or FormatError, which begins with the path.
 [[nodiscard]] ErrorParts error_parts(std::string_view message, bool of_file);
 

@@ -25,7 +25,7 @@ namespace setae {
 /// becomes "grosse".
 [[nodiscard]] std::string folded(std::string_view text);
 
-/// Text with U+FFFD in place of bytes that are not UTF-8.
+/// Text with U+FFFD instead of bytes that are not UTF-8.
 [[nodiscard]] std::string valid_utf8(std::string_view text);
 
 /// Text safe for a terminal: valid UTF-8, with a blank for each control character except line feed and tab, and for

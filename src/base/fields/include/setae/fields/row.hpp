@@ -82,7 +82,7 @@ public:
 
 /// A field of a type: its name, its meaning, and access to its value in a result.
 struct Row {
-    std::string_view name{};     ///< snake_case: the name in JSON, Python and schemas; empty where it is in no output
+    std::string_view name{};     ///< snake_case: the name in JSON, Python and schemas; empty if it is in no output
     std::string_view term{};     ///< the field's term for the quantity, if it differs from the name
     std::string_view symbol{};   ///< in formulas, such as "W_app"; empty if there is none
     std::string_view unit{};     ///< SI; empty if there is none

@@ -84,7 +84,7 @@ struct ContainerTopography {
         std::string extra;
         bool operator==(const Channel&) const = default;
     };
-    std::optional<Channel> channel;  ///< key of the newest TopoBank, in place of data_source
+    std::optional<Channel> channel;  ///< key of the newest TopoBank, instead of data_source
     std::vector<double> size;        ///< [unit]
     std::string unit;
     std::optional<double> height_scale;  ///< factor to the numbers of the original if the file contains no scale

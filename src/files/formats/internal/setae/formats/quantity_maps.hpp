@@ -9,7 +9,7 @@
 
 namespace setae::formats {
 
-/// Any quantity on a grid: first index x, rows from the top, NaN where undefined.
+/// Any quantity on a grid: first index x, rows from the top, NaN if undefined.
 struct QuantityMap {
     std::string name;
     std::string unit;  ///< SI, such as "Pa"

@@ -6,7 +6,7 @@
 
 namespace setae::tables {
 
-/// Names of the mappings in a folder, their files without ".toml", in alphabetical order; none where there is no such
+/// Names of the mappings in a folder, their files without ".toml", in alphabetical order; none if there is no such
 /// folder.
 [[nodiscard]] std::vector<std::string> mapping_names(const std::string& folder);
 

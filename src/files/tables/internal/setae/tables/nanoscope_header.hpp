@@ -32,7 +32,7 @@ struct NanoscopeSection {
 [[nodiscard]] const std::string* find(const NanoscopeSection& section, std::string_view key);
 /// The first value of that key outside the sections of images.
 [[nodiscard]] const std::string* find(const std::vector<NanoscopeSection>& sections, std::string_view key);
-/// The first section of that name; nullptr where there is none.
+/// The first section of that name; nullptr if there is none.
 [[nodiscard]] const NanoscopeSection* section_named(const std::vector<NanoscopeSection>& sections,
                                                     std::string_view name);
 
@@ -55,7 +55,7 @@ struct NanoscopeScale {
 };
 [[nodiscard]] NanoscopeScale nanoscope_scale(const std::string& text);
 
-/// A soft sensitivity such as "V 12.5 nm/V" by its name; nothing where the header has none.
+/// A soft sensitivity such as "V 12.5 nm/V" by its name; empty if the header has none.
 [[nodiscard]] std::optional<NanoscopeValue> soft_sensitivity(const std::vector<NanoscopeSection>& sections,
                                                              const std::string& name);
 

@@ -22,7 +22,7 @@ using TextSections = std::map<std::string, TextSection, std::less<>>;
 /// Whether a file begins as a Nanosurf file.
 [[nodiscard]] bool is_nanosurf(std::string_view head);
 
-/// The value of a key; empty where it is missing.
+/// The value of a key; empty if it is missing.
 [[nodiscard]] std::string text_entry(const TextSection& section, std::string_view key);
 
 /// The sections of a header as nanosurf_head() gives it.

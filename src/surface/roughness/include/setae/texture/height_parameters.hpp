@@ -28,7 +28,7 @@ struct HeightParameters {
 };
 
 /// Two passes: the mean, then the moments about it, so an offset causes no loss of digits. mean_line: reference height
-/// [m] of z in place of the mean, such as the 0 of filtered profiles. @throws UndefinedDataError if no height is
+/// [m] of z instead of the mean, such as the 0 of filtered profiles. @throws UndefinedDataError if no height is
 /// defined.
 [[nodiscard]] HeightParameters height_parameters(const MeasurementView& measurement, parallel::Threads threads = {},
                                                  std::optional<double> mean_line = {});

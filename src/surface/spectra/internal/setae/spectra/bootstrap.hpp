@@ -12,7 +12,7 @@ namespace setae::spectra {
 /// Sampling with replacement.
 enum class Draw {
     measurements,            ///< among all measurements
-    within_instruments,      ///< among those of each instrument, so that no instrument is lost
+    within_instruments,      ///< among those of each instrument, so no instrument is lost
     instruments_and_within,  ///< instruments, then as many measurements among those of each drawn one: scatter of both
                              ///< levels
 };
