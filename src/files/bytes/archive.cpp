@@ -29,13 +29,13 @@ constexpr std::uint64_t largest_head = 1 << 20;  ///< of a member that is expand
     throw FormatError(source.name, {}, "ZIP: " + what);
 }
 
-/// The directory of an archive stands at its end: what was looked for there is not there.
+/// Throws: the directory at the end of an archive is missing.
 [[noreturn]] void no_archive(const Source& source, const std::string& reason) {
     throw FormatError(source.name, {.offset = source.size},
                       fmt::format("ZIP: {}; the archive is damaged or truncated", reason));
 }
 
-/// What libzip reads an archive through: any source, from where its directory says.
+/// Source of an archive for libzip: any source, from the place given by its directory.
 struct Reading {
     Source source;
     std::uint64_t position = 0;
@@ -100,7 +100,7 @@ zip* opened(const Source& source) {
     no_archive(source, reason);
 }
 
-/// What a member announces of itself.
+/// Properties of a member in the directory.
 zip_stat_t announced(zip* archive, std::uint64_t index, const Source& source) {
     zip_stat_t stat;
     if (zip_stat_index(archive, index, 0, &stat) != 0 || !(stat.valid & ZIP_STAT_SIZE) ||
@@ -109,15 +109,14 @@ zip_stat_t announced(zip* archive, std::uint64_t index, const Source& source) {
     return stat;
 }
 
-/// A member expanded when it is requested, as far as it is requested while that is little, then whole and once,
-/// whichever thread asks.
+/// A member expanded on request: only its beginning while that is small, then completely and once, from any thread.
 struct Close {
     void operator()(zip* archive) const { zip_discard(archive); }
 };
 
 }  // namespace
 
-/// What copies of an archive and its members share. libzip serves one thread at a time.
+/// Shared state of the copies of an archive and its members. libzip is used by one thread at a time.
 class Archive::Opened {
 public:
     explicit Opened(const Source& source) : source_(source), zip_(opened(source_)) {
@@ -180,8 +179,8 @@ private:
 
 namespace {
 
-/// A member that is expanded as far as it is read. A large one is read by an archive of its own, so that threads read
-/// several at once; for small ones reading the directory again would take longer.
+/// A member that is expanded on reading. A large one is read by a separate archive, so threads read several
+/// simultaneously; for small ones reading the directory again would take longer.
 struct LazyMember {
     Archive archive;
     Source source;  ///< of the archive
@@ -239,7 +238,7 @@ std::string Archive::Opened::head(const std::string& name, std::uint64_t count) 
     std::string content;
     const auto expected = std::min({announced(zip_.get(), index, source_).size, max_expanded(compressed), count});
     content.reserve(expected);
-    // a map has ten thousands of small members: none pays for a large one's chunk
+    // a map has tens of thousands of small members, which do not need the chunk of a large one
     std::vector<char> chunk(std::clamp<std::uint64_t>(expected, 1 << 12, 1 << 18));
     while (content.size() < count) {
         const auto got =

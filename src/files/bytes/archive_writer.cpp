@@ -18,9 +18,9 @@
 namespace setae::bytes {
 namespace {
 
-constexpr zip_uint16_t first_day = (1 << 5) | 1;  // 1980-01-01, where the time of ZIP archives begins
+constexpr zip_uint16_t first_day = (1 << 5) | 1;  // 1980-01-01, the beginning of time in ZIP archives
 
-/// What libzip asks a member for. No exception may pass through libzip: it is kept and thrown afterwards.
+/// Source of a member for libzip. No exception may pass through libzip: it is stored and thrown afterwards.
 struct MemberReader {
     const ArchiveMember* member = nullptr;
     std::exception_ptr* failure = nullptr;

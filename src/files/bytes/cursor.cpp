@@ -33,8 +33,8 @@ void Cursor::require(std::uint64_t count) const {
 const char* Cursor::take(std::uint64_t count) {
     require(count);
     if (position_ < window_at_ || position_ + count > window_at_ + window_.size()) {
-        // windows begin at multiples of their size: the first holds what a lazy member of an archive has without being
-        // expanded
+        // windows begin at multiples of their size: the first contains the part of an archive member that is available
+        // without expansion
         const auto begin = position_ - position_ % window_bytes;
         window_ =
             source_.bytes(begin, std::min(std::max(window_bytes, position_ + count - begin), source_.size - begin));

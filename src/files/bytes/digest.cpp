@@ -13,7 +13,7 @@
 namespace setae::bytes {
 namespace {
 
-/// A digest that grows with what it is given.
+/// An incremental digest.
 class Digest {
 public:
     explicit Digest(const EVP_MD* algorithm) : context_(EVP_MD_CTX_new()) {

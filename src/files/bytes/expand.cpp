@@ -47,7 +47,7 @@ bool is_gzip(std::string_view head) { return head.starts_with("\x1f\x8b\x08"); }
 
 namespace {
 
-/// The content of a stream that becomes `most` bytes or fewer, or of its beginning once `enough` are there.
+/// The content of a stream that expands to at most `most` bytes, or its beginning once `enough` are available.
 std::string inflated_within(std::uint64_t most, std::string_view stream, const Source& source, std::uint64_t offset,
                             const std::string& format, std::uint64_t enough) {
     constexpr int zlib_or_gzip = 15 + 32;
@@ -83,7 +83,7 @@ std::string inflated(std::string_view stream, const Source& source, std::uint64_
 
 namespace {
 
-/// Memory of at most 8 MiB, whatever the stream announces.
+/// At most 8 MiB of memory for any stream.
 std::unique_ptr<ZSTD_DCtx, decltype(&ZSTD_freeDCtx)> zstd_context() {
     std::unique_ptr<ZSTD_DCtx, decltype(&ZSTD_freeDCtx)> context(ZSTD_createDCtx(), &ZSTD_freeDCtx);
     ZSTD_DCtx_setParameter(context.get(), ZSTD_d_windowLogMax, 23);

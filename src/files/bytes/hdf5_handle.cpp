@@ -18,7 +18,7 @@ constexpr std::string_view signature = "\x89HDF\r\n\x1A\n";
 constexpr std::size_t image_increment = 1 << 16;
 constexpr int max_dimensions = H5S_MAX_RANK;
 
-/// Sessions of this thread inside each other. A recursive mutex would not do: in a child process its owner is another.
+/// Number of nested sessions of this thread. A recursive mutex is unsuitable: a child process has another owner.
 thread_local int sessions = 0;
 
 std::mutex& guard() {
@@ -36,13 +36,13 @@ std::uint64_t address(Cursor& cursor, unsigned bytes) {
     }
 }
 
-/// The file holds all that its superblock says. Source: HDF5 File Format Specification 3.0, II.A.
+/// The file is as large as its superblock states. Source: HDF5 File Format Specification 3.0, II.A.
 void require_whole(const Source& source, std::uint64_t start) {
     Cursor cursor(source, "HDF5", start + signature.size());
     const unsigned version = cursor.number<std::uint8_t>();
     if (version > 3) cursor.fail(fmt::format("version {} of the superblock, expected 0 to 3", version));
     const bool old = version < 2;
-    cursor.skip(old ? 4 : 0);  // versions of what follows
+    cursor.skip(old ? 4 : 0);  // versions of the following structures
     const unsigned bytes = cursor.number<std::uint8_t>();
     cursor.skip(version == 0 ? 10 : version == 1 ? 14 : 2);  // size of lengths, tree parameters, flags
     (void)address(cursor, bytes);                            // base
@@ -59,7 +59,7 @@ void require_whole(const Source& source, std::uint64_t start) {
 
 Hdf5Session::Hdf5Session() {
     if (sessions++ == 0) guard().lock();
-    // what damaged files leave open it would complain of at the end of the program
+    // otherwise the library complains of damaged files at the end of the program
     static const herr_t quiet = H5dont_atexit();
     static_cast<void>(quiet);
     H5Eget_auto2(H5E_DEFAULT, &reporter_, &reporter_data_);

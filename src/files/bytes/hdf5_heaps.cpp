@@ -14,7 +14,7 @@ namespace {
 constexpr std::string_view heap_signature("GCOL\x01\x00\x00\x00", 8);
 constexpr std::uint64_t header_bytes = 16, object_header_bytes = 16, alignment = 8;
 
-/// What is wrong with the heap at the start of these bytes; empty if nothing is.
+/// The problem of the heap at the start of these bytes; empty if there is none.
 std::string fault(std::string_view bytes) {
     if (bytes.size() < header_bytes) return "ends early";
     const auto size = bytes::load<std::uint64_t>(bytes.data() + heap_signature.size(), std::endian::little);

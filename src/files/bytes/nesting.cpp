@@ -10,7 +10,7 @@ namespace {
 bool opens(char c) { return c == '[' || c == '{'; }
 bool closes(char c) { return c == ']' || c == '}'; }
 
-/// Behind the text in quotes that begins at `at`; the end where it does not close.
+/// Place after the quoted text that begins at `at`; the end if it is not closed.
 std::size_t behind_quotes(std::string_view text, std::size_t at, bool escapes) {
     const char quote = text[at];
     for (++at; at < text.size() && text[at] != quote && text[at] != '\n'; ++at)
@@ -18,7 +18,7 @@ std::size_t behind_quotes(std::string_view text, std::size_t at, bool escapes) {
     return std::min(at + 1, text.size());
 }
 
-/// Behind what begins at `at` with `first` and ends with `last`.
+/// Place after the part that begins at `at` with `first` and ends with `last`.
 std::size_t behind(std::string_view text, std::size_t at, std::string_view last) {
     const auto end = text.find(last, at);
     return end == std::string_view::npos ? text.size() : end + last.size();

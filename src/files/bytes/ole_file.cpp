@@ -46,8 +46,8 @@ OleFile::OleFile(const Source& source, std::string format) : source_(source), fo
     read_directory(header.number_at<std::uint32_t>(48), header.number_at<std::uint32_t>(60));
 }
 
-/// The table's own sectors are listed in the header, what does not fit there in a chain of sectors that end with the
-/// next's number.
+/// The header lists the sectors of the table; the rest is listed in a chain of sectors, each ending with the number of
+/// the next.
 void OleFile::read_table() {
     Cursor cursor(source_, format_, 44);
     const auto count = cursor.number<std::uint32_t>();
@@ -110,7 +110,7 @@ void OleFile::read_directory(std::uint32_t first, std::uint32_t first_of_small_t
             Stream stream{decoded(std::move(name), Encoding::utf16),
                           cursor.number_at<std::uint32_t>(offset_of(sector) + entry + 116),
                           cursor.number_at<std::uint64_t>(offset_of(sector) + entry + 120)};
-            if (sector_bytes_ == 512) stream.size &= 0xffffffff;  // what older writers left above is no size
+            if (sector_bytes_ == 512) stream.size &= 0xffffffff;  // older writers left other data in the upper half
             if (type == root_entry && small_stream_.empty() && stream.size > 0) {
                 if (stream.size > source_.size)
                     fail(source_.size, "the file ends before its small streams; it is truncated or damaged");

@@ -13,7 +13,7 @@
 namespace setae::bytes {
 namespace {
 
-/// A piece and where it begins in the whole.
+/// A piece and its offset in the whole.
 struct Part {
     std::uint64_t at = 0;
     Piece piece;

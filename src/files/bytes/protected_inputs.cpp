@@ -56,7 +56,7 @@ void require_no_input(const std::string& path) {
     const std::lock_guard lock(inputs().mutex);
     const auto input = inputs().paths.find(*identity);
     if (input == inputs().paths.end()) return;
-    // numbers of files that were removed are given to others
+    // file numbers of removed files are reused
     if (regular_file(input->second) != identity) return;
     throw FileError(
         fmt::format("{}: this file is an input of this run{} and would be overwritten; choose another name for the "

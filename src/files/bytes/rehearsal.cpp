@@ -15,7 +15,7 @@ std::atomic<bool> left_out = false;
 
 constexpr unsigned max_seconds = 60;
 
-/// Why a child that did not end well ended, in words.
+/// Reason for the failure of a child, as text.
 std::string end_of_child(const platform::ProcessEnd& end) {
     if (end.out_of_time) return fmt::format("the library did not finish within {} s", max_seconds);
     if (!end.signal.empty()) return fmt::format("the library failed while reading it ({})", end.signal);

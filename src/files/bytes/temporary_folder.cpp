@@ -14,7 +14,7 @@
 namespace setae::bytes {
 namespace {
 
-/// Where temporary folders may be made: $TMPDIR, the system's, and where the program runs.
+/// Possible places of temporary folders: $TMPDIR, those of the system, and the working directory.
 std::vector<std::string> places_for_temporaries() {
     std::vector<std::string> places;
     if (const char* chosen = std::getenv("TMPDIR"); chosen && *chosen) places.emplace_back(chosen);

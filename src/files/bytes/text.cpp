@@ -139,7 +139,7 @@ std::string_view without_blanks(std::string_view cell) {
     return cell;
 }
 
-/// Whether a cell is a word that programs write where nothing was measured, an error of a spreadsheet among them.
+/// Whether a cell is a word for a missing value, including errors of spreadsheets.
 bool is_undefined_word(std::string_view cell) {
     if (cell.find_first_not_of('*') == std::string_view::npos) return true;  // a field too narrow for its number
     static constexpr std::array<std::string_view, 30> words{
@@ -158,7 +158,7 @@ bool is_undefined_word(std::string_view cell) {
            std::find(kinds.begin(), kinds.end(), kind.substr(2)) != kinds.end();
 }
 
-/// The number that a cell spells with a decimal point.
+/// The number of a cell with a decimal point.
 bool parse_number(std::string_view cell, double& value) {
     auto digits = cell;
     if (digits.front() == '+') digits.remove_prefix(1);

@@ -16,7 +16,7 @@
 namespace setae::bytes {
 namespace {
 
-/// A file as libtiff sees it, and what it complains of. No exception crosses libtiff.
+/// A file for libtiff, and its messages. No exception passes through libtiff.
 struct Stream {
     Source source;
     std::uint64_t position = 0;
@@ -116,7 +116,7 @@ private:
                                       stream_.complaint.empty() ? "the pixels are damaged" : stream_.complaint));
     }
 
-    /// Rows and columns of a tile that lie within the picture, to their place.
+    /// Copies rows and columns of a tile inside the picture to their place.
     void place_tile(const std::string& tile, std::uint64_t number, std::string& pixels) const {
         const auto tile_row = pieces_.piece_nx * pieces_.pixel_bytes;
         const auto left = number % pieces_.across() * tile_row, top = number / pieces_.across() * pieces_.piece_ny;

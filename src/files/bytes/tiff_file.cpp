@@ -25,7 +25,7 @@ std::uint64_t type_bytes(std::uint16_t type) {
     return type < sizes.size() ? sizes[type] : 0;
 }
 
-/// Numbers one after another in bytes that were read for them, so no more of the file is touched.
+/// Numbers in sequence in bytes that were read for them, without further access to the file.
 struct Numbers {
     std::string bytes;
     std::endian order = std::endian::little;
@@ -37,7 +37,7 @@ struct Numbers {
         at += sizeof(T);
         return value;
     }
-    /// A count or offset: 8 bytes in BigTIFF, else 4.
+    /// A count or offset: 8 bytes in BigTIFF, otherwise 4.
     std::uint64_t next_long(bool big) { return big ? next<std::uint64_t>() : next<std::uint32_t>(); }
 };
 
@@ -78,7 +78,7 @@ struct Directory {
     std::uint64_t next = 0, bytes = 0;
 };
 
-/// The entry that begins at `at`; nothing for types this reader does not know.
+/// The entry that begins at `at`; empty for unknown types.
 std::optional<TiffTag> tag_of(Numbers& entry, std::uint64_t at, bool big, const Source& source,
                               const std::string& format) {
     TiffTag tag{.id = entry.next<std::uint16_t>(), .type = entry.next<std::uint16_t>()};
@@ -95,7 +95,7 @@ std::optional<TiffTag> tag_of(Numbers& entry, std::uint64_t at, bool big, const 
     return tag;
 }
 
-/// What an error says without the file's name.
+/// Message of an error without the name of the file.
 std::string said(const FormatError& error, const Source& source) {
     return std::string(error.what()).substr(source.name.size() + 2);
 }
@@ -125,7 +125,7 @@ Directory directory_at(const Source& source, const std::string& format, const He
     return directory;
 }
 
-/// A value as the real number it means; nothing for texts and bytes of no meaning.
+/// A value as a real number; empty for texts and untyped bytes.
 std::optional<double> value_of(Numbers& numbers, std::uint16_t type) {
     switch (type) {
         case 1: return numbers.next<std::uint8_t>();
@@ -217,7 +217,7 @@ TiffFile open_tiff(const Source& source, const std::string& format, std::size_t 
     const auto header = header_of(source, format);
     TiffFile file{.source = source, .format = format, .order = header.order, .pages = {}};
     std::set<std::uint64_t> seen;
-    std::uint64_t bytes = 0;  // each part of a sound file serves once: what overlaps could grow without end
+    std::uint64_t bytes = 0;  // each part of a valid file is used once: overlapping parts could expand without limit
     const auto next_page = [&](std::uint64_t offset) {
         if (!seen.insert(offset).second || seen.size() > max_directories)
             throw FormatError(source.name, {.offset = offset},

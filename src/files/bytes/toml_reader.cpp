@@ -137,7 +137,7 @@ Estimate TomlReader::parse_text(const char* key, const toml::node& node, const E
     }
 }
 
-/// A mention of a named input; with a value it is the first one, or says the same again.
+/// A reference to a named input; with a value it is the first one or must repeat the value.
 Estimate TomlReader::named(const std::string& name, const std::string& value, const toml::node& node,
                            const Expected& expected) const {
     const auto [at, fresh] = named_->inputs.try_emplace(name, NamedInputs::Named{value, node.source().begin, true});

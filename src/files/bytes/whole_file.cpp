@@ -30,7 +30,7 @@
 namespace setae::bytes {
 namespace {
 
-/// Why the system refuses a path, in words that say what to look at.
+/// Reason why the system refuses a path, for messages.
 std::string refusal(const std::error_code& error) {
     switch (static_cast<std::errc>(error.value())) {
         case std::errc::no_such_file_or_directory: return "no such file";
@@ -45,7 +45,7 @@ std::string refusal(const std::error_code& error) {
     }
 }
 
-/// What a path leads to instead of a file; empty if that is one.
+/// Kind of the target of a path that is no file; empty for a file.
 const char* other_kind(const std::optional<platform::FileFacts>& facts) {
     if (!facts) return nullptr;
     switch (facts->kind) {
@@ -58,7 +58,7 @@ const char* other_kind(const std::optional<platform::FileFacts>& facts) {
     throw InternalError("a kind of file without a name");
 }
 
-/// @throws FileError for a missing path, what is no regular file and what cannot be opened.
+/// @throws FileError for a missing path, for anything but a regular file and for a file that cannot be opened.
 void require_file(const std::string& path, const platform::ReadableFile& file) {
     if (const char* const kind = other_kind(file.facts()))
         throw FileError(fmt::format("{}: is {}, expected a regular file", path, kind));
@@ -80,8 +80,8 @@ std::string state_of(const platform::FileFacts& facts) {
                        facts.status_changed);
 }
 
-/// A file that is read in pieces, all of them of the content it had when it was opened. It stays open, so that
-/// a file which is replaced is read to its end; where many are open it is opened again for each piece.
+/// A file that is read in pieces, all with the content at opening. It stays open, so a file that is replaced is read to
+/// its end; if many are open, it is opened again for each piece.
 class HeldFile {
 public:
     HeldFile(std::string path, const platform::FileFacts& facts, std::shared_ptr<const platform::ReadableFile> file)
@@ -131,7 +131,7 @@ private:
     File kept_;
 };
 
-/// Refuses what lies beyond the end of a source.
+/// Refuses a range beyond the end of a source.
 void require_inside(const std::string& name, std::uint64_t size, std::uint64_t offset, std::uint64_t count) {
     if (offset > size || count > size - offset)
         throw FormatError(
@@ -144,7 +144,7 @@ void require_inside(const std::string& name, std::uint64_t size, std::uint64_t o
                                 what, std::strerror(error)));
 }
 
-/// What a path leads to where it is a link to a file, so that links stay what they are.
+/// Target of a path that is a link to a file, so that links are kept.
 std::string target_of(const std::string& path) {
     std::error_code failure;
     if (!std::filesystem::is_symlink(path, failure)) return path;
@@ -159,14 +159,13 @@ void require_replaceable(const std::string& path) {
     require_no_input(path);
 }
 
-/// 16 hexadecimal digits that nobody can foresee.
+/// 16 unpredictable hexadecimal digits.
 std::string unforeseen_digits() {
     std::random_device device;
     return fmt::format("{:08x}{:08x}", device(), device());
 }
 
-/// Makes an empty file beside `path` under a name that nothing had and nobody foresees, readable by those who may read
-/// `path`.
+/// Creates an empty file next to `path` with a new, unpredictable name, readable by the readers of `path`.
 std::string new_temporary_file(const std::string& path) {
     constexpr int max_tries = 100;
     constexpr std::size_t max_bytes_of_name = 200;  // of the 255 that a name may have
@@ -183,13 +182,13 @@ std::string new_temporary_file(const std::string& path) {
     refuse_writing(path, "created", failure.value());
 }
 
-/// What a temporary name was made for, and by which process.
+/// File and process of a temporary name.
 struct Leftover {
     std::string name;
     platform::ProcessId writer = 0;
 };
 
-/// Nothing for names that new_temporary_file() does not make.
+/// Empty for names that new_temporary_file() does not create.
 std::optional<Leftover> leftover(const std::string& name) {
     static const std::regex pattern(R"((.+)\.([0-9]{1,9})-[0-9a-f]{16}\.part)");
     std::smatch match;
@@ -231,7 +230,7 @@ Source source_of(const std::string& path) {
     return source;
 }
 
-/// The archive that a path leads into, as "a.zip" of "a.zip/scans/x.txt"; empty if it leads into none.
+/// The archive in a path, as "a.zip" in "a.zip/scans/x.txt"; empty if there is none.
 std::optional<std::string> archive_on_the_way(const std::string& path) {
     for (auto slash = path.find('/', 1); slash != std::string::npos; slash = path.find('/', slash + 1)) {
         const auto outer = path.substr(0, slash);
@@ -242,7 +241,7 @@ std::optional<std::string> archive_on_the_way(const std::string& path) {
     return std::nullopt;
 }
 
-/// A member of an archive under the path that leads to it. @throws FileError if the archive has no such member.
+/// A member of an archive with the path that leads to it. @throws FileError if the archive has no such member.
 Source member_source(const std::string& path, const std::string& outer) {
     const auto file = source_of(outer);
     const Archive archive(file);
@@ -312,7 +311,7 @@ std::string read_back(const std::string& path) { return source_of(path).all(); }
 
 namespace {
 
-/// Whether a file is on the disk before it takes the place of another.
+/// Whether a file is flushed to the disk before it replaces another.
 enum class Flushed { no, yes };
 
 void replace_file(const std::string& link, Flushed flushed, const std::function<void(const std::string&)>& write) {
@@ -336,7 +335,7 @@ void replace_file(const std::string& link, Flushed flushed, const std::function<
         remove();
         refuse_writing(path, "replaced", error.value());
     }
-    // the new content is in place; where the folder cannot be flushed, the old one may come back after a power failure
+    // the new content is in place; if the folder cannot be flushed, the old one may return after a power failure
     if (flushed == Flushed::yes)
         static_cast<void>(platform::flush_to_disk(std::filesystem::path(path).parent_path().string()));
 }

@@ -16,10 +16,10 @@
 namespace setae::bytes {
 namespace {
 
-/// Follows a parser and stops it where a document goes too deep or its aliases mean too much.
+/// Follows a parser and stops it if a document is too deep or its aliases expand to too much.
 class Bounds : public YAML::EventHandler {
 public:
-    /// What a node means with all its aliases.
+    /// Size of a node including its aliases.
     struct Extent {
         std::size_t nodes = 1, bytes = 0, levels = 1;
     };

@@ -15,7 +15,7 @@
 namespace setae::formats {
 namespace {
 
-/// Whether a name holds the word for the way back of a scan.
+/// Whether a name contains the word for the retrace of a scan.
 bool is_way_back(const std::string& name) {
     const auto words = words_of_name(name);
     return std::any_of(words.begin(), words.end(), [](const std::string& word) {
@@ -23,7 +23,7 @@ bool is_way_back(const std::string& name) {
     });
 }
 
-/// What is worse about a channel than about another, in the order that counts.
+/// Disadvantages of a channel in order of importance.
 std::tuple<bool, bool, bool, bool> drawbacks(const Channel& channel) {
     const auto& info = channel.info;
     return {info.shape.size() < 2, !is_height_name(info.name), info.size.empty() || info.unit.empty(),

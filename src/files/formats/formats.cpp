@@ -78,7 +78,7 @@ const std::vector<Format>& formats() {
         poir_format(),
         height_tiff_format(),
 
-        // text and sheets, asked last: their columns may begin anywhere
+        // text and sheets last: their columns may begin anywhere
         mitutoyo_format(),
         workbook_format(),
         dektak_csv_format(),
@@ -109,7 +109,7 @@ std::string first_bytes(std::string_view head) {
     return shown;
 }
 
-/// Formats whose usual endings the name has, for a file that none of them recognises.
+/// Formats with the ending of the name, for a file that no format recognises.
 std::string expected_by_name(const std::string& name) {
     std::string names;
     for (const auto& format : formats())
@@ -124,7 +124,7 @@ std::string expected_by_name(const std::string& name) {
                      names);
 }
 
-/// What kind of file the first bytes are of, where other programs' files are of it too.
+/// Kind of file by its first bytes, for kinds of other programs.
 std::string kind_of(std::string_view head, const bytes::Source& source) {
     using namespace std::string_view_literals;
     if (bytes::is_zip(head)) {
@@ -185,7 +185,7 @@ std::string first_member(const bytes::Source& source) {
                     first_bytes(head), kind.empty() ? "" : ", as " + kind, expected_by_name(source.name)));
 }
 
-/// Sizes the user or an index gave against the file's own, which stay.
+/// Compares sizes given by the user or an index with those of the file, which are used.
 void compare_sizes(std::vector<Channel>& channels, const ReadOptions& options, const bytes::Source& source) {
     if (!options.size) return;
     for (auto& channel : channels) {
@@ -217,16 +217,16 @@ const Format& detected_in(std::string_view head, const bytes::Source& source) {
     return *possible;
 }
 
-/// All that HDF5's library will be asked for, apart: its release 1.10.8 crashes on some damaged bytes.
+/// Calls of the HDF5 library in a child process first: its release 1.10.8 crashes on some damaged bytes.
 void rehearse_hdf5(std::string_view head, const bytes::Source& source, const ReadOptions& options) {
-    constexpr std::uint64_t small = 1 << 24;  // of larger files the headers alone are read by the library
+    constexpr std::uint64_t small = 1 << 24;  // for larger files the library reads only the headers
     (void)formats();
     const bytes::Hdf5Session session;
     bytes::rehearse(source.name, "HDF5", [&] {
         for (const auto& channel : detected_in(head, source).open(source, options)) {
             try {
                 if (source.size <= small) (void)channel.read();
-            } catch (const Error&) {  // the others are read all the same
+            } catch (const Error&) {  // the other files are read anyway
             }
         }
     });
@@ -278,8 +278,8 @@ std::optional<topography::TiledMap> tiled(const Channel& channel) {
 
 namespace {
 
-/// Refuses what readers of force curves recognise by its header: its numbers are none of heights. Formats that keep
-/// images beside force curves list both themselves; Igor's waves are either.
+/// Refuses force curves, recognised by their header: their numbers are no heights. Formats with both images and force
+/// curves list both themselves; Igor waves can be either.
 void require_no_force_curve(const bytes::Source& source, const Format& format) {
     const bool may_be_curve = !format.carries_scale || format.identifier == "ibw";
     if (!may_be_curve || format.is_container) return;
@@ -294,7 +294,7 @@ std::vector<Channel> open(const bytes::Source& source, const Format& format, con
     require_no_force_curve(source, format);
     auto channels = format.open(source, options);
     compare_sizes(channels, options, source);
-    if (options.keep_values || format.is_container) return channels;  // members of containers were opened one by one
+    if (options.keep_values || format.is_container) return channels;  // members of containers were opened separately
     for (auto& channel : channels) channel = without_no_data(std::move(channel));
     return channels;
 }

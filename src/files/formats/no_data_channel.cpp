@@ -11,7 +11,7 @@
 namespace setae::formats {
 namespace {
 
-/// What is found in a map that is read by scan lines: it is looked through before the first are given away.
+/// Markers found in a map that is read by scan lines: the map is searched before the first lines are returned.
 struct FoundByLines {
     topography::TiledMap map;
     topography::NoDataHints hints;

@@ -50,7 +50,7 @@ void write_measurement_as_npy(const std::string& path, const topography::Measure
 
 std::string row_bytes(const Array2D& heights, double undefined_as) {
     static_assert(std::endian::native == std::endian::little, "heights are written in the byte order of the memory");
-    constexpr Index tile = 64;  // rows whose strides through memory share cache lines
+    constexpr Index tile = 64;  // rows whose memory distance shares cache lines
     const Index nx = heights.rows(), ny = heights.cols();
     std::string bytes(static_cast<std::size_t>(nx * ny) * sizeof(double), '\0');
     for (Index top = 0; top < ny; top += tile)

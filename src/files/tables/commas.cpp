@@ -31,7 +31,7 @@ std::optional<DoubtfulCell> undecided_points(const std::vector<std::string_view>
     if (layout.dialect.decimal_point != '.' || layout.dialect.separator != ';') return std::nullopt;
     struct Column {
         bool whole = false;  ///< a number without a point
-        bool zeros = false;  ///< a group that decimals would not end with
+        bool zeros = false;  ///< a group that cannot be the end of decimals
         std::optional<DoubtfulCell> first;
     };
     std::vector<Column> columns(layout.columns);

@@ -23,7 +23,7 @@ std::string_view without_quotes(std::string_view cell) {
                                                                          : cell;
 }
 
-/// Groups of three digits that a number begins with.
+/// Groups of three digits at the beginning of a number.
 struct Groups {
     std::size_t count = 0;
     std::size_t length = 0;  ///< of the text, sign included
@@ -46,11 +46,11 @@ Groups groups_of(std::string_view number, std::string_view sign) {
     return groups;
 }
 
-/// What groups thousands and begins no decimals: a blank in its three widths, the Swiss apostrophes.
+/// Signs that group thousands and are no decimal mark: a blank in its three widths, the Swiss apostrophes.
 constexpr std::array<std::string_view, 6> plain_group_signs{{" ", "\u00a0", "\u202f", "\u2009", "'", "\u2019"}};
 
-/// A number, without quotes, without the signs between its groups; empty if it has none, or where they may as well
-/// begin decimals.
+/// A number, without quotes and without the signs between its groups; empty if there are none, or they may be decimal
+/// marks.
 std::optional<std::string> without_groups(std::string_view cell, const Dialect& dialect) {
     const char other = dialect.decimal_point == '.' ? ',' : '.';
     const auto remove = [&](std::string_view sign, const Groups& groups) {
@@ -67,7 +67,7 @@ std::optional<std::string> without_groups(std::string_view cell, const Dialect& 
     return std::nullopt;
 }
 
-/// Where the cell that a text begins with ends: at its separator or with the text. Separators in quotes are its own.
+/// End of the first cell of a text: its separator or the end of the text. Separators in quotes belong to the cell.
 std::size_t cell_end(std::string_view text, char separator) {
     std::size_t at = 0;
     while (at < text.size() && text[at] == ' ' && separator != ' ') ++at;
@@ -134,7 +134,7 @@ void split_cells(std::string_view line, char separator, std::vector<std::string_
 
 namespace {
 
-/// Number of cells where a line is a row of numbers, else 0.
+/// Number of cells if a line is a row of numbers, otherwise 0.
 std::size_t row_cells(std::string_view line, const Dialect& dialect, std::vector<std::string_view>& cells) {
     split_cells(line, dialect.separator, cells);
     bool any_number = false;
@@ -150,8 +150,8 @@ std::size_t row_cells(std::string_view line, const Dialect& dialect, std::vector
 struct Score {
     std::size_t rows = 0;
     std::size_t columns = 0;
-    std::size_t filled = 0;  ///< of all rows, columns up to the last that holds anything
-    std::size_t seen = 0;    ///< lines looked at
+    std::size_t filled = 0;  ///< of all rows, columns up to the last nonempty one
+    std::size_t seen = 0;    ///< examined lines
 
     /// No other reading of the same lines is better.
     [[nodiscard]] bool perfect() const { return columns > 1 && rows == seen; }
@@ -178,13 +178,14 @@ Score score(const std::vector<std::string_view>& lines, const Dialect& dialect) 
     return best;
 }
 
-/// Better: more rows, where several columns count twice: a short row among integers at commas makes no decimal commas.
+/// Better: more rows, with several columns counted twice: a short row among integers separated by commas is no evidence
+/// of decimal commas.
 bool better(const Score& a, const Score& b) {
     const auto weight = [](const Score& score) { return score.rows * (score.columns > 1 ? 2 : 1); };
     return weight(a) > weight(b);
 }
 
-/// Decimal commas between commas stand in quotes.
+/// Decimal commas between commas must be in quotes.
 constexpr std::array<Dialect, 16> dialects{{{'\t', '.'},
                                             {';', '.'},
                                             {',', '.'},
@@ -256,7 +257,8 @@ WordScore score_with_words(const std::vector<std::string_view>& lines, const Dia
     return best;
 }
 
-/// Whether a cell of the last lines has decimals that can be no group of thousands: the other sign then groups.
+/// Whether a cell of the last lines has decimals that cannot be a group of thousands: the other sign is then the
+/// thousands separator.
 bool shows_decimals(const std::vector<std::string_view>& lines, const Dialect& dialect) {
     constexpr std::size_t sample = 100;
     std::vector<std::string_view> cells;
@@ -278,8 +280,8 @@ std::optional<Layout> find_layout_with_words(const std::vector<std::string_view>
     for (const auto& dialect : dialects) {
         if (!allowed(dialect, options)) continue;
         auto candidate = score_with_words(lines, dialect);
-        // words hold blanks and commas themselves: among equals the separator tried first, and its decimal sign that
-        // gives more numbers
+        // words can contain blanks and commas: if equal, the separator tried first, and its decimal sign with more
+        // numbers
         const bool more_numbers =
             candidate.numeric > best.numeric && (best.rows == 0 || dialect.separator == layout.dialect.separator);
         if (candidate.rows < best.rows || (candidate.rows == best.rows && !more_numbers)) continue;
@@ -318,7 +320,8 @@ std::optional<Layout> find_layout(const std::vector<std::string_view>& lines, co
 
 namespace {
 
-/// The first cell of a line that is no number, where it begins with one and two thirds of its cells are, or one of two.
+/// The first cell of a line that is no number, if the line begins with a number and two thirds of its cells are
+/// numbers, or one of two.
 std::optional<BrokenCell> broken_cell(std::string_view line, const Dialect& dialect,
                                       std::vector<std::string_view>& cells) {
     if (is_remark(trimmed(line))) return std::nullopt;

@@ -23,7 +23,7 @@ std::string_view without_underscore(std::string_view name) {
     return trimmed(name);
 }
 
-/// The text inside [] or () around a whole cell, else nothing.
+/// The text inside [] or () around a whole cell, otherwise empty.
 std::optional<std::string_view> bracketed(std::string_view cell) {
     const bool square = cell.starts_with('[') && cell.ends_with(']');
     const bool round = cell.starts_with('(') && cell.ends_with(')');
@@ -39,7 +39,7 @@ std::optional<HeaderCell> with_brackets(std::string_view cell) {
     auto unit = trimmed(cell.substr(open + 1, cell.size() - open - 2));
     constexpr std::string_view in = "in ";  // "(in mN)"
     if (unit.starts_with(in) && try_parse_unit(unit.substr(in.size()))) unit = trimmed(unit.substr(in.size()));
-    // round brackets also hold remarks, such as "height (retrace)"
+    // round brackets can also contain comments, such as "height (retrace)"
     if (round && !try_parse_unit(unit)) return std::nullopt;
     return HeaderCell{std::string(without_underscore(trimmed(cell.substr(0, open)))), std::string(unit)};
 }
@@ -52,7 +52,7 @@ std::optional<HeaderCell> with_word(std::string_view cell, std::string_view word
     return HeaderCell{std::string(trimmed(cell.substr(0, at))), std::string(unit)};
 }
 
-/// Units that are no words of a name, for spellings without brackets: of length, force, area and time.
+/// Units that are not words of a name, for spellings without brackets: of length, force, area and time.
 bool is_plain_unit(std::string_view text) {
     static constexpr std::array<std::string_view, 6> words{"min", "h", "A", "in", "mil", "hr"};
     if (std::find(words.begin(), words.end(), text) != words.end()) return false;
@@ -68,7 +68,7 @@ std::optional<HeaderCell> with_trailing_unit(std::string_view cell) {
     return HeaderCell{std::string(trimmed(cell.substr(0, at))), std::string(cell.substr(at + 1))};
 }
 
-/// "force_mN"; one letter counts after a word only: "force_N", not "x_m".
+/// "force_mN"; a single letter only after a word: "force_N", not "x_m".
 std::optional<HeaderCell> with_underscore(std::string_view cell) {
     const auto at = cell.rfind('_');
     if (at == std::string_view::npos || at == 0 || !is_plain_unit(cell.substr(at + 1))) return std::nullopt;
@@ -76,7 +76,7 @@ std::optional<HeaderCell> with_underscore(std::string_view cell) {
     return HeaderCell{std::string(without_underscore(cell.substr(0, at))), std::string(cell.substr(at + 1))};
 }
 
-/// "Kraft/mN" as DIN 1313 has it; "N/mm" and "1/um" are units themselves.
+/// "Kraft/mN" as in DIN 1313; "N/mm" and "1/um" are units themselves.
 std::optional<HeaderCell> with_slash(std::string_view cell) {
     static constexpr std::array<std::string_view, 4> quantities{"F", "s", "t", "h"};
     const auto at = cell.rfind('/');
@@ -87,7 +87,7 @@ std::optional<HeaderCell> with_slash(std::string_view cell) {
     return HeaderCell{std::string(name), std::string(cell.substr(at + 1))};
 }
 
-/// "cycles per um": a number of them for every length.
+/// "cycles per um": a number per length.
 HeaderCell with_unit_of_rate(HeaderCell cell) {
     constexpr std::string_view per = " per";
     if (!cell.name.ends_with(per) || cell.unit.empty()) return cell;
@@ -96,8 +96,7 @@ HeaderCell with_unit_of_rate(HeaderCell cell) {
     return cell;
 }
 
-/// Units of a row that holds nothing else: each cell in brackets, or each a unit below a row of names, or each a
-/// length.
+/// Units of a row with nothing else: each cell in brackets, or each a unit below a row of names, or each a length.
 std::vector<std::string> unit_row(const std::vector<std::string>& cells, bool below_names) {
     std::vector<std::string> units;
     bool all_bracketed = true, all_units = true, all_lengths = true, any_unit = false;

@@ -45,7 +45,7 @@ Array1D abscissa_of(const RawTable::RawColumn& raw, const std::string& quantity,
     return in_si(raw, quantity.c_str(), length ? dimension::length : dimension::wavevector, path).values;
 }
 
-/// The density in SI as it stands in the file.
+/// The density in SI as in the file.
 Array1D density_of(const RawTable::RawColumn& raw, const std::string& path) {
     const bool areal = is_unit_of(raw.unit, dimension::power_spectrum_2d);
     return in_si(raw, areal ? "C_iso" : "C1D", areal ? dimension::power_spectrum_2d : dimension::power_spectrum_1d,
@@ -80,7 +80,7 @@ void refuse_logarithms(const std::vector<RawTable::RawColumn>& columns, const st
     }
 }
 
-/// The convention that names, header and options tell. @throws FormatError that lists the readings where they do not.
+/// The convention by names, header and options. @throws FormatError that lists the readings if it is ambiguous.
 SpectrumConvention convention_of(const RawTable& raw, const SpectrumUnits& units, const std::string& path) {
     const auto& columns = raw.columns;
     if (columns[0].name.empty() && columns[1].name.empty() && units.empty())
@@ -100,7 +100,7 @@ SpectrumConvention convention_of(const RawTable& raw, const SpectrumUnits& units
                                   fmt::join(readings, "; ")));
 }
 
-/// Says what was made of the columns where they are not wavevectors and C1D or C_iso by their names.
+/// Describes the conversion of the columns unless they are wavevectors and C1D or C_iso by their names.
 void describe_convention(Table& table, const SpectrumConvention& convention, const RawTable& raw,
                          const std::string& path) {
     table.metadata["quantity"] = convention.quantity;
@@ -137,7 +137,7 @@ void keep_positive(Table& table) {
     for (auto& column : table.columns) column.values = Array1D(column.values(kept));
 }
 
-/// The dialect ';' with decimal comma begins with a row that is no data, even where it holds numbers.
+/// The dialect ';' with decimal comma begins with a row that is no data, even if it contains numbers.
 void drop_first_row(RawTable& table) {
     for (auto& column : table.columns) column.values = Array1D(column.values.tail(column.values.size() - 1));
 }
@@ -151,7 +151,7 @@ bool same_unit(const std::string& a, const std::string& b) {
     }
 }
 
-/// Gives a column the unit that the command names; one that the header states stays, and must be the same.
+/// Gives a column the unit of the command; a unit in the header is kept, and must be the same.
 void give_unit(RawTable::RawColumn& column, const std::string& unit, const std::string& path) {
     if (unit.empty() || (!column.unit.empty() && same_unit(column.unit, unit))) return;
     if (!column.unit.empty())
@@ -230,7 +230,7 @@ bool is_power_spectrum_table(const bytes::Source& source) {
         for (auto& column : table.columns) column.unit = without_markup(column.unit);
         return table.columns.size() >= 2 && is_wavevector(table.columns[0]) && is_density(table.columns[1]);
     } catch (const Error&) {
-        return false;  // no table, and what it is others say
+        return false;  // no table; detected elsewhere
     }
 }
 
@@ -268,7 +268,7 @@ Table read_power_spectrum_table(const std::string& path, const SpectrumUnits& un
     table.columns.push_back({spectrum.areal ? "C_iso" : "C1D", unit, spectrum.factor * density_of(columns[1], path)});
     if (columns.size() > 2 && is_standard_error(columns[2].name))
         table.columns.push_back({"standard_error", unit, spectrum.factor * density_of(columns[2], path)});
-    if (convention.kind == DensityKind::radial) keep_positive(table);  // C_iso at q = 0 is not in it
+    if (convention.kind == DensityKind::radial) keep_positive(table);  // C_iso at q = 0 is not part of it
     sort_rows(table, path);
     if (!(table.columns[0].values > 0.0).any())
         throw FormatError(path, {}, fmt::format("no positive wavevector among {} rows", table.rows()));

@@ -46,7 +46,7 @@ bool holds_any(std::string_view text, std::initializer_list<std::string_view> wo
                        [&](std::string_view word) { return text.find(word) != std::string_view::npos; });
 }
 
-/// Everything above the numbers and in the names, for words that say how a density is normalised.
+/// All text above the numbers and in the names, for words on the normalisation of a density.
 std::string all_words(const RawTable& table) {
     std::string text;
     for (const auto& line : table.header) text += line + "\n";
@@ -54,7 +54,7 @@ std::string all_words(const RawTable& table) {
     return folded(text);
 }
 
-/// "one", "two", or empty if no word says it.
+/// "one", "two", or empty if no word states it.
 std::string sides_in(const std::string& text) {
     std::string plain;
     for (const char c : text)
@@ -64,7 +64,7 @@ std::string sides_in(const std::string& text) {
     return "";
 }
 
-/// What the first column holds by its unit and name; empty if both a wavevector and a frequency may be meant.
+/// Quantity of the first column by its unit and name; empty if both a wavevector and a frequency are possible.
 std::string quantity_of(const RawTable::RawColumn& column) {
     if (is_unit_of(column.unit, dimension::length)) return wavelength;
     const auto unit = folded(column.unit), name = bare(column.name);
@@ -84,7 +84,7 @@ struct NamedDensity {
     DensityKind kind;
 };
 
-/// The kind that a density's name tells.
+/// The kind by the name of a density.
 std::optional<NamedDensity> density_named(std::string_view name, bool areal) {
     if (areal) {
         if (is_any(name, {"c", "ciso", "c2d", "c2diso", "cq", "c2"})) return NamedDensity{"C_iso", DensityKind::areal};
@@ -98,7 +98,7 @@ std::optional<NamedDensity> density_named(std::string_view name, bool areal) {
     return std::nullopt;
 }
 
-/// The same of a name of several words: "one-sided C1D". A letter alone tells only as a whole name.
+/// The kind by a name of several words: "one-sided C1D". A single letter counts only as a whole name.
 std::optional<NamedDensity> density_among(const std::string& name, bool areal) {
     if (const auto whole = density_named(bare(name), areal)) return whole;
     for (std::size_t at = 0; at < name.size();) {
@@ -110,7 +110,7 @@ std::optional<NamedDensity> density_among(const std::string& name, bool areal) {
     return std::nullopt;
 }
 
-/// The kind by the program that wrote the table, where it says so.
+/// The kind by the program that wrote the table, if it is stated.
 std::optional<NamedDensity> density_of_program(const std::string& words, std::string_view name, bool areal) {
     if (holds_any(words, {"contact.engineering", "topobank", "surfacetopography"}))
         return areal ? NamedDensity{"C_iso", DensityKind::areal} : NamedDensity{"C1D", DensityKind::per_cycle};
@@ -121,7 +121,7 @@ std::optional<NamedDensity> density_of_program(const std::string& words, std::st
                                         : NamedDensity{"W1", DensityKind::per_wavevector};
 }
 
-/// Every way to read a density whose name tells nothing, against a quantity.
+/// All readings of a density with an uninformative name, for a quantity.
 std::vector<SpectrumConvention> readings(const std::string& quantity, bool areal, const std::string& sides) {
     if (areal && quantity == wavevector)
         return {{quantity, DensityKind::areal, false, "C_iso"},
@@ -162,8 +162,8 @@ ConvertedSpectrum converted(const SpectrumConvention& convention, const Array1D&
 }
 
 double rms_height(const Array1D& q, const Array1D& density, bool areal) {
-    // h_rms² = (1/π) ∫ C1D dq = (1/2π) ∫ q C_iso dq; with g = C1D or q C_iso/2 the same integral. Lines of a surface
-    // without longer waves have C1D of the first wavevector below it.
+    // h_rms² = (1/π) ∫ C1D dq = (1/2π) ∫ q C_iso dq; with g = C1D or q C_iso/2 the same integral. C1D of a surface
+    // without longer waves is constant below the first wavevector.
     const Array1D g = areal ? Array1D(0.5 * q * density) : density;
     double sum = areal || q.size() == 0 ? 0.0 : q[0] * g[0];
     for (Index i = 1; i < q.size(); ++i) {
@@ -195,7 +195,7 @@ std::vector<SpectrumConvention> possible_conventions(const RawTable& table, cons
     if (quantity.empty() && (density || !stated.empty())) quantity = wavevector;
     if (density && !(of_wavevector && quantity != wavevector))
         return {{quantity, density->kind, sides == "one", density->name}};
-    // what an option leaves open counts as C1D of both signs
+    // without further options C1D of both signs
     if (!stated.empty()) return {{quantity, areal ? DensityKind::areal : DensityKind::per_cycle, sides == "one", ""}};
     if (!quantity.empty()) return readings(quantity, areal, sides);
     auto all = readings(wavevector, areal, sides);

@@ -21,7 +21,7 @@
 namespace setae::tables {
 namespace {
 
-/// Index of the first line numbers may stand in.
+/// Index of the first possible line of numbers.
 std::size_t after_header_end(const std::vector<std::string_view>& lines, const TableOptions& options,
                              const std::string& name) {
     if (!options.header_end) return 0;
@@ -32,11 +32,11 @@ std::size_t after_header_end(const std::vector<std::string_view>& lines, const T
         fmt::format("no line '{}' ends the header; check header_end of the mapping", *options.header_end));
 }
 
-/// Numbers column by column, with what is known of the columns' cells.
+/// Numbers column by column, with properties of the cells of the columns.
 struct Numbers {
     Array2D values;                  ///< (columns, rows)
     std::vector<bool> has_text;      ///< per column: any cell that is not empty
-    std::vector<std::string> words;  ///< per column: its first cell and line, where it holds text
+    std::vector<std::string> words;  ///< per column: its first cell and line, if it contains text
 };
 
 /// Calls `take` with line number, from 0, and cells of every row.
@@ -58,7 +58,7 @@ void for_each_row(const std::vector<std::string_view>& lines, const Layout& layo
     }
 }
 
-/// Rows of numbers among which columns of words stand.
+/// Rows of numbers with columns of words.
 Numbers parse_rows_with_words(const std::vector<std::string_view>& lines, const Layout& layout,
                               const std::string& name) {
     const auto columns = layout.columns;
@@ -84,7 +84,7 @@ Numbers parse_rows_with_words(const std::vector<std::string_view>& lines, const 
     return numbers;
 }
 
-/// Rows of numbers alone, on all cores.
+/// Rows of numbers only, on all cores.
 Numbers parse_rows(const std::string& text, const std::vector<std::string_view>& lines, const Layout& layout,
                    const std::string& name) {
     const auto columns = layout.columns;
@@ -109,7 +109,7 @@ Numbers parse_rows(const std::string& text, const std::vector<std::string_view>&
     return numbers;
 }
 
-/// Columns up to the last that holds anything: rows may end in separators.
+/// Columns up to the last nonempty one: rows may end in separators.
 std::size_t filled_columns(const Numbers& numbers) {
     auto filled = numbers.has_text.size();
     while (filled > 1 && !numbers.has_text[filled - 1]) --filled;
@@ -122,7 +122,7 @@ std::string joined(const std::vector<std::string>& lines) {
     return text;
 }
 
-/// Refuses commas and points that may begin decimals or group thousands: "1,234" with no cell that decides.
+/// Refuses commas and points that may be decimal marks or thousands separators: "1,234" without a decisive cell.
 void require_decided_signs(const std::vector<std::string_view>& lines, const Layout& layout,
                            const TableOptions& options, const std::string& name) {
     if (options.decimal_point) return;
@@ -235,7 +235,7 @@ std::string as_csv(const Table& table) {
             if (k > 0) text += ',';
             const double value = table.columns[k].values[i];
             if (!std::isnan(value)) fmt::format_to(std::back_inserter(text), "{}", value);
-            else if (table.columns.size() == 1) text += "nan";  // an empty cell alone would be an empty line
+            else if (table.columns.size() == 1) text += "nan";  // a single empty cell would be an empty line
         }
         text += '\n';
     }

@@ -17,8 +17,7 @@ namespace setae::tables {
 namespace {
 
 constexpr std::uint64_t chunk_bytes = 1 << 20;
-/// Lines are gathered before they are turned into their places, so that what is written next to each other is written
-/// together.
+/// Lines are collected before they are written to their places, so adjacent places are written together.
 constexpr Index max_gathered = 16;
 constexpr std::size_t gathered_numbers = 1 << 17;
 constexpr std::size_t max_breaks = 1 << 12;
@@ -27,13 +26,13 @@ bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
-/// Whether a line of letters may be one of numbers: it begins with a word for an undefined one.
+/// Whether a line of letters may be one of numbers: it begins with a word for an undefined value.
 bool begins_with_number_word(std::string_view line) {
     double value = 0.0;
     return parse_cell(line.substr(0, line.find_first_of(" \t,;")), '.', value);
 }
 
-/// What the lines that begin in a chunk of the text are.
+/// Kinds of the lines that begin in a chunk of the text.
 struct Chunk {
     std::optional<std::uint64_t> first;  ///< byte of the first line that begins in it
     std::uint64_t lines = 0;
@@ -43,7 +42,7 @@ struct Chunk {
     std::vector<NumberLines::Break> breaks;
 };
 
-/// The line that begins at `text`; read on in the source where the chunk ends before it tells what it is.
+/// The line that begins at `text`; reading continues in the source if the chunk ends before its kind is known.
 std::string_view line_at(std::string_view text, std::string& buffer, const bytes::Source& source, std::uint64_t offset,
                          std::uint64_t end) {
     constexpr std::uint64_t enough = 64;
@@ -65,7 +64,7 @@ Chunk look_at(const bytes::Source& source, std::uint64_t begin, std::uint64_t ch
               std::uint64_t end) {
     Chunk chunk;
     const auto from =
-        chunk_begin > begin ? chunk_begin - 1 : begin;  // the break before tells whether a line begins here
+        chunk_begin > begin ? chunk_begin - 1 : begin;  // the previous break shows whether a line begins here
     const auto size = static_cast<std::size_t>(chunk_end - from);
     const auto bytes = std::make_unique_for_overwrite<char[]>(size);
     source.read_into(from, size, bytes.get());
@@ -103,7 +102,7 @@ Chunk look_at(const bytes::Source& source, std::uint64_t begin, std::uint64_t ch
     return chunk;
 }
 
-/// One line of plain numbers, a decimal point in them and nothing beside; false where anything else stands in it.
+/// One line of plain numbers with decimal points and nothing else; otherwise false.
 bool parse_plain(const char* at, const char* end, char separator, Index columns, double* values) {
     const auto skip = [&] {
         while (at < end && (*at == ' ' || *at == '\r' || (*at == '\t' && separator != '\t'))) ++at;
@@ -129,13 +128,13 @@ bool parse_plain(const char* at, const char* end, char separator, Index columns,
     return at == end;
 }
 
-/// Reads the lines of a block one after the other.
+/// Reads the lines of a block in sequence.
 class LineParser {
 public:
     LineParser(const NumberLines& lines, std::string_view text, std::uint64_t line)
         : lines_(lines), rest_(text), number_(line) {}
 
-    /// The numbers of the next line that holds any; false at the end of the block.
+    /// The numbers of the next line of numbers; false at the end of the block.
     bool next(double* values) {
         while (!rest_.empty()) {
             const auto stop = rest_.find('\n');
@@ -169,7 +168,7 @@ private:
     std::string pointed_;
 };
 
-/// Lines gathered until they are put into their places together.
+/// Lines collected until they are written to their places together.
 class Gathering {
 public:
     Gathering(const NumberPlaces& places, Index columns, Array2D& target)
@@ -267,7 +266,7 @@ void require_whole_last_line(const NumberLines& lines) {
 Array2D read_numbers(const NumberLines& lines, const NumberPlaces& places) {
     const Index last = places.count < 0 ? lines.rows : places.first + places.count;
     const Index rows = last - places.first;
-    std::uint64_t characters = 1;  // a cell has one at least, with what ends it: room for more is never made
+    std::uint64_t characters = 1;  // a cell has at least one character and its separator: no more memory is allocated
     for (const auto& block : lines.blocks) characters += block.size;
     if (static_cast<std::uint64_t>(lines.rows) >
         characters / static_cast<std::uint64_t>(std::max<Index>(lines.columns, 1)))

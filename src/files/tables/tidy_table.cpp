@@ -99,12 +99,12 @@ std::string stacked(const TidyTable& table, const TextCells& cells) {
     return text;
 }
 
-/// Characters that a row takes before its last cell, blanks between columns with them.
+/// Width of a row before its last cell, including blanks between columns.
 std::size_t before_last(const TextCells& cells) {
     return std::accumulate(cells.widths.begin(), cells.widths.end() - 1, 2 * cells.widths.size());
 }
 
-/// Lines of a table: columns as wide as their widest cell; a last cell that goes beyond `width` continues below itself.
+/// Lines of a table: columns as wide as their widest cell; a last cell beyond `width` is continued below.
 std::string aligned(const TidyTable& table, const TextCells& cells, std::size_t width = std::string::npos) {
     if (table.columns.empty()) return table.title.empty() ? "" : table.title + "\n";
     const auto indent = before_last(cells);

@@ -28,7 +28,7 @@ LineScan average_reference(std::span<const LineScan> references) {
         sum += defined.select(level, 0.0);
         count += defined.cast<double>();
     }
-    average.heights = sum / count;  // 0/0 leaves points no scan defines undefined
+    average.heights = sum / count;  // 0/0 makes points without a defined scan undefined
     return average;
 }
 

@@ -36,7 +36,7 @@ void require(const HeightMap& image, const BlindTipOptions& options) {
     if (options.rounds < 1) throw InvalidArgument(fmt::format("{} rounds; expected at least one", options.rounds));
 }
 
-/// The image with, if it is periodic, its continuation on all sides.
+/// The image, continued on all sides if it is periodic.
 Array2D continued(const HeightMap& image, Index margin_x, Index margin_y) {
     if (!image.periodic) return image.heights;
     const auto [nx, ny] = image.shape();
@@ -46,7 +46,7 @@ Array2D continued(const HeightMap& image, Index margin_x, Index margin_y) {
     });
 }
 
-/// Points with the whole extent twice around them, all of it defined.
+/// Points with twice the extent around them, all of it defined.
 std::vector<Point> usable_points(const Array2D& image, Index margin_x, Index margin_y) {
     using Counts = Eigen::Array<Index, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     Counts above =
@@ -64,7 +64,7 @@ std::vector<Point> usable_points(const Array2D& image, Index margin_x, Index mar
     return points;
 }
 
-/// An estimate that grows from a flat plate.
+/// An estimate that starts from a flat plate.
 class Estimate {
 public:
     Estimate(const Array2D& image, double threshold, const BlindTipOptions& options)
@@ -75,7 +75,8 @@ public:
 
     [[nodiscard]] const Array2D& tip() const { return tip_; }
 
-    /// Takes in what points demand; true where that sharpened the tip. Batches see the tip as the batch before left it.
+    /// Applies the conditions of points; true if that sharpened the tip. Each batch uses the tip after the previous
+    /// batch.
     bool sharpen(const std::vector<Point>& points) {
         constexpr std::size_t batch = 32;
         bool sharper = false;
@@ -93,7 +94,7 @@ public:
     }
 
 private:
-    /// Lowest heights of the tip that the image around a point allows; empty if the tip fulfils them.
+    /// Lowest heights of the tip allowed by the image around a point; empty if the tip satisfies them.
     std::optional<Array2D> demand(Point point) const {
         constexpr int between_checks = 8;
         const Index nx = tip_.rows(), ny = tip_.cols();
@@ -118,7 +119,7 @@ private:
     parallel::Threads threads_;
 };
 
-/// Points nothing within the extent is higher than.
+/// Points without a higher point within the extent.
 std::vector<Point> peaks(const Array2D& image, const std::vector<Point>& points, Index reach_x, Index reach_y) {
     std::vector<Point> result;
     for (const auto& [x, y] : points)

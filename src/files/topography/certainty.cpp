@@ -15,7 +15,7 @@
 namespace setae::topography {
 namespace {
 
-/// The map with undefined heights around it, as wide as the tip: the surface beyond its ends that the tip may touch.
+/// The map with undefined heights around it, as wide as the tip: surface beyond its ends that the tip may touch.
 HeightMap with_margin(const HeightMap& map, Index margin_x, Index margin_y) {
     const auto [nx, ny] = map.shape();
     const auto pixel = map.pixel_size();
@@ -48,7 +48,7 @@ Certainty certainty_map(const HeightMap& image, const Tip& tip, const DilationOp
     bound = (bound > highest).select(highest, bound);
 
     const ContactSearch search(bound, image.periodic, image.periodic, probe, options.threads);
-    // the tip at a row's points proves points of other rows: each row keeps its own list
+    // the tip at points of one row touches points of other rows: each row has its own list
     std::vector<std::vector<Index>> proven(static_cast<std::size_t>(nx));
     parallel::for_each_index(proven.size(), options.threads, [&, ny = ny](std::size_t row) {
         const auto x = static_cast<Index>(row);

@@ -12,7 +12,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 Index blocks_over(Index points) { return (points + block - 1) / block; }
 
-/// max that keeps the first where the second is NaN; one instruction.
+/// max that keeps the first if the second is NaN; one instruction.
 double larger(double kept, double candidate) { return candidate > kept ? candidate : kept; }
 
 /// Highest over blocks of `block` points square.
@@ -53,7 +53,7 @@ Index nearest_offset(Index first, Index last, Index apex) {
     return first > apex ? first - apex : last < apex ? last - apex : 0;
 }
 
-/// Keeps the best candidate.
+/// Stores the best candidate.
 struct HighestFinder {
     Contact best;
 
@@ -66,7 +66,7 @@ struct HighestFinder {
         }
     }
 
-    /// A whole block: its highest candidate first, the place only where it wins.
+    /// A whole block: its highest candidate first, the place only if it is the best.
     void square(const double* heights, Index stride, const double* tip, Index tip_stride, Index x, Index y) {
         std::array<double, block> lanes;
         lanes.fill(-infinite);
@@ -115,7 +115,7 @@ Images images(Index apex, Index reach, Index points, bool periodic) {
 
 }  // namespace
 
-/// The apex in the coordinates of one image of the surface, and the points of the surface under consideration.
+/// The apex in the coordinates of one image of the surface, and the considered points of the surface.
 struct ContactSearch::Window {
     Index apex_x, apex_y;
     Index first_x, last_x, first_y, last_y;
@@ -131,7 +131,7 @@ ContactSearch::ContactSearch(const Array2D& heights, bool periodic_x, bool perio
     tip_ = Array2D::Constant(tip.heights.rows() + 2 * block, tip.heights.cols() + 2 * block, infinite);
     tip_.block(block, block, tip.heights.rows(), tip.heights.cols()) = tip.heights;
     bound_ = lowest_outward(tip.heights, reach_x_, reach_y_);
-    // the coarsest level that few blocks cover the reach at
+    // the coarsest level at which few blocks cover the reach
     constexpr Index few = 8;
     highest_.push_back(coarsened(heights_, threads));
     for (Index width = block; 2 * std::max(reach_x_, reach_y_) > (few - 2) * width; width *= block) {
@@ -169,7 +169,7 @@ void ContactSearch::descend(std::size_t level, const Window& window, Finder& fin
     const Array2D& highest = highest_[level];
     Index width = block;
     for (std::size_t k = 0; k < level; ++k) width *= block;
-    // blocks stay whole at the finest level: the tip's margin takes what lies outside its reach
+    // blocks remain whole at the finest level: the margin of the tip covers points outside its reach
     for (Index bx = window.first_x / width; bx <= window.last_x / width; ++bx) {
         const Index first_x = bx * width, last_x = std::min(first_x + width, heights_.rows()) - 1;
         const double* bound = &bound_(nearest_offset(first_x, last_x, window.apex_x) + reach_x_, reach_y_);

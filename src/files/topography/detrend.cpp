@@ -23,7 +23,8 @@ PolynomialDegrees degrees_of(Trend trend) {
     return {.total = trend == Trend::parabola ? 2 : trend == Trend::tilt ? 1 : 0};
 }
 
-/// Coefficients of the best trend of heights less their origin, or of one of them where the points do not determine it.
+/// Coefficients of the best trend of heights minus their origin, or of one of the possible trends if the points do not
+/// determine it.
 Array2D best(const Terms& terms, const NormalEquations& equations) {
     if (equations.points < terms.count())
         throw UndefinedDataError(
@@ -35,7 +36,7 @@ Array2D best(const Terms& terms, const NormalEquations& equations) {
                     0.0);
 }
 
-/// Takes the trend from rows of equal steps; a line is the columns of one.
+/// Subtracts the trend from rows of equal steps; a line is the columns of a single row.
 void remove(const Terms& terms, Eigen::Ref<Array2D> heights, parallel::Threads threads) {
     PolynomialFit fit(terms, heights.cols());
     fit.add(heights, 0, nullptr, threads);
@@ -116,7 +117,7 @@ Measurement detrended(Measurement measurement, Trend trend, parallel::Threads th
 Trend trend_from_name(const std::string& name) {
     for (const auto& [trend, known] : trend_names)
         if (name == known) return trend;
-    // the steps of processing that remove the same
+    // the equivalent steps of processing
     if (name == "level_mean") return Trend::mean;
     if (name == "level_plane") return Trend::tilt;
     if (name == "level_polynomial") return Trend::parabola;

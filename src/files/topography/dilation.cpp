@@ -14,14 +14,14 @@
 namespace setae::topography {
 namespace {
 
-/// Points read one after another by one thread; each starts from its predecessor's contact.
+/// Points read in sequence by one thread; each starts from the contact of its predecessor.
 constexpr Index run_length = 512;
 
 std::size_t runs(Index points) { return static_cast<std::size_t>((points + run_length - 1) / run_length); }
 
 Index wrapped(Index index, Index points) { return ((index % points) + points) % points; }
 
-/// A line as a map one point wide, so wide that no tip reaches over it.
+/// A line as a map one point wide, with a width beyond the reach of the tip.
 HeightMap as_map(const LineScan& line, const Tip& tip, const DilationOptions& options) {
     HeightMap map{line.heights.transpose(), {line.size, line.size}, line.periodic, line.metadata};
     const double reach = contact_reach(tip, height_range(map, options));
@@ -39,7 +39,7 @@ HeightMap upside_down(HeightMap map) {
     return map;
 }
 
-/// The tip seen from the other side: t(−u).
+/// The mirrored tip: t(−u).
 Tip mirrored(Tip tip) {
     if (auto* array = std::get_if<ArrayTip>(&tip)) {
         array->heights = array->heights.reverse().eval();
@@ -61,7 +61,7 @@ struct Dilator::State {
     DilationOptions options;
     ContactSearch search;
 
-    /// The reading at a grid point of the surface; `contact` is the predecessor's and becomes this point's.
+    /// The reading at a grid point of the surface; `contact` is that of the predecessor and becomes that of this point.
     double read(Index x, Index y, Contact& contact) const {
         if (options.keep_undefined && std::isnan(surface->heights(x, y))) return undefined;
         contact = search.highest(x, y, contact);

@@ -14,7 +14,7 @@ struct Vertex {
     double x, y, error;
 };
 
-/// A stretch of the envelope between two jumps.
+/// A part of the envelope between two jumps.
 using Run = std::vector<Vertex>;
 
 Vertex between(const Vertex& a, const Vertex& b, double x) {
@@ -22,7 +22,7 @@ Vertex between(const Vertex& a, const Vertex& b, double x) {
     return {x, a.y + t * (b.y - a.y), a.error + t * (b.error - a.error)};
 }
 
-/// What of a run lies beyond `x`, a new vertex there.
+/// The part of a run beyond `x`, with a new vertex there.
 Run from(const Run& run, double x) {
     Run part;
     for (std::size_t i = 1; i < run.size(); ++i) {

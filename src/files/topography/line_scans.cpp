@@ -31,7 +31,7 @@ std::optional<LineScan> to_line_scan(const Profile& profile) {
     if (n < 2 || would_lose) return std::nullopt;
     const double step = profile.size() / static_cast<double>(n - 1);
     if (!(step > 0.0)) return std::nullopt;
-    // rounded positions may stray from the grid, but by less than half the last digit: a small share of a step
+    // rounded positions may deviate from the grid by less than half the last digit, a small share of a step
     for (Index i = 0; i < n; ++i) {
         const double stray = profile.positions[i] - profile.positions[0] - static_cast<double>(i) * step;
         if (std::abs(stray) > 0.02 * step) return std::nullopt;

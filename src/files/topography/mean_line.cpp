@@ -27,7 +27,7 @@ MeanLine mean_line(const Array1D& x, const Array1D& y) {
                   middle_y = 0.5 * (y.tail(segments) + y.head(segments));
     line.centre = {(length * middle_x).sum() / line.length, (length * middle_y).sum() / line.length};
     const Array1D u = middle_x - line.centre[0], v = middle_y - line.centre[1];
-    // about its own middle a segment has the moment length · step²/12
+    // about its middle a segment has the moment length · step²/12
     const double xx = (length * (u.square() + step_x.square() / 12.0)).sum() / line.length;
     const double yy = (length * (v.square() + step_y.square() / 12.0)).sum() / line.length;
     const double xy = (length * (u * v + step_x * step_y / 12.0)).sum() / line.length;

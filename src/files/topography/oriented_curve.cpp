@@ -21,7 +21,7 @@ void require_sizes(const TracedCurve& traced) {
                         label(traced.metadata), n, traced.y.size(), traced.standard_error.size()));
 }
 
-/// Points from the leftmost to the rightmost, the higher one where several are.
+/// Points from the leftmost to the rightmost, the higher one of several.
 std::vector<Index> over_the_top(const TracedCurve& traced, const std::vector<Index>& outline) {
     const auto before = [&](double sign) {
         return [&traced, sign](Index i, Index j) {

@@ -76,7 +76,7 @@ void PolynomialFit::add(const ArrayView2D& band, Index first, const std::uint8_t
     if (!origin_) origin_ = first_counted(band, chosen);
     if (!origin_) return;
     const Index n = band.cols();
-    // a row without gaps needs no sums over points: these are theirs
+    // a row without gaps needs no sums over points
     const Array1D full = table_.middleCols(first, n).rowwise().sum();
     const auto basis = [&](Index k) { return table_.row(k).data() + first; };
     const auto add_rows = [&](Index begin, Index end, Moments& moments) {
@@ -167,7 +167,7 @@ PolynomialRows::PolynomialRows(double origin, Array2D coefficients, Index rows, 
 void PolynomialRows::take_from(Index i, Index first, const double* heights, double* rest, Index n) const {
     const auto along_x = numerics::legendre_values(coefficients_.rows() - 1, centred(i, rows_));
     const Array1D c = (along_x.matrix().transpose() * coefficients_.matrix()).transpose().array();
-    constexpr Index stretch = 512;  // stays in the nearest cache
+    constexpr Index stretch = 512;  // remains in the nearest cache
     double values[stretch];
     for (Index begin = 0; begin < n; begin += stretch) {
         const Index count = std::min(stretch, n - begin);

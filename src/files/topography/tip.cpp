@@ -58,7 +58,7 @@ double ball_height(double radius, double distance) {
     return distance * distance / (radius + std::sqrt((radius - distance) * (radius + distance)));
 }
 
-/// Where the ball of a cone ends.
+/// End of the sphere of a cone.
 struct Tangent {
     double distance, height;
 };
@@ -68,7 +68,7 @@ Tangent tangent(const ConeTip& tip) {
 }
 
 double height_of(const SphereTip& tip, double distance) {
-    // a grid point on the ball's equator belongs to it in spite of rounding
+    // a grid point on the equator of the sphere belongs to it in spite of rounding
     return distance <= tip.radius * (1.0 + 1e-12) ? ball_height(tip.radius, std::min(distance, tip.radius)) : infinite;
 }
 
@@ -84,7 +84,7 @@ double height_of(const ArrayTip&, double) {
     throw InvalidArgument("a tip given as an array has no profile t(r); use tip_image for its heights");
 }
 
-/// √(R² − (R − t)²), the radius of a ball's cap of height t.
+/// √(R² − (R − t)²), the radius of a spherical cap of height t.
 double cap_radius(double radius, double height) { return std::sqrt(height * (2.0 * radius - height)); }
 
 double reach_of(const SphereTip& tip, double height) {
@@ -111,7 +111,7 @@ double reach_of(const ArrayTip& tip, double height) {
 
 /// Height between four grid points of a tip; x and y in its pixels from its first point.
 double interpolated(const ArrayTip& tip, double x, double y) {
-    // rounding of offset/pixel puts a grid point beside itself
+    // rounding of offset/pixel can shift a grid point
     const auto snapped = [](double value) {
         const double nearest = std::round(value);
         return std::abs(value - nearest) < 1e-9 ? nearest : value;

@@ -23,7 +23,7 @@ struct Extremes {
     }
 };
 
-/// Of `points` heights in a row; the comparisons skip NaN, the lanes let them run side by side.
+/// Extremes of `points` heights in a row; the comparisons skip NaN, the lanes allow vectorisation.
 Extremes extremes(const double* heights, Index points) {
     constexpr Index width = 8;
     std::array<Extremes, width> lanes;

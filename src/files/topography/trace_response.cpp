@@ -30,7 +30,7 @@ double trace_band_end(const TraceResponse& response) {
     const double least = response.jumps ? min_trace_power_with_jumps : min_trace_power;
     const auto inside = [&](double q) { return std::pow(kept(response, Array1D::Constant(1, q))[0], 2) >= least; };
     if (inside(nyquist)) return nyquist;
-    return numerics::bisected(inside, 0.0, nyquist, 60).first;  // T falls all the way to π/step
+    return numerics::bisected(inside, 0.0, nyquist, 60).first;  // T decreases monotonically up to π/step
 }
 
 }  // namespace setae::topography

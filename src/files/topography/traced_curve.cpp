@@ -16,10 +16,10 @@
 namespace setae::topography {
 namespace {
 
-/// Steps back within this many standard errors of the difference of two points are the trace's noise.
+/// Steps back within this many standard errors of the difference of two points are noise of the trace.
 constexpr double noise_multiple = 4.0;
 
-/// Steps back along x that the trace's noise can make.
+/// Steps back along x that are explained by noise of the trace.
 class NoiseDepth {
 public:
     explicit NoiseDepth(const OrientedCurve& curve)
@@ -41,8 +41,8 @@ struct Cut {
     std::vector<ReentrantStretch> stretches;
 };
 
-/// The curve without the points of stretches that turn back: those within noise, and the deeper ones too where `all`,
-/// which are listed.
+/// The curve without the points of parts that turn back: those within noise, and with `all` also the deeper ones, which
+/// are listed.
 Cut without_backward_runs(const OrientedCurve& curve, bool all) {
     Cut cut;
     const NoiseDepth noise_depth(curve);
@@ -63,7 +63,7 @@ Cut without_backward_runs(const OrientedCurve& curve, bool all) {
     return cut;
 }
 
-/// How far the curve turns back along x between two lengths along it [m].
+/// Distance along x that the curve turns back between two lengths along it [m].
 double turning_back(const OrientedCurve& curve, double begin, double end) {
     const auto first = std::upper_bound(curve.along.begin(), curve.along.end(), begin);
     double front = curve.x_at(begin), depth = 0.0;
@@ -77,7 +77,7 @@ double turning_back(const OrientedCurve& curve, double begin, double end) {
     return depth;
 }
 
-/// Stretches between those seen from above that turn back by more than noise does.
+/// Parts between the visible ones that turn back by more than noise.
 std::vector<ReentrantStretch> hidden_stretches(const OrientedCurve& curve, std::vector<LengthRange> seen) {
     std::sort(seen.begin(), seen.end(), [](const auto& a, const auto& b) { return a.begin < b.begin; });
     std::vector<ReentrantStretch> hidden;

@@ -16,7 +16,7 @@ void append(Pieces& pieces, VisiblePiece piece) {
     else pieces.push_back(piece);
 }
 
-/// The higher of two of a curve's envelopes.
+/// The higher of two envelopes of a curve.
 class Merge {
 public:
     Merge(const Array1D& x, const Array1D& y) : x_(x), y_(y) {}
@@ -66,7 +66,7 @@ private:
     const Array1D& y_;
 };
 
-/// Stretches between turning points, each from left to right.
+/// Parts between turning points, each from left to right.
 std::vector<Pieces> monotonic_stretches(const Array1D& x) {
     std::vector<Pieces> stretches;
     int direction = 0;

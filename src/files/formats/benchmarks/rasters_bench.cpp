@@ -15,9 +15,9 @@
 #include "sample_files.hpp"
 #include "storage/raster.hpp"
 
-// Heights of 512 MB files in the page cache beside what the machine needs for the same bytes at least: a bare read() of
-// the file into fresh memory, fresh memory of the heights' size touched once, and a copy of the heights. Peaks and CPU
-// time are those of the process.
+// Heights of 512 MB files in the page cache, compared with the minimum for the same bytes: a read() of the file into
+// new memory, new memory of the size of the heights touched once, and a copy of the heights. Peaks and CPU time are
+// those of the process.
 using namespace setae::tests;
 
 namespace setae::formats {
@@ -26,7 +26,7 @@ namespace {
 constexpr std::uint64_t file_bytes = std::uint64_t{1} << 29;
 constexpr Index columns = 16384;
 
-/// A file of numbers that are heights for every sample type, made once for a program.
+/// A file of numbers that are heights for every sample type, created once per program.
 const std::string& file_path() {
     static const tests::TemporaryFolder folder;
     static const std::string path = [] {
@@ -50,7 +50,7 @@ double status_number(const std::string& key) {
     return 0.0;
 }
 
-/// Most memory that `work` takes beyond what was there before [bytes].
+/// Additional memory that `work` uses at its peak [bytes].
 template <class Work>
 double peak_of(Work work) {
     std::ofstream("/proc/self/clear_refs") << 5 << std::flush;
@@ -76,7 +76,7 @@ void heights(benchmark::State& state, Sample sample, bool by_columns = false, In
     state.SetBytesProcessed(state.iterations() * static_cast<std::int64_t>(file_bytes));
 }
 
-/// The same by the way of a format's reader, with the checks every measurement goes through.
+/// Reading with the reader of a format, including the checks of every measurement.
 void channel(benchmark::State& state, Sample sample) {
     const auto raster = raster_of(sample, false, columns);
     const auto one = raster_channel({.name = "heights", .format = "raw", .size = {1e-3, 1e-3}, .unit = "m"},
@@ -103,7 +103,7 @@ void bare_read(benchmark::State& state) {
     state.SetBytesProcessed(state.iterations() * static_cast<std::int64_t>(file_bytes));
 }
 
-/// Bytes are those of the file the heights would come from, of 4 bytes per sample.
+/// Bytes are those of the file of the heights, with 4 bytes per sample.
 void fresh_memory(benchmark::State& state) {
     for (auto _ : state) {
         const std::unique_ptr<double[]> memory(new double[file_bytes / 4]);

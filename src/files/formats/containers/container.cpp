@@ -29,7 +29,7 @@ bool only_processed(const Container& container) {
     return count > 0;
 }
 
-/// The index under its own keys tells B from C.
+/// The keys of the index distinguish B and C.
 ContainerGeneration generation_of(const bytes::Archive& archive, const Container& container) {
     if (only_processed(container)) return ContainerGeneration::skeleton;
     if (!archive.has(json_index)) return ContainerGeneration::yaml;
@@ -56,7 +56,7 @@ bytes::Source text_source(const std::string& name, const std::string& text) { re
 
 // ---- differences ----------------------------------------------------------------------------------------------------
 
-/// Without what says nothing.
+/// Without empty values.
 json pruned(const json& value) {
     if (!value.is_structured()) return value;
     auto result = value.is_array() ? json::array() : json::object();
@@ -116,7 +116,7 @@ public:
             alerts_.push_back(
                 {"NOT_IN_SCHEMA", place, what, "contact.engineering may refuse the container; complete the index"});
     }
-    /// A field that was kept because it is not what stands there by the schema.
+    /// Reports a field that was kept because it violates the schema.
     void refuse_kept(const std::string& extra, const std::string& place, std::initializer_list<const char*> keys) {
         if (extra.empty()) return;
         const auto kept = json::parse(extra);

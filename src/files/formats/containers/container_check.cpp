@@ -20,8 +20,8 @@ double rms(const Array1D& heights) {
     return std::sqrt(defined.select((heights - mean).square(), 0.0).sum() / count);
 }
 
-/// Whether a processed copy holds what the index says was done to the original: the same to a thousandth, which other
-/// programs' fits of trends stay within.
+/// Difference between a processed copy and the original processed as in the index; empty if they agree to a thousandth,
+/// the tolerance for other programs' fits of trends.
 std::optional<std::string> difference_of_copy(const topography::Measurement& original,
                                               const topography::Measurement& copy, const std::string& detrend_mode) {
     constexpr double tolerance = 1e-3;
@@ -40,7 +40,7 @@ std::optional<std::string> difference_of_copy(const topography::Measurement& ori
     return std::nullopt;
 }
 
-/// A measurement as the index says, its heights from the processed copy.
+/// A measurement of the index with the heights of the processed copy.
 ContainerTopography copy_alone(ContainerTopography topography) {
     topography.datafile.original.clear();
     return topography;

@@ -34,14 +34,14 @@ bool is_taken(const ContainerDraft& draft, const std::string& name) {
                        [&](const ContainerMember& member) { return member.name == name; });
 }
 
-/// The name, or the name after the first number that makes it the only one.
+/// The name, or the name after the first number that makes it unique.
 std::string free_name(const ContainerDraft& draft, const std::string& name) {
     auto free = name;
     for (int number = 1; is_taken(draft, free); ++number) free = fmt::format("{}-{}", number, name);
     return free;
 }
 
-/// A file's name in letters that every program takes, after the number of its measurement.
+/// The name of a file in portable characters, after the number of its measurement.
 std::string member_name(std::size_t number, const std::string& path) {
     auto name = std::filesystem::path(path).filename().string();
     for (auto& character : name)
@@ -59,9 +59,9 @@ std::string plain_name(const std::string& source, bool is_map) {
     return std::filesystem::path(source).replace_extension().string() + (is_map ? "-heights.nc" : "-heights.txt");
 }
 
-// ---- what the index says of a file ----------------------------------------------------------------------------------
+// ---- entries of the index for a file --------------------------------------------------------------------------------
 
-/// The unit of lengths in an index; contact.engineering knows m, mm, µm, nm, Å and pm.
+/// The unit of lengths in an index; contact.engineering supports m, mm, µm, nm, Å and pm.
 std::string index_unit(const std::string& unit, bool numbers_rest_on_it, const std::string& path) {
     for (const char* known : {"m", "mm", "µm", "nm", "Å", "pm"})
         if (unit == known) return unit;
@@ -89,8 +89,7 @@ std::string iso_date(int year, int month, int day) {
     return possible ? fmt::format("{:04}-{:02}-{:02}", year, month, day) : std::string{};
 }
 
-/// 2016-02-15 from the ways that leave no doubt to write it: 2016-02-15…, 2016/02/15, 15.02.2016, Feb 15 2016, 15 Feb
-/// 2016; else nothing.
+/// 2016-02-15 from unambiguous forms: 2016-02-15…, 2016/02/15, 15.02.2016, Feb 15 2016, 15 Feb 2016; otherwise empty.
 std::string date_of(const std::string& time) {
     std::array<int, 3> numbers{};
     char first = 0, second = 0;
@@ -119,19 +118,19 @@ std::string date_of(const std::string& time) {
     return {};
 }
 
-/// contact.engineering knows instruments that touch and those that look.
+/// contact.engineering distinguishes contact-based and microscope-based instruments.
 std::string instrument_type(const topography::Instrument& instrument) {
     if (instrument.type == "stylus" || instrument.type == "afm") return "contact-based";
     if (!instrument.type.empty()) return "microscope-based";
     return instrument.tip_radius ? "contact-based" : instrument.resolution ? "microscope-based" : "undefined";
 }
 
-/// A number as people wrote it: 500, not 500.00000000000006 after its way through metres.
+/// A number as originally written: 500, not 500.00000000000006 after conversion to metres.
 double without_rounding(double number) { return std::stod(fmt::format("{:.15g}", number)); }
 
 ContainerLength in_nanometres(double length) { return {.value = without_rounding(length / units::nm), .unit = "nm"}; }
 
-/// What a file says of its instrument, and what is known next to it.
+/// Instrument data of a file, completed by the given data.
 topography::Instrument with_given(topography::Instrument instrument, const topography::Instrument& given) {
     if (!given.name.empty()) instrument.name = given.name;
     if (!given.type.empty()) instrument.type = given.type;
@@ -168,7 +167,7 @@ bool is_periodic(const Measurement& measurement) {
         measurement);
 }
 
-/// What the heights tell and the index does not.
+/// Adds properties of the heights that the index lacks.
 void describe_heights(const Measurement& measurement, ContainerTopography& topography) {
     const auto heights = topography::all_heights(measurement);
     const auto undefined_points = heights.isNaN().count();
@@ -185,14 +184,14 @@ void set_size(const ChannelInfo& info, ContainerTopography& topography) {
     for (const double size : info.size) topography.size.push_back(without_rounding(size / factor));
 }
 
-// ---- originals that others read -------------------------------------------------------------------------------------
+// ---- originals for other programs -----------------------------------------------------------------------------------
 
 bool others_read(const Format& format, const Measurement& measurement) {
     const bool reads_maps_alone = format.identifier == "x3p";
     return format.read_elsewhere && (!reads_maps_alone || std::holds_alternative<HeightMap>(measurement));
 }
 
-/// The unit of an original made for others. They take steps for equal that differ by less than 10⁻⁶ of it.
+/// The unit of an original for other programs. They treat steps as equal that differ by less than a relative 10⁻⁶.
 std::string unit_of_positions(const std::string& unit, const Measurement& measurement) {
     const auto* profile = std::get_if<topography::Profile>(&measurement);
     if (profile == nullptr) return unit;
@@ -219,7 +218,7 @@ std::string plain_content(const Measurement& measurement, const std::string& uni
     return netcdf_content(measurement, unit);
 }
 
-/// What came from the instrument goes next to an original that says the same in a layout others read.
+/// Adds the file of the instrument next to an original with the same content in a layout for other programs.
 void put_source_beside(const std::function<Measurement()>& read, bool is_map, ContainerDraft& draft,
                        ContainerTopography& topography) {
     auto& [original, source, source_channel, squeezed, rest] = topography.datafile;
@@ -230,7 +229,7 @@ void put_source_beside(const std::function<Measurement()>& read, bool is_map, Co
                              }});
 }
 
-/// The processed copy, made when it is written.
+/// The processed copy, computed when it is written.
 ContainerMember copy_of(const std::string& name, std::function<Measurement()> read, topography::Trend trend,
                         const std::string& unit) {
     return {name, [name, read = std::move(read), trend, unit] {
@@ -240,7 +239,7 @@ ContainerMember copy_of(const std::string& name, std::function<Measurement()> re
 
 // ---- upgrading ------------------------------------------------------------------------------------------------------
 
-/// Members of the old container under the names they have in the new one.
+/// New names of the members of the old container.
 using NewNames = std::map<std::string, std::string>;
 
 NewNames take_members(ContainerDraft& draft, const bytes::Source& source, const std::vector<std::string>& members) {
@@ -289,7 +288,7 @@ void add_copy(const Channel& channel, ContainerDraft& draft, ContainerTopography
     topography.datafile.squeezed = name;
 }
 
-/// Completes what the index says of a measurement from its file.
+/// Completes a measurement of the index from its file.
 void upgrade(const bytes::Source& source, const bytes::Archive& archive, const ContainerSurface& surface,
              ContainerDraft& draft, ContainerTopography& topography) {
     const auto channel = container_channel(source, archive, surface, topography);
@@ -311,7 +310,7 @@ void upgrade(const bytes::Source& source, const bytes::Archive& archive, const C
     }
 }
 
-/// Brings measurements of a container to generation C and takes their members.
+/// Converts measurements of a container to generation C and adds their members.
 void upgrade_all(ContainerDraft& draft, const bytes::Source& source, const std::vector<std::string>& members,
                  std::vector<ContainerSurface>& surfaces) {
     const bytes::Archive archive(source);
@@ -325,7 +324,7 @@ void upgrade_all(ContainerDraft& draft, const bytes::Source& source, const std::
         }
 }
 
-/// The one measurement of all that a number, counted over all surfaces, or a name means.
+/// Keeps only the measurement with a number, counted over all surfaces, or a name.
 void keep_only(const std::string& wanted, const std::string& path, std::vector<ContainerSurface>& surfaces) {
     std::vector<std::string> names;
     for (const auto& surface : surfaces)
@@ -362,8 +361,9 @@ std::vector<std::string> members_of(const std::vector<ContainerSurface>& surface
 void replace_given(const StoredMeasurement& given, ContainerTopography& topography) {
     if (given.trend && detrend_mode(*given.trend) != topography.detrend_mode) {
         topography.detrend_mode = detrend_mode(*given.trend);
-        topography.datafile.squeezed = topography.datafile.original.empty() ? topography.datafile.squeezed
-                                                                            : "";  // a copy with another trend is made
+        topography.datafile.squeezed = topography.datafile.original.empty()
+                                           ? topography.datafile.squeezed
+                                           : "";  // a copy with another trend is computed
     }
     topography::Instrument known;
     if (topography.instrument) known.name = topography.instrument->name;

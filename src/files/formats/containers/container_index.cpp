@@ -122,7 +122,7 @@ void fields_of(Container& container, Fields& fields) {
 template <class Type>
 concept Described = requires(Type& value) { value.extra; };
 
-/// Whether a value says nothing.
+/// Whether a value is empty.
 bool is_empty(const json& value) {
     return value.is_null() || (value.is_structured() && value.empty()) ||
            (value.is_string() && value.get_ref<const std::string&>().empty());
@@ -130,7 +130,7 @@ bool is_empty(const json& value) {
 
 // ---- reading --------------------------------------------------------------------------------------------------------
 
-/// Takes what it understands out of an object; what is left is `extra`.
+/// Takes the known fields from an object; the rest is `extra`.
 class FieldReader {
 public:
     FieldReader(json& object, std::string path, std::vector<Alert>& alerts)
@@ -152,7 +152,7 @@ public:
              "correct the index; until then, the value is kept in the index but not used"});
     }
 
-    /// What was left, as text; the container's own "extra" is nobody's to understand.
+    /// The rest as text; the "extra" of the container is never interpreted.
     std::string rest() {
         for (const auto& [key, value] : object_.items())
             if (std::find(malformed_.begin(), malformed_.end(), key) == malformed_.end() &&
@@ -216,7 +216,7 @@ private:
         const auto alerts_before = alerts_.size();
         std::vector<Type> taken(from.size());
         for (std::size_t i = 0; i < from.size(); ++i) {
-            json copy = from[i];  // the list stays whole where one of its entries is not understood
+            json copy = from[i];  // the list remains complete if one of its entries is invalid
             if (take(copy, taken[i], fmt::format("{}/{}", place, i))) continue;
             alerts_.resize(alerts_before);
             return false;
@@ -248,7 +248,7 @@ public:
         if (auto written = put(value); !written.is_null()) object_[key] = std::move(written);
     }
 
-    /// The object with what was kept; an empty one says nothing.
+    /// The object with the unknown fields that were kept; empty if there are none.
     ordered_json finish(const std::string& extra) {
         const auto kept = extra.empty() ? ordered_json::object() : ordered_json::parse(extra);
         for (const auto& [key, value] : kept.items())
@@ -309,7 +309,7 @@ void rename(json& object, const char* from, const char* to) {
     object.erase(from);
 }
 
-/// What newer indices say in a document "metadata" said where generation C says it.
+/// Moves the content of the newer document "metadata" to the places of generation C.
 void flatten_metadata(json& topography) {
     if (!topography.is_object() || !topography.contains("metadata") || !topography["metadata"].is_object()) return;
     auto& metadata = topography["metadata"];
@@ -328,7 +328,7 @@ void flatten_metadata(json& topography) {
     if (metadata.empty()) topography.erase("metadata");
 }
 
-/// Keys of other generations made those of generation C.
+/// Converts keys of other generations to those of generation C.
 void modernise(json& index) {
     rename(index, "creation_time", "created_at");
     for (auto& surface : index["surfaces"]) {

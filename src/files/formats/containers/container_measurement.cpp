@@ -19,11 +19,11 @@
 namespace setae::formats {
 namespace {
 
-/// What the index says of a measurement, ready to open its file.
+/// A measurement of the index, and access to its file.
 struct MemberEntry {
     std::string name, member;
     bool squeezed = false;  ///< processed: scaled, filled and detrended already
-    bool source = false;    ///< what the original says in another layout
+    bool source = false;    ///< content of the original in another layout
     std::size_t channel = 0;
     std::optional<ContainerTopography::Channel> named;  ///< instead of the number
     double height_scale = 1.0;
@@ -35,7 +35,7 @@ struct MemberEntry {
     std::vector<Alert> alerts;
 };
 
-/// A field that was kept because it is not what it should be decides how a file is read: it is not skipped.
+/// A field that was kept because it is invalid affects how a file is read: it is not skipped.
 void require_understood(const ContainerTopography& topography) {
     if (topography.extra.empty()) return;
     const auto kept = nlohmann::json::parse(topography.extra);
@@ -66,7 +66,7 @@ void choose_member(const ContainerTopography& topography, const bytes::Archive& 
              "ask the author of the container for the original"});
 }
 
-/// What the index states of an instrument, with its ±; `file`: of the container, which the instrument belongs to.
+/// Sets the instrument of the index, with its ±; `file`: container of the instrument.
 void take_instrument(const ContainerInstrument& instrument, const std::string& file, MemberEntry& entry) {
     const auto parameters = instrument.parameters.value_or(ContainerInstrument::Parameters{});
     entry.instrument.name = instrument.name;
@@ -137,13 +137,13 @@ void merge(const MemberEntry& entry, const std::string& container, topography::M
             metadata.acquisition_time = date->second;
 }
 
-/// A member's channel with the scale the index adds: only where the member's own format defines none.
+/// A channel of a member with the scale of the index, if the format of the member defines none.
 struct ScaledChannel {
     Channel channel;
     double factor = 1.0;
 };
 
-/// The channel of a name, or the only one of heights where programs name channels otherwise than setae.
+/// The channel with a name, or the only one with heights if programs use other names than setae.
 std::size_t channel_of(const MemberEntry& entry, const std::vector<Channel>& channels, const bytes::Source& member) {
     if (!entry.named) {
         if (entry.channel < channels.size()) return entry.channel;
@@ -190,7 +190,7 @@ bool has_alert(const ChannelInfo& info, const char* code) {
     return false;
 }
 
-/// A unit of the index that is not the file's, which stays.
+/// Reports a unit of the index that differs from that of the file, which is used.
 void compare_units(const MemberEntry& entry, const bytes::Source& source, ChannelInfo& info) {
     if (!entry.options.unit || info.unit.empty() || !info.is_height || has_alert(info, "UNIT_MISMATCH")) return;
     if (std::abs(length_unit(*entry.options.unit, source).factor / length_unit(info.unit, source).factor - 1.0) < 1e-12)
@@ -233,7 +233,7 @@ bool repeats_scale(const bytes::Archive& archive, const ContainerTopography& top
 
 namespace {
 
-/// @throws FormatError for what is stated of an instrument with a ± that is none: no measurement is taken without it.
+/// @throws FormatError for instrument data with an invalid ±: the measurement is not read without it.
 void require_statements(const bytes::Source& source, const bytes::Archive& archive,
                         const ContainerTopography& topography) {
     if (!topography.instrument || !topography.instrument->parameters) return;

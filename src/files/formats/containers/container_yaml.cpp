@@ -68,7 +68,7 @@ std::string quoted(const std::string& text) {
     return result;
 }
 
-/// YAML 1.1 takes 1e-09 for a text and 1.0e-09 for a number.
+/// In YAML 1.1 1e-09 is a text and 1.0e-09 a number.
 std::string number(const ordered_json& value) {
     auto text = value.dump();
     const auto exponent = text.find('e');
@@ -85,7 +85,7 @@ std::string inline_value(const ordered_json& value) {
 
 void emit(const ordered_json& value, std::size_t indent, std::string& out);
 
-/// What follows "key:" or "-".
+/// Writes the part after "key:" or "-".
 void emit_behind(const ordered_json& value, std::size_t indent, std::string& out) {
     if (!is_block(value)) {
         out += " " + inline_value(value) + "\n";

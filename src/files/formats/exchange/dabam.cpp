@@ -28,7 +28,7 @@ namespace {
 
 using nlohmann::json;
 
-/// What stands next to a file of numbers "name.dat" in "name.txt"; empty if that is no description of dabam.
+/// The description "name.txt" next to a file of numbers "name.dat"; empty if it is no description of dabam.
 std::optional<json> description_of(const bytes::Source& source) {
     constexpr std::uintmax_t most = 1 << 20;
     if (source.path.empty()) return std::nullopt;
@@ -55,7 +55,7 @@ std::string text_of(const json& description, const std::string& key) {
     return found->is_string() ? found->get<std::string>() : found->dump();
 }
 
-/// Whether a text is such a description itself.
+/// Whether a text is such a description.
 bool describes(std::string_view head) {
     return head.find("\"FILE_FORMAT\"") != std::string_view::npos &&
            head.find("\"X1_FACTOR\"") != std::string_view::npos;
@@ -70,7 +70,7 @@ Quantity quantity_of(const std::string& name) {
     return word.find("heig") != std::string::npos ? Quantity::heights : Quantity::unknown;
 }
 
-/// A column next to the positions.
+/// A column in addition to the positions.
 struct Ordinate {
     std::size_t column = 1;
     std::string name;
@@ -107,7 +107,7 @@ std::string without_unit(const std::string& name) {
     return std::string(trimmed(std::string_view(name).substr(0, name.find('('))));
 }
 
-/// Whether a header names the positions and the heights or slopes of a mirror, with their units.
+/// Whether a header has the names of positions and heights or slopes of a mirror, with their units.
 bool names_mirror(const std::vector<std::string>& names) {
     if (names.size() < 2 || !bytes::lowered(names[0]).starts_with('x') ||
         !is_length_unit(tables::parse_header_cell(names[0]).unit))
@@ -122,7 +122,7 @@ std::optional<double> factor_of(const std::string& name, Quantity quantity) {
     unit.resize(std::min(unit.find(')'), unit.size()));
     if (quantity == Quantity::slopes && bytes::lowered(unit).starts_with("micro")) return 1e-6;
     if (quantity == Quantity::slopes && unit.ends_with("rad"))
-        unit.replace(unit.size() - 3, 3, "m");  // its prefix as of a length
+        unit.replace(unit.size() - 3, 3, "m");  // the prefix is that of a length
     const auto known = tables::try_parse_unit(unit);
     return known && known->dimension == dimension::length ? std::optional(known->factor) : std::nullopt;
 }
@@ -155,7 +155,7 @@ DabamColumns columns_of(const json& description, const tables::TextStart& start,
     return columns;
 }
 
-/// Of a file of numbers alone: what its header says.
+/// Columns of a single file of numbers, from its header.
 DabamColumns columns_of(const tables::TextStart& start) {
     DabamColumns columns;
     const auto names = header_names(start);
@@ -168,7 +168,7 @@ DabamColumns columns_of(const tables::TextStart& start) {
     return columns;
 }
 
-/// Unit of heights or slopes that a factor means.
+/// Unit of heights or slopes with a given factor.
 std::string unit_name(double factor, bool slopes) {
     static constexpr std::pair<double, const char*> prefixes[] = {{1.0, ""}, {1e-3, "m"}, {1e-6, "µ"}, {1e-9, "n"}};
     for (const auto& [value, prefix] : prefixes)

@@ -19,17 +19,17 @@
 #include "setae/tables/header.hpp"
 #include "storage/raster.hpp"
 
-// Gwyddion's own files: "GWYP", then one object: name, 0, size (32 bits), components; a component: name, 0, type,
-// value. Types: b c i q d s o, in capitals their arrays after a count of 32 bits. All little-endian. "/N/data" of the
+// Files of Gwyddion: "GWYP", then one object: name, 0, size (32 bits), components; a component: name, 0, type, value.
+// Types: b c i q d s o, in capitals their arrays after a count of 32 bits. All little-endian. "/N/data" of the
 // container is the N-th map.
 namespace setae::formats {
 namespace {
 
-constexpr std::size_t longest_text_of_gwy = 1 << 14;  ///< kept of a text; the rest is skipped
+constexpr std::size_t longest_text_of_gwy = 1 << 14;  ///< characters kept of a text; the rest is skipped
 constexpr std::size_t max_components = 200'000;       ///< of one file
-constexpr std::size_t max_attributes = 200;           ///< kept of a channel's metadata
+constexpr std::size_t max_attributes = 200;           ///< number kept of the metadata of a channel
 
-/// A part of the file: what an object holds, or the items of an array.
+/// A part of the file: the content of an object, or the items of an array.
 struct Part {
     std::string object;  ///< its class; empty for arrays
     std::uint64_t begin = 0, end = 0, count = 0;
@@ -98,7 +98,7 @@ Component read_component(bytes::Cursor& cursor) {
     return component;
 }
 
-/// The components of an object, one after another; `visit` gets each.
+/// Calls `visit` for the components of an object, in sequence.
 template <class Visit>
 void for_each_component(const bytes::Source& source, const Part& part, Visit visit) {
     bytes::Cursor cursor(source, "GWY", part.begin);
@@ -113,15 +113,15 @@ void for_each_component(const bytes::Source& source, const Part& part, Visit vis
     }
 }
 
-// ---- what a container holds of each channel
-// -----------------------------------------------------------------------------
+// ---- content of a container by channel
+// -------------------------------------------------------------------------------
 
 struct GwyParts {
     std::optional<Part> data, mask, metadata;
     std::string title;
 };
 
-/// "/12/data/title" is {12, "data/title"}; nothing for keys of no channel.
+/// "/12/data/title" is {12, "data/title"}; empty for other keys.
 struct Key {
     std::uint32_t channel = 0;
     std::string_view rest;
@@ -159,7 +159,7 @@ struct Field {
     Part data;
 };
 
-/// "m", "V", or nothing for a number without one.
+/// "m", "V", or empty for a number without a unit.
 std::string unit_of(const bytes::Source& source, const Part& unit) {
     std::string text;
     for_each_component(source, unit, [&](const Component& component) {
@@ -193,7 +193,7 @@ Raster raster_of(const Field& field) {
     return {.offset = field.data.begin, .nx = field.nx, .ny = field.ny, .sample = Sample::float64};
 }
 
-/// The factor of a unit of length to metres; nothing for other units and none.
+/// The factor of a unit of length to metres; empty for other units and without a unit.
 std::optional<double> metres(const std::string& unit) {
     const auto parsed = tables::try_parse_unit(unit);
     return parsed && parsed->dimension == dimension::length ? std::optional(parsed->factor) : std::nullopt;
@@ -215,7 +215,7 @@ void read_metadata(const bytes::Source& source, const Part& part, topography::Me
     });
 }
 
-/// Heights with those undefined that our own writer marked: the format allows no NaN.
+/// Heights with the points undefined that the writer of setae marked: the format allows no NaN.
 Channel with_undefined_points(Channel channel, const bytes::Source& source, const Part& mask) {
     const auto field = read_field(source, mask, "the mask");
     const auto raster = raster_of(field);

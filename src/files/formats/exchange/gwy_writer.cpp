@@ -20,7 +20,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "numbers are written in the byte order of the memory");
 
-/// Components of an object, one after another. The items of its last array may stand elsewhere: `outside` tells their
+/// Components of an object, in sequence. The items of its last array may be elsewhere: `outside` is their number of
 /// bytes.
 class Object {
 public:
@@ -35,19 +35,19 @@ public:
         outside_ += value.outside_;
         return *this;
     }
-    /// Numbers whose bytes these are.
+    /// Numbers in these bytes.
     Object& reals(const char* name, const std::string& numbers) {
         begin(name, 'D').raw(static_cast<std::uint32_t>(numbers.size() / sizeof(double))).bytes_ += numbers;
         return *this;
     }
-    /// `count` numbers whose bytes follow what is here.
+    /// `count` numbers that follow in bytes outside.
     Object& reals_outside(const char* name, std::uint32_t count) {
         begin(name, 'D').raw(count);
         outside_ += std::uint64_t{count} * sizeof(double);
         return *this;
     }
 
-    /// Bytes with those outside.
+    /// Bytes including those outside.
     [[nodiscard]] std::uint64_t size() const { return bytes_.size() + outside_; }
     [[nodiscard]] const std::string& bytes() const { return bytes_; }
     [[nodiscard]] std::string framed(const char* type) const {
@@ -70,7 +70,7 @@ private:
     std::uint64_t outside_ = 0;
 };
 
-/// A field but for its numbers, which stand last.
+/// A field without its numbers, which come last.
 Object field_of(const std::array<Index, 2>& shape, const std::array<double, 2>& size, const std::string& unit_z) {
     Object unit_xy, unit;
     unit_xy.text("unitstr", "m");
@@ -81,7 +81,7 @@ Object field_of(const std::array<Index, 2>& shape, const std::array<double, 2>& 
     return field.object("si_unit_xy", "GwySIUnit", unit_xy).object("si_unit_z", "GwySIUnit", unit);
 }
 
-/// The same whose heights stand elsewhere.
+/// A field whose heights are elsewhere.
 Object field_outside(const topography::HeightMap& map, const char* unit_z) {
     auto field = field_of(map.shape(), map.size, unit_z);
     return field.reals_outside("data", static_cast<std::uint32_t>(map.heights.size()));
@@ -101,7 +101,7 @@ Object metadata_of(const topography::Metadata& metadata, bool masked) {
     return object;
 }
 
-/// Finite whatever the heights are: what stands where none is defined.
+/// Finite for all heights: replaces undefined ones.
 double mean_height(const Array2D& heights) {
     const auto defined = !heights.isNaN();
     const double mean = defined.select(heights, 0.0).sum() / static_cast<double>(defined.count());

@@ -15,8 +15,8 @@
 #include "storage/height_likeness.hpp"
 #include "storage/stored_array.hpp"
 
-// HDF5 of nobody's layout: every dataset of numbers with one or two dimensions is a channel, of heights where it looks
-// like them.
+// HDF5 without a known layout: every dataset of numbers with one or two dimensions is a channel, with heights if they
+// are likely.
 namespace setae::formats {
 namespace {
 
@@ -49,7 +49,7 @@ std::vector<double> size_of(const StoredArray& array) {
     return size;
 }
 
-/// What other programs write of their own accord: PyTables' indices, the parts of pandas' tables, pictures.
+/// Data that other programs add: indices of PyTables, parts of tables of pandas, pictures.
 std::string why_foreign(const StoredArray& array, const Hdf5File& file) {
     const auto kind = text_of(array.attributes, "CLASS");
     if (array.name.find("/_i_") != std::string::npos || kind == "INDEXARRAY" || kind == "LASTROWARRAY" ||
@@ -92,7 +92,7 @@ Channel channel_of(const StoredArray& array, const Hdf5File& file, bool alone, c
     return why.empty() ? channel : doubtful_channel(std::move(channel), why);
 }
 
-/// A file of electron microscopy: its arrays are pictures, spectra and what is said of them.
+/// A file of electron microscopy: its arrays are pictures, spectra and their metadata.
 bool is_emd(const Hdf5File& file) {
     for (const char* group : {"Image", "SpectrumImage", "SpectrumStream", "Spectrum"})
         if (!file.members(std::string("/Data/") + group).empty()) return true;

@@ -19,15 +19,15 @@
 
 // TIFF whose pixels are heights: floats, or integers of 16 or 32 bits. ImageJ writes the unit of its pixels into the
 // description ("unit=um") and pixels per unit into the resolution; calibrated values as c0 + c1 · raw with their unit
-// vunit. Heights of other TIFF have the unit, and where no resolution states it the size, that the user gives.
+// vunit. For other TIFF the user gives the unit of heights, and the size if there is no resolution.
 namespace setae::formats {
 namespace {
 
 constexpr const char* height_tiff = "tiff";
 constexpr std::size_t max_tiff_pages = 300;
-constexpr double coarsest_printed_pixel = 20e-6;  ///< larger ones are what printers are told [m]
+constexpr double coarsest_printed_pixel = 20e-6;  ///< larger pixels are those for printers [m]
 
-/// What the description of the first page says, as ImageJ writes it.
+/// The description of the first page, as written by ImageJ.
 struct ImageJText {
     std::string text;
 
@@ -74,7 +74,7 @@ std::optional<std::array<double, 2>> pixel_of(const bytes::TiffFile& file, const
     return pixel[0] < coarsest_printed_pixel && pixel[1] < coarsest_printed_pixel ? std::optional(pixel) : std::nullopt;
 }
 
-/// How raw values become heights: ImageJ's linear calibration with its unit, else as they stand.
+/// Conversion of raw values to heights: the linear calibration of ImageJ with its unit, otherwise none.
 struct TiffScale {
     double factor = 1.0, offset = 0.0;
     std::string unit;

@@ -15,9 +15,9 @@
 #include "setae/core/errors.hpp"
 #include "storage/raster.hpp"
 
-// HGT tiles of the Shuttle Radar Topography Mission: nothing but big-endian integers, heights above the geoid in m,
-// rows from the north. A tile spans one degree from the first point to the last; its south-west corner is in its name,
-// such as N46E007.hgt.
+// HGT tiles of the Shuttle Radar Topography Mission: only big-endian integers, heights above the geoid in m, rows from
+// the north. A tile spans one degree from the first point to the last; its south-west corner is in its name, such as
+// N46E007.hgt.
 namespace setae::formats {
 namespace {
 
@@ -37,7 +37,7 @@ const Tile* tile_of(std::uint64_t bytes) {
     return at == tiles.end() ? nullptr : &*at;
 }
 
-/// Land and sea floors of the Earth, and nothing else, in rows from all over the tile: any other content fills the
+/// Heights in the range of the Earth's land and sea floors, in rows from the whole tile: other content uses the whole
 /// range of integers.
 bool holds_plausible_heights(const Tile& tile, const bytes::Source& source) {
     constexpr int lowest = -500, highest = 9000;

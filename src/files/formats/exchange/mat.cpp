@@ -30,7 +30,7 @@ Match detect_mat(std::string_view head, const bytes::Source&) {
     return can_be_mat4(head) ? Match::maybe : Match::no;
 }
 
-/// HDF5 holds a matrix with its columns as first index.
+/// HDF5 stores a matrix with its columns as first index.
 std::vector<MatVariable> mat73_variables(const bytes::Source& source) {
     const Hdf5File file(source);
     std::vector<MatVariable> variables;

@@ -67,7 +67,7 @@ std::optional<std::uint64_t> values_in(const std::vector<Index>& shape) {
 
 // ---- level 5 --------------------------------------------------------------------------------------------------------
 
-/// Type and length of an element; small ones keep up to 4 bytes beside their type.
+/// Type and length of an element; small ones contain up to 4 bytes after their type.
 struct MatTag {
     std::uint32_t type = 0;
     std::uint64_t bytes = 0;
@@ -87,7 +87,7 @@ MatTag read_tag(bytes::Cursor& cursor) {
     return {first, cursor.number<std::uint32_t>(), false};
 }
 
-/// A part of a matrix that stands before its values.
+/// A part of a matrix before its values.
 std::string part(bytes::Cursor& cursor, std::uint32_t type, const char* what, std::uint64_t most) {
     const auto tag = read_tag(cursor);
     if (tag.type != type && !(type == int8_element && tag.type == utf8_element))
@@ -99,8 +99,7 @@ std::string part(bytes::Cursor& cursor, std::uint32_t type, const char* what, st
     return bytes;
 }
 
-/// A matrix from its tag on, if it holds numbers. `cursor` may see no more than the header; values are checked by who
-/// reads them.
+/// A matrix from its tag on, if it contains numbers. `cursor` needs only the header; values are checked on reading.
 std::optional<MatVariable> matrix(bytes::Cursor& cursor, std::endian order) {
     constexpr std::uint32_t first_numeric = 6, first_integer = 8, last_numeric = 15, complex_flag = 0x0800,
                             logical_flag = 0x0200;
@@ -134,7 +133,7 @@ std::optional<MatVariable> matrix(bytes::Cursor& cursor, std::endian order) {
     return variable;
 }
 
-/// The values of a compressed element, expanded while somebody holds them.
+/// The values of a compressed element, expanded while they are referenced.
 void place_compressed(MatVariable& variable, const bytes::Source& source, std::uint64_t offset, std::uint64_t packed,
                       std::uint64_t expanded) {
     const auto content = std::make_shared<OnDemand<const std::string>>([source, offset, packed, expanded] {
@@ -158,7 +157,7 @@ void place_compressed(MatVariable& variable, const bytes::Source& source, std::u
     variable.array.hold = [content] { return content->hold(); };
 }
 
-/// The matrix in a compressed element: enough is expanded to know it.
+/// The matrix in a compressed element: only the part needed for its header is expanded.
 std::optional<MatVariable> compressed_matrix(const bytes::Source& source, std::uint64_t offset, std::uint64_t packed,
                                              std::endian order) {
     constexpr std::uint64_t header_bytes = 1 << 14;
@@ -260,8 +259,8 @@ std::vector<MatVariable> mat5_variables(const bytes::Source& source) {
                 variables.push_back(std::move(*variable));
             continue;
         }
-        cursor.skip(
-            std::min(tag.padded(), std::max(cursor.remaining(), tag.bytes)));  // the last may lack what fills it up
+        cursor.skip(std::min(tag.padded(), std::max(cursor.remaining(), tag.bytes)));  // the padding of the last
+                                                                                       // element may be missing
         if (tag.type != matrix_element) continue;
         const auto next = cursor.position();
         cursor.seek(start);

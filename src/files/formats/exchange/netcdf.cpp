@@ -21,16 +21,15 @@
 #include "storage/stored_array.hpp"
 #include "writing.hpp"
 
-// Topographies as containers hold them: variables heights(x[, y]), x and y with attributes length, periodic and
-// unit, and perhaps mask; or heights(n) over positions x(n); and a global attribute json with what is known
-// besides.
+// Topographies as in containers: variables heights(x[, y]), x and y with attributes length, periodic and unit, and
+// optionally mask; or heights(n) over positions x(n); and a global attribute json with further metadata.
 namespace setae::formats {
 namespace {
 
 constexpr const char* nc = "nc";
 constexpr std::string_view only_dimension = "This is a netCDF dimension but not a netCDF variable";
 
-/// NetCDF-4: the datasets of an HDF5 file's root; a dimension without values is a dataset that says so.
+/// NetCDF-4: the datasets in the root of an HDF5 file; a dimension without values is a dataset with this property.
 ArrayFile netcdf4(const bytes::Source& source) {
     const Hdf5File hdf5(source);
     ArrayFile file{hdf5.attributes("/"), {}};
@@ -48,7 +47,7 @@ std::string unit_text(const StoredArray& array) {
     return unit.empty() ? text_of(array.attributes, "units") : unit;
 }
 
-/// Metres per unit of an axis: its own unit, or that of the heights; nothing where neither is known.
+/// Metres per unit of an axis, by its unit or that of the heights; empty if neither is known.
 std::optional<double> metres(const StoredArray& axis, const std::optional<double>& of_heights,
                              const bytes::Source& source) {
     const auto unit = unit_text(axis);
@@ -77,7 +76,7 @@ std::optional<double> axis_length(const StoredArray& axis, Index points) {
     return step * n;
 }
 
-/// Extents of heights(x[, y]) [m]; empty if one is not known.
+/// Extents of heights(x[, y]) [m]; empty if one is unknown.
 std::vector<double> uniform_size(const ArrayFile& file, const StoredArray& heights, const std::optional<double>& unit,
                                  const bytes::Source& source) {
     std::vector<double> size;
@@ -91,8 +90,7 @@ std::vector<double> uniform_size(const ArrayFile& file, const StoredArray& heigh
     return size;
 }
 
-/// What the library writes where a program wrote nothing, unless the variable names a value of its own; of bytes
-/// none.
+/// Value that the library writes for missing data, unless the variable defines another one; none for bytes.
 std::optional<double> default_fill(Sample sample) {
     switch (sample) {
         case Sample::int16: return -32767.0;
@@ -107,7 +105,7 @@ std::optional<double> default_fill(Sample sample) {
     }
 }
 
-/// Raw values to heights, as the conventions of NetCDF have it.
+/// Conversion of raw values to heights by the conventions of NetCDF.
 RawScale raw_scale(const StoredArray& heights, double unit) {
     RawScale scale;
     const auto fill = default_fill(heights.sample);
@@ -124,7 +122,7 @@ std::string json_text(const nlohmann::json& value) {
                              : value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-/// The attribute json: what the writer knew of the measurement.
+/// Adds the metadata in the attribute json.
 void add_info(topography::Metadata& metadata, const std::string& text) {
     const auto info = bytes::json_or_null(text);
     if (!info.is_object()) return;
@@ -147,7 +145,7 @@ void add_info(topography::Metadata& metadata, const std::string& text) {
         metadata.instrument.tip_radius = instrument[value].get<double>() * length->factor;
 }
 
-/// Heights made undefined if the variable mask is not 0.
+/// Sets heights undefined where the variable mask is not 0.
 void apply_mask(topography::Measurement& measurement, const StoredArray& mask) {
     const auto masked = values_of(mask, nc);
     std::visit(
@@ -163,7 +161,7 @@ struct Positions {
     double factor = 1.0;
 };
 
-/// What a channel's heights still become after they are read.
+/// Processing of the heights of a channel after reading.
 struct Finish {
     bytes::Source source;
     std::optional<StoredArray> mask;
@@ -189,7 +187,7 @@ bool is_classic(std::string_view head) {
     return head.size() > 3 && head.starts_with("CDF") && (head[3] == 1 || head[3] == 2 || head[3] == 5);
 }
 
-/// Whether an HDF5 file has heights with coordinates, or heights and NetCDF's own mark.
+/// Whether an HDF5 file has heights with coordinates, or heights and the mark of NetCDF.
 bool is_netcdf4(const bytes::Source& source) {
     try {
         const Hdf5File file(source);
@@ -204,7 +202,7 @@ Match detect_netcdf(std::string_view head, const bytes::Source& source) {
     return is_classic(head) || (bytes::find_hdf5(head) == 0u && is_netcdf4(source)) ? Match::yes : Match::no;
 }
 
-/// Lengths are known, in a unit that nobody has told.
+/// A channel with lengths in an unknown unit.
 Channel without_unit(ChannelInfo info, const bytes::Source& source) {
     const auto message = fmt::format("{}: the file states no unit; give `unit`, such as \"um\"", source.name);
     return {std::move(info), [message]() -> topography::Measurement { throw InvalidArgument(message); }};
@@ -225,7 +223,7 @@ std::vector<Channel> open_netcdf(const bytes::Source& source, const ReadOptions&
     const auto *x = file.find("x"), *mask = file.find("mask");
     const auto own_unit = unit_text(*heights);
     const auto stated =
-        own_unit.empty() && x ? unit_text(*x) : own_unit;  // of unequal steps only the positions have one
+        own_unit.empty() && x ? unit_text(*x) : own_unit;  // if steps are unequal only the positions have a unit
     std::optional<double> unit;
     if (!stated.empty() || options.unit) unit = length_unit(stated.empty() ? *options.unit : stated, source).factor;
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::uint32_t character = 2;
 constexpr std::uint64_t max_values = std::uint64_t{1} << 40;  // along a dimension, or of an attribute
-constexpr std::size_t max_dimensions_of_netcdf = 1024;        // of a variable, as the library allows
+constexpr std::size_t max_dimensions_of_netcdf = 1024;        // of a variable, the limit of the library
 
 /// The types in the order of their numbers, characters as bytes.
 constexpr Sample netcdf_samples[] = {Sample::int8,   Sample::int8,    Sample::uint8,   Sample::int16,
@@ -49,7 +49,7 @@ public:
 
     std::string name() { return padded(count()); }
 
-    /// `length` bytes and what fills them up to a multiple of 4.
+    /// `length` bytes and the padding to a multiple of 4.
     std::string padded(std::uint64_t length) {
         auto text = cursor_.bytes(length);
         cursor_.skip(std::min<std::uint64_t>((4 - length % 4) % 4, cursor_.remaining()));
@@ -88,7 +88,7 @@ Attributes parse_attributes(NetcdfHeader& header) {
     return attributes;
 }
 
-/// A variable as the header has it: along the unlimited dimension its extent is 0.
+/// A variable as in the header: its extent along the unlimited dimension is 0.
 struct Variable {
     StoredArray array;
     bool is_character = false;
@@ -130,7 +130,7 @@ Variable parse_variable(NetcdfHeader& header, const std::vector<std::uint64_t>& 
     return variable;
 }
 
-/// Records one after another: the parts of all variables, each filled up to four bytes unless it is the only one.
+/// Records in sequence: the parts of all variables, each padded to four bytes unless it is the only one.
 void place_records(std::vector<Variable>& variables, std::uint64_t records, const NetcdfHeader& header) {
     std::uint64_t together = 0, number = 0, alone = 0;
     for (const auto& variable : variables) {

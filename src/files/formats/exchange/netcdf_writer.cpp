@@ -35,7 +35,7 @@ void append(std::string& bytes, const std::string& text) {
     bytes += text + std::string((4 - text.size() % 4) % 4, '\0');
 }
 
-/// A list of a header: its kind and number of elements, then these.
+/// A list of a header: kind, number of elements, elements.
 struct List {
     std::uint32_t tag = 0, count = 0;
     std::string elements{};
@@ -93,11 +93,11 @@ public:
         for (const double value : values) append(made.values_, value);
         return made;
     }
-    /// One byte a value, 1 where it is undefined.
+    /// One byte per value, 1 if it is undefined.
     void mask(const std::string& name, std::span<const std::uint32_t> dimensions, const ArrayView1D& values) {
         auto& made = begin(name, dimensions, byte, static_cast<std::uint64_t>(values.size()) + 3);
         for (const double value : values) made.values_ += std::isnan(value) ? '\1' : '\0';
-        made.values_.resize((made.values_.size() + 3) / 4 * 4, '\x81');  // the value the format fills with
+        made.values_.resize((made.values_.size() + 3) / 4 * 4, '\x81');  // the fill value of the format
     }
     void put(const std::string& name, const std::string& text) { about_.put(name, text); }
 
@@ -150,11 +150,11 @@ private:
     std::string name_;
     std::vector<std::string> dimension_names_, variable_names_;
     List dimensions_{dimension_tag};
-    Variable about_;  ///< holds the attributes of the whole
+    Variable about_;  ///< contains the global attributes
     std::vector<Variable> variables_;
 };
 
-/// The length unit that files are written in, its name in ASCII as readers of old NetCDF want it.
+/// The length unit of written files, with an ASCII name for readers of old NetCDF.
 struct WrittenUnit {
     std::string name;
     double factor = 1.0;  ///< to metres
@@ -167,8 +167,8 @@ WrittenUnit written_unit(const std::string& unit) {
     return {unit, factor};
 }
 
-/// A topography's heights and coordinates, as the reader of topographies expects them. Undefined points are NaN and,
-/// where there are any, marked in a variable "mask".
+/// Heights and coordinates of a topography in the layout of the topography reader. Undefined points are NaN and, if
+/// there are any, marked in a variable "mask".
 class HeightsWriter {
 public:
     HeightsWriter(Dataset& dataset, WrittenUnit unit) : dataset_(dataset), unit_(std::move(unit)) {}
@@ -193,7 +193,7 @@ private:
         const char* name;
         const char* dimension;
         Array1D positions;
-        std::optional<double> length;  ///< of equal steps alone
+        std::optional<double> length;  ///< only for equal steps
         bool periodic;
     };
 

@@ -26,7 +26,7 @@ constexpr std::size_t max_dimensions_of_npy = 64;
     throw FormatError(source.name, {.offset = offset}, "NPY: " + what);
 }
 
-/// Text after 'key': in the header's dictionary.
+/// Text after 'key': in the dictionary of the header.
 std::string_view entry(std::string_view dictionary, std::string_view key, const bytes::Source& source) {
     const auto at = dictionary.find(fmt::format("'{}'", key));
     const auto colon = at == std::string_view::npos ? at : dictionary.find(':', at);
@@ -75,7 +75,7 @@ void parse_shape(std::string_view text, StoredArray& array, const bytes::Source&
     }
 }
 
-/// Refuses a header that announces more values than there are.
+/// Refuses a header with more values than the file.
 void require_values(const StoredArray& array, const bytes::Source& source) {
     std::uint64_t count = bytes_of(array.sample);
     for (const auto extent : array.shape) {

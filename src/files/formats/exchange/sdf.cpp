@@ -28,7 +28,7 @@ namespace {
 constexpr std::uint64_t longest_sdf_header = 1 << 16;
 constexpr std::size_t magic_bytes = 8;
 
-/// What the header says.
+/// Content of the header.
 struct SdfHeader {
     bool text = false;
     std::string manufacturer, created, modified;
@@ -148,8 +148,8 @@ SdfHeader binary_header(const bytes::Source& source, bool wide) {
 constexpr std::array sdf_samples{Sample::uint8, Sample::uint16, Sample::uint32, Sample::float32,
                                  Sample::int8,  Sample::int16,  Sample::int32,  Sample::float64};
 
-/// The value of each binary type that is no height: the least of those with a sign, as the standard has it; the
-/// greatest of unsigned ones of 16 and 32 bits, as Gwyddion has it. Bytes without a sign have none.
+/// The value of each binary type for an undefined height: the smallest of signed types, as in the standard; the largest
+/// of unsigned types of 16 and 32 bits, as in Gwyddion. Unsigned bytes have none.
 std::vector<double> undefined_values(Sample sample) {
     switch (sample) {
         case Sample::uint16: return {std::numeric_limits<std::uint16_t>::max()};
@@ -191,7 +191,7 @@ SdfHeader read_header(const bytes::Source& source) {
 // ---- trailer of text
 // --------------------------------------------------------------------------------------------------
 
-/// "Key = value" or "< Key > value < / Key >", as the example of the standard has it.
+/// "Key = value" or "< Key > value < / Key >", as in the example of the standard.
 void keep_trailer(std::string_view text, topography::Metadata& metadata) {
     for (const auto raw : bytes::split_lines(text)) {
         auto line = trimmed(raw);
@@ -206,7 +206,7 @@ void keep_trailer(std::string_view text, topography::Metadata& metadata) {
     }
 }
 
-/// What stands after the heights, as far as the last bytes of the file hold it.
+/// The trailer after the heights, if it is within the last bytes of the file.
 void read_trailer(const bytes::Source& source, std::uint64_t data, topography::Metadata& metadata) {
     const auto from = std::max(data, source.size - std::min(source.size, longest_sdf_header));
     const auto tail = bytes::decoded(source.bytes(from, source.size - from), bytes::Encoding::detect);
@@ -219,7 +219,7 @@ void read_trailer(const bytes::Source& source, std::uint64_t data, topography::M
 // ---- heights of text
 // --------------------------------------------------------------------------------------------------
 
-/// Words between white space up to '*' or the end, piece after piece.
+/// Words between white space up to '*' or the end, in pieces.
 class Words {
 public:
     Words(const bytes::Source& source, std::uint64_t offset) : source_(source), next_(offset), at_(offset) {}
@@ -246,7 +246,7 @@ public:
             refill();
         }
     }
-    /// Whether the last word has its end in the file: else it may be a part.
+    /// Whether the last word ends inside the file: otherwise it may be a part.
     [[nodiscard]] bool whole() const { return whole_; }
     [[nodiscard]] std::uint64_t position() const { return at_; }
 
@@ -300,7 +300,8 @@ topography::Measurement read_text(const bytes::Source& source, const SdfHeader& 
     return checked(topography::HeightMap{std::move(heights), {size[0], size[1]}, false, metadata}, source);
 }
 
-/// A channel of text, whose numbers are parsed when asked. Each takes two bytes at least: fewer cannot hold them.
+/// A channel of text, whose numbers are parsed on request. Each needs at least two bytes: a smaller file cannot contain
+/// them.
 Channel text_channel(ChannelInfo info, const bytes::Source& source, const SdfHeader& header,
                      const ReadOptions& options) {
     const auto room = (source.size - header.data + 1) / 2;
@@ -319,8 +320,8 @@ Channel text_channel(ChannelInfo info, const bytes::Source& source, const SdfHea
     return {std::move(info), std::move(read)};
 }
 
-/// Olympus writes two more numbers of 32 bits, 5 and 1, between header and heights: such files are longer than they
-/// announce.
+/// Olympus writes two additional numbers of 32 bits, 5 and 1, between header and heights: such files are longer than
+/// stated in the header.
 std::uint64_t binary_data(const bytes::Source& source, const SdfHeader& header, Sample sample) {
     const auto heights =
         static_cast<std::uint64_t>(header.nx) * static_cast<std::uint64_t>(header.ny);  // each below 2^32

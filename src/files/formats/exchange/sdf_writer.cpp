@@ -16,13 +16,13 @@ namespace {
 constexpr Index max_points_of_sdf = 65535;
 constexpr double sdf_not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-/// Day, month, year, hour, minute; zeros where none is known.
+/// Day, month, year, hour, minute; zeros if unknown.
 std::string digits_of(const std::string& text) {
     const auto time = written_time(text);
     return time.known() ? time.day + time.month + time.year + time.hour + time.minute : std::string(12, '0');
 }
 
-/// In ASCII, cut to the width and filled with blanks.
+/// In ASCII, truncated to the width and padded with blanks.
 std::string fixed(const std::string& text, std::size_t width) {
     std::string ascii;
     for (const char c : text)

@@ -11,9 +11,8 @@
 #include "storage/hdf5_file.hpp"
 #include "storage/stored_array.hpp"
 
-// What TopoStats keeps of an image: HDF5 with the heights [nm] as "image", those before its filters as
-// "image_original", and the nanometres of a pixel as "pixel_to_nm_scaling"; masks, traces, statistics and settings next
-// to them.
+// Images of TopoStats: HDF5 with the heights [nm] as "image", those before filtering as "image_original", and the
+// nanometres per pixel as "pixel_to_nm_scaling"; masks, traces, statistics and settings next to them.
 namespace setae::formats {
 namespace {
 

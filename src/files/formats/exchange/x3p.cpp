@@ -24,9 +24,8 @@
 #include "x3p_document.hpp"
 #include "x3p_writer.hpp"
 
-// X3P (ISO 25178-72, formerly ISO 5436-2): a ZIP with main.xml and, unless the XML lists the points itself, a binary
-// file. coordinate [m] = value · Increment + Offset; x is the fastest index; int16, int32, float32 or float64,
-// little-endian.
+// X3P (ISO 25178-72, formerly ISO 5436-2): a ZIP with main.xml and, unless the XML lists the points, a binary file.
+// coordinate [m] = value · Increment + Offset; x is the fastest index; int16, int32, float32 or float64, little-endian.
 namespace setae::formats {
 namespace {
 
@@ -41,7 +40,7 @@ constexpr Index max_layers = 256;
     throw FormatError(source.name, {}, "X3P: " + what);
 }
 
-/// An archive and the folder its main.xml stands in, where links begin.
+/// An archive and the folder of its main.xml, the base of links.
 struct Package {
     const bytes::Archive& archive;
     std::string folder;
@@ -60,7 +59,7 @@ void require_checksum(const bytes::Source& member, const std::string& expected) 
             fmt::format("X3P: the MD5 checksum is {}, but main.xml states {}; it is damaged", found, expected));
 }
 
-/// A member that must hold `count` values of `bytes` each.
+/// A member that must contain `count` values of `bytes` each.
 bytes::Source required_member(const Package& package, const std::string& link, std::uint64_t count, std::uint64_t bytes,
                               const X3pDocument& document) {
     const auto member = package.archive.member(package.member(link));
@@ -110,7 +109,8 @@ void for_each_invalid(const ValidPoints& valid, std::uint64_t first, std::uint64
     }
 }
 
-// ---- points on a regular grid: rasters, read when asked -------------------------------------------------------------
+// ---- points on a regular grid: rasters, read on request
+// --------------------------------------------------------------
 
 std::vector<double> regular_size(const X3pDocument& document) {
     if (!document.x.increment || (!document.profile && !document.y.increment)) return {};
@@ -141,7 +141,7 @@ Channel layer_channel(const X3pDocument& document, const Package& package, Index
                         .ny = document.ny,
                         .sample = document.z.sample};
     bytes::Source named = member;
-    named.name = source.name;  // the measurement is the archive's, and what is wrong with the member was said above
+    named.name = source.name;  // the measurement is that of the archive; the problem of the member was reported before
     auto channel = raster_channel(std::move(info), named, raster,
                                   {.factor = document.z.step(), .offset = document.z.offset}, options);
     if (channel.info.size.empty()) return channel;
@@ -162,7 +162,7 @@ Channel layer_channel(const X3pDocument& document, const Package& package, Index
     return channel;
 }
 
-// ---- points that tell their own x and y, or are listed in the XML ---------------------------------------------------
+// ---- points with their own x and y, or listed in the XML ------------------------------------------------------------
 
 /// Coordinates of the points in file order, x fastest; empty for incremental axes.
 struct Points {
@@ -223,7 +223,8 @@ Points listed_points(const X3pDocument& document, const bytes::Source& source) {
     return points;
 }
 
-/// Step of an absolute axis whose values lie on a regular grid within 2 % of a step; index(i) is point i's place on it.
+/// Step of an absolute axis whose values are on a regular grid within 2 % of a step; index(i) is the place of point i
+/// on it.
 template <class GridIndex>
 double grid_step(const std::vector<double>& values, Index n, const char* axis, const bytes::Source& source,
                  GridIndex index) {
@@ -241,7 +242,7 @@ double grid_step(const std::vector<double>& values, Index n, const char* axis, c
     return step;
 }
 
-/// Length of one step along an axis. @throws FormatError if neither increment nor positions tell it.
+/// Length of one step along an axis. @throws FormatError if neither increment nor positions give it.
 template <class GridIndex>
 double step_of(const X3pAxis& axis, const std::vector<double>& values, Index n, const char* name,
                const bytes::Source& source, GridIndex index) {
@@ -281,7 +282,7 @@ Channel points_channel(const X3pDocument& document, const Points& points, const 
 
 // ---- documents and archives -----------------------------------------------------------------------------------------
 
-/// The checksum of main.xml guards a text people edit: a difference is worth an alert, no refusal.
+/// The checksum of main.xml protects a text that users edit: a difference is a warning, no error.
 std::vector<Alert> check_document(const Package& package, const std::string& xml, const X3pDocument& document,
                                   const bytes::Source& source) {
     const auto name = package.member(document.checksum_member);
@@ -293,7 +294,7 @@ std::vector<Alert> check_document(const Package& package, const std::string& xml
              "check the increments and offsets of the axes"}};
 }
 
-/// A list of points takes some bytes of its file each; elements that take less are made to fill the memory.
+/// Each listed point takes some bytes of its file; smaller elements are intended to fill the memory.
 void require_honest_list(const std::string& xml, const bytes::Source& source) {
     const auto tags = static_cast<std::uint64_t>(std::count(xml.begin(), xml.end(), '<'));
     constexpr std::uint64_t always = 1'000'000;
@@ -370,7 +371,7 @@ std::vector<Channel> open_nested(const bytes::Source& source, const std::string&
     return channels;
 }
 
-/// Channels of an archive in the archive. Nothing of it stays in memory: reading expands it again.
+/// Channels of an archive in the archive. It is not kept in memory: reading expands it again.
 std::vector<Channel> nested_channels(const bytes::Source& source, const std::string& name, const ReadOptions& options) {
     try {
         auto channels = open_nested(source, name, options);

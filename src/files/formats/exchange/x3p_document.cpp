@@ -93,7 +93,7 @@ topography::Metadata parse_metadata(const pugi::xml_node& record, const bytes::S
     return metadata;
 }
 
-/// Such as "272F5FAF0A067C56A8EF08F98D96B187"; what is shorter cannot be compared.
+/// Such as "272F5FAF0A067C56A8EF08F98D96B187"; a shorter one cannot be compared.
 std::string whole_checksum(const pugi::xml_node& link, const char* name) {
     const auto text = bytes::lowered(trimmed(link.child_value(name)));
     return text.size() == 32 ? text : std::string{};

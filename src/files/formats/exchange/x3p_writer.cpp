@@ -28,7 +28,7 @@ constexpr const char* point_member = "bindata/data.bin";
 constexpr const char* checksum_member = "md5checksum.hex";
 constexpr const char* opengps = "http://www.opengps.eu/2008/ISO5436_2";
 
-/// Axes, extents and points, as the format has them.
+/// Axes, extents and points in the layout of the format.
 struct WrittenContent {
     const char* feature = "SUR";
     double step_x = 0.0, step_y = 0.0;  ///< [m]; a step 0 is that of an absolute axis
@@ -156,7 +156,7 @@ void write_x3p(const std::string& path, const topography::Measurement& measureme
     auto content = std::visit([](const auto& m) { return content_of(m); }, measurement);
     const auto document = document_of(content, topography::metadata(measurement));
     const auto checksum = fmt::format("{} *main.xml\n", bytes::md5(document));
-    // stored: deflate takes ten times as long as all the rest and leaves 96 % of measured float64
+    // stored: deflate takes ten times as long as everything else and leaves 96 % of measured float64
     bytes::write_archive(path, {{"main.xml", [&] { return bytes::memory_source(path, document); }},
                                 {point_member, [&] { return bytes::memory_source(path, std::move(content.points)); }},
                                 {checksum_member, [&] { return bytes::memory_source(path, checksum); }}});

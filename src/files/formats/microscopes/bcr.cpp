@@ -72,14 +72,13 @@ std::uint64_t count(const BcrHeader& header, const std::string& key, const bytes
     return static_cast<std::uint64_t>(*value);
 }
 
-/// The unit the header names; nm where it names none, as the format says.
+/// The unit in the header; nm if there is none, as defined by the format.
 std::string unit_of(const BcrHeader& header, const std::string& key) {
     const auto at = header.find(key);
     return at == header.end() || at->second.empty() ? "nm" : at->second;
 }
 
-/// n points; NanoFocus, which writes a value where the format has the number of voids, counts from the first point to
-/// the last.
+/// n points; NanoFocus, which writes a value in place of the number of voids, counts from the first point to the last.
 std::optional<double> size_along(const BcrHeader& header, char axis, std::uint64_t points, bool between_points,
                                  const bytes::Source& source) {
     const auto length = number(header, std::string(1, axis) + "length", source);
@@ -155,7 +154,7 @@ std::vector<Channel> open_bcr(const bytes::Source& source, const ReadOptions& op
     RawScale scale{.factor = unit->factor};
     const auto step = number(header, "bit2nm", source);
     if (!integers || step) info.unit = name;
-    if (integers && !step) scale.factor = 1.0;  // of a unit the user must name
+    if (integers && !step) scale.factor = 1.0;  // of a unit that the user must give
     if (integers) scale.undefined = {void_integer};
     if (integers && step) scale.factor *= *step;
     if (!integers) scale.greatest = greatest_float;

@@ -16,9 +16,9 @@
 #include "setae/core/text.hpp"
 #include "setae/tables/force_curve_formats.hpp"
 
-// Igor binary waves as Asylum Research (Oxford Instruments) writes them: a wave of x × y × channels whose labels along
-// the third dimension are the names of the channels and whose note tells of the scan. The wave has one unit for all
-// channels, which is that of the heights; the others' follow from their names.
+// Igor binary waves of Asylum Research (Oxford Instruments): a wave of x × y × channels whose labels along the third
+// dimension are the names of the channels and whose note describes the scan. The wave has one unit for all channels,
+// that of the heights; the units of the others follow from their names.
 namespace setae::formats {
 namespace {
 
@@ -53,8 +53,8 @@ std::string quantity_of(std::string name) {
     return name;
 }
 
-/// The unit of a channel of Asylum's instruments: what the note says of it, else what it measures; everything else is a
-/// voltage.
+/// The unit of a channel of Asylum instruments: that in the note, otherwise that of the measured quantity; a voltage
+/// for all others.
 std::string asylum_unit(const std::string& name, const Note& note) {
     static constexpr std::pair<std::string_view, std::string_view> units[] = {
         {"Height", "m"},    {"ZSensor", "m"}, {"Deflection", "m"}, {"Amplitude", "m"},
@@ -100,7 +100,7 @@ topography::Metadata metadata_of(const IgorWave& wave, const Note& note, const b
     return metadata;
 }
 
-/// Where the numbers of one channel lie: points along x follow one another, rows begin at the bottom.
+/// Place of the numbers of one channel: points along x are contiguous, rows begin at the bottom.
 Raster raster_of(const IgorWave& wave, std::uint64_t channel) {
     const auto nx = wave.points[0], ny = std::max<std::uint64_t>(wave.points[1], 1);
     return {.offset = wave.data_at + channel * nx * ny * bytes_of(wave.sample),
@@ -111,8 +111,7 @@ Raster raster_of(const IgorWave& wave, std::uint64_t channel) {
             .bottom_up = true};
 }
 
-/// Extent n · step where the wave says in which length; a wave without unit says nothing, its steps of 1 are Igor's
-/// default.
+/// Extent n · step if the wave states a unit of length; without a unit the steps of 1 are Igor's default.
 std::vector<double> size_of(const IgorWave& wave, std::size_t dimensions, const bytes::Source& source) {
     std::vector<double> size;
     for (std::size_t k = 0; k < dimensions; ++k) {
@@ -152,7 +151,7 @@ Channel channel_of(const IgorWave& wave, const Note& note, std::size_t channel, 
     info.name = info.metadata.name = name_of(wave, channel);
     const bool asylum = note.contains("MicroscopeModel") && channel < wave.labels[2].size();
     info.unit = asylum ? asylum_unit(info.name, note) : plain_unit(wave.data_unit);
-    // names tell which channels are heights, the wave tells their unit
+    // names show which channels are heights, the wave gives their unit
     if (holds_heights(info.name, info.unit) && holds_heights({}, wave.data_unit)) info.unit = wave.data_unit;
     if (info.name.find("Retrace") != std::string::npos || info.name.find("Trace") != std::string::npos)
         info.metadata.attributes["line_direction"] =

@@ -31,7 +31,7 @@ std::uint64_t headers_bytes(int version) {
     }
 }
 
-/// A size of the header, which must lie within the file.
+/// A size in the header, which must be inside the file.
 std::uint64_t size_of_part(bytes::Cursor& cursor) {
     const auto value = cursor.number<std::int32_t>();
     if (value < 0 || static_cast<std::uint64_t>(value) > cursor.source().size)
@@ -63,7 +63,7 @@ std::uint64_t points_along(bytes::Cursor& cursor) {
     return static_cast<std::uint64_t>(value);
 }
 
-/// What follows the numbers, one part after another, each refused where it is not wholly there.
+/// The parts after the numbers, in sequence, each refused if incomplete.
 class IgorParts {
 public:
     IgorParts(const bytes::Source& source, std::uint64_t at) : cursor_(source, "Igor", at) {}
@@ -74,7 +74,7 @@ public:
         return bytes::decoded(cursor_.bytes(bytes), bytes::Encoding::detect);
     }
     void skip(std::uint64_t bytes) { cursor_.skip(bytes); }
-    /// The first label names the dimension, the others its points.
+    /// The first label is that of the dimension, the others are those of its points.
     std::vector<std::string> labels(std::uint64_t bytes, std::uint64_t points) {
         const auto all = cursor_.bytes(bytes);
         std::vector<std::string> names;

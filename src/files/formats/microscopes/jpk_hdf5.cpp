@@ -21,7 +21,7 @@ namespace {
 constexpr const char* jpk_hdf5 = "jpk-hdf5";
 constexpr std::size_t max_frames = 10'000;
 
-/// A measurement's grid: pixels and extents [m].
+/// Grid of a measurement: pixels and extents [m].
 struct JpkGrid {
     Index nx = 0, ny = 0;
     std::vector<double> size;

@@ -14,9 +14,9 @@
 #include "setae/core/text.hpp"
 #include "storage/tiff_pixels.hpp"
 
-// TIFF with private tags. The first page is a thumbnail and tells of the scan; each further page is a channel. A
-// channel has slots, ways to read its integers (volts, nominal height, calibrated height …): value = multiplier · raw +
-// offset in the slot's unit.
+// TIFF with private tags. The first page is a thumbnail and describes the scan; each further page is a channel. A
+// channel has slots, conversions of its integers (volts, nominal height, calibrated height …): value = multiplier · raw
+// + offset in the unit of the slot.
 namespace setae::formats {
 namespace {
 
@@ -44,7 +44,7 @@ enum JpkTag : std::uint16_t {
 constexpr std::uint16_t slot_distance = 0x30;
 constexpr std::size_t max_slots = 64, max_pages = 300;
 
-/// One way to read a channel's integers.
+/// One conversion of the integers of a channel.
 struct Slot {
     std::string name, unit;
     double factor = 0.0, offset = 0.0;
@@ -67,7 +67,7 @@ std::vector<Slot> linear_slots(const bytes::TiffFile& file, const bytes::TiffPag
     return slots;
 }
 
-/// The slot to read: the calibrated one if it is a length, else the file's default, else any other.
+/// The slot to read: the calibrated one if it is a length, otherwise the default of the file, otherwise any other.
 const Slot* chosen_slot(const std::vector<Slot>& slots, const std::string& preferred) {
     const auto named = [&](std::string_view name) {
         return std::find_if(slots.begin(), slots.end(), [&](const Slot& slot) { return slot.name == name; });
@@ -77,7 +77,7 @@ const Slot* chosen_slot(const std::vector<Slot>& slots, const std::string& prefe
     return slots.empty() ? nullptr : &slots.back();
 }
 
-/// A line "key : value" of a page's properties.
+/// A line "key : value" of the properties of a page.
 std::string property(const std::string& properties, std::string_view key) {
     for (const auto line : bytes::split_lines(properties)) {
         const auto colon = line.find(" : ");
@@ -87,7 +87,7 @@ std::string property(const std::string& properties, std::string_view key) {
     return {};
 }
 
-/// "Height (measured, trace)"; images of force curves add what was computed where it is not the channel itself.
+/// "Height (measured, trace)"; images of force curves append the computed quantity if it is not the channel itself.
 std::string name_of(const bytes::TiffFile& file, const bytes::TiffPage& page, const std::string& properties) {
     auto name = file.text(page, channel_fancy_name);
     if (name.empty()) name = file.text(page, channel_name);
@@ -175,7 +175,7 @@ std::vector<Channel> open_jpk_image(const bytes::Source& source, const std::stri
     common.metadata = metadata_of(file);
     common.metadata.file = source.name;
     common.metadata.format = format;
-    // a grid may run backwards: its direction is the sign
+    // a grid may run backwards, shown by the sign
     const double width = std::abs(file.number(first, grid_width).value_or(0.0)),
                  height = std::abs(file.number(first, grid_height).value_or(0.0));
     common.size = {width, height};

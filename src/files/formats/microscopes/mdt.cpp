@@ -55,7 +55,7 @@ std::string from_cyrillic(std::string_view bytes) {
     return text;
 }
 
-/// Unit by its number; empty for counts, pixels and what has none.
+/// Unit by its number; empty for counts, pixels and dimensionless quantities.
 std::string unit_of(std::int16_t code) {
     static constexpr std::array lengths{"m", "cm", "mm", "µm", "nm", "Å"};  // from −5
     static constexpr std::array others{"nA", "V", "", "kHz", "deg", "%", "°C", "V", "s", "ms", "µs", "ns"};  // from 1
@@ -123,14 +123,14 @@ MdtAxis read_axis(bytes::Cursor& cursor) {
     return axis;
 }
 
-/// Text of announced length at the cursor; empty if it would leave its frame.
+/// Text of stated length at the cursor; empty if it would leave its frame.
 std::string title_at(bytes::Cursor& cursor, std::uint64_t end) {
     if (cursor.position() + 4 > end) return {};
     const auto length = cursor.number<std::uint32_t>();
     return cursor.position() + length <= end ? from_cyrillic(cursor.bytes(length)) : std::string();
 }
 
-/// What every map of a frame must obey besides lying in the file.
+/// Conditions on every map of a frame in addition to its position in the file.
 void require_in_frame(const MdtImage& image, const FrameHead& frame, const bytes::Cursor& cursor) {
     require_raster(image.raster, cursor.source(), "NT-MDT");
     const auto end = image.raster.offset + image.raster.row_distance() * static_cast<std::uint64_t>(image.raster.ny);
@@ -189,7 +189,7 @@ Calibration read_calibration(bytes::Cursor& cursor) {
     calibration.axis.offset = cursor.number<double>();
     calibration.axis.step = cursor.number<double>();
     const auto first = cursor.number<std::uint64_t>(), last = cursor.number<std::uint64_t>();
-    calibration.points = last - first + 1;  // what wraps round is refused with the raster
+    calibration.points = last - first + 1;  // overflow is refused with the raster
     calibration.type = cursor.number<std::int32_t>();
     cursor.seek(texts);
     calibration.name = from_cyrillic(cursor.bytes(name));
@@ -216,8 +216,8 @@ std::optional<Sample> sample_of(std::int32_t type) {
     }
 }
 
-/// Maps of a frame that describes itself: two dimensions and measurands that alternate point by point. Nothing for
-/// other shapes.
+/// Maps of a self-describing frame: two dimensions and measurands that alternate point by point. Empty for other
+/// shapes.
 std::vector<MdtImage> mda_images(bytes::Cursor& cursor, const FrameHead& frame) {
     cursor.seek(frame.body());
     const auto head = cursor.number<std::uint32_t>();

@@ -15,8 +15,8 @@
 #include "storage/raster.hpp"
 
 // Header of lines whose key is the first 14 characters; "bufferLabel" begins a channel, "data" ends the header and
-// tells how the channels follow, one after another: integers of 2 or 4 bytes or in words, in parts of the channel's
-// range; or real numbers in its unit.
+// defines the storage of the channels, in sequence: integers of 2 or 4 bytes or as text, in parts of the range of the
+// channel; or real numbers in its unit.
 namespace setae::formats {
 namespace {
 
@@ -97,7 +97,7 @@ topography::Metadata metadata_of(const MiFile& file, const bytes::Source& source
     return metadata;
 }
 
-/// Numbers in words, one channel after another or each a column; rows begin at the bottom.
+/// Numbers as text, channels in sequence or in columns; rows begin at the bottom.
 topography::Measurement words(const bytes::Source& source, const MiFile& file, std::size_t channel, double factor,
                               const ChannelInfo& info) {
     const auto text = source.bytes(file.data_at, source.size - file.data_at);

@@ -18,8 +18,8 @@
 
 // Nanonis scans: lines ":KEY:" with values below them up to ":SCANIT_END:", blank lines, the bytes 0x1a 0x04, then a
 // map of big-endian float32 for each channel and direction of its table DATA_INFO, in SI units. Lines are stored as
-// they were scanned: from the bottom where SCAN_DIR is up, from the right on the way back. Lines that were not scanned
-// are NaN.
+// scanned: from the bottom if SCAN_DIR is up, from the right in the backward direction. Lines that were not scanned are
+// NaN.
 namespace setae::formats {
 namespace {
 
@@ -106,7 +106,7 @@ std::vector<NanonisChannel> nanonis_channels(const NanonisEntries& entries, cons
     return channels;
 }
 
-/// "23.11.2008" and "10:11:12" as "2008-11-23 10:11:12"; as they stand where the date is spelled otherwise.
+/// "23.11.2008" and "10:11:12" as "2008-11-23 10:11:12"; unchanged if the date has another form.
 std::string nanonis_time(const NanonisEntries& entries) {
     auto date = first_line(entries, "REC_DATE");
     if (date.size() == 10 && date[2] == '.' && date[5] == '.')
@@ -135,7 +135,7 @@ Match detect_nanonis(std::string_view head, const bytes::Source&) {
                                                                                                        : Match::no;
 }
 
-/// Where the numbers begin, after what the header ends with.
+/// Start of the numbers, after the end of the header.
 std::uint64_t data_offset(std::uint64_t header_end, const bytes::Source& source) {
     const auto gap = source.up_to(header_end, longest_gap);
     const auto mark = gap.find(nanonis_data_mark);

@@ -21,7 +21,7 @@
 #include "storage/raster.hpp"
 
 // Nanoscope files from version 4.3: a latin-1 header of sections "\*Name" with lines "\Key: value", then one block of
-// little-endian integers an image. Height = raw · hard value [V] · soft sensitivity [nm/V] / 2^bits; rows from bottom
+// little-endian integers per image. Height = raw · hard value [V] · soft sensitivity [nm/V] / 2^bits; rows from bottom
 // to top.
 namespace setae::formats {
 namespace {
@@ -42,16 +42,15 @@ std::uint64_t integer(const NanoscopeSection& section, std::string_view key, con
     return tables::nanoscope_integer(section, key, source);
 }
 
-/// What one unit of raw data means: in SI, and the unit it is written in; the factor of a unit setae does not know is
-/// 0.
+/// Value of one unit of raw data: in SI, and its unit in the file; the factor of an unknown unit is 0.
 struct ValueScale {
     double factor = 0.0;
     std::string unit;
-    std::string missing = {};  ///< name of the sensitivity, where the header lacks it
+    std::string missing = {};  ///< name of a sensitivity that the header lacks
 };
 
-/// The sensitivity's name stands in [], the hard value after (). A sensitivity without a unit, as that of "359.9945 º",
-/// leaves the hard value's.
+/// The name of the sensitivity is in [], the hard value after (). A sensitivity without a unit, as that of "359.9945
+/// º", keeps the unit of the hard value.
 ValueScale value_scale(const std::string& text, const std::vector<NanoscopeSection>& sections, std::size_t bytes) {
     const auto scale = tables::nanoscope_scale(text);
     const auto& hard = scale.range;
@@ -75,7 +74,7 @@ ValueScale value_scale(const std::string& text, const std::vector<NanoscopeSecti
     return {std::isfinite(factor) ? std::ldexp(factor, -8 * static_cast<int>(bytes)) : 0.0, unit};
 }
 
-/// "4:1": so many times wider than high.
+/// "4:1": ratio of width to height.
 double aspect_ratio(const NanoscopeSection& image, const std::vector<NanoscopeSection>& sections,
                     const bytes::Source& source) {
     const auto* text = find(image, "aspect ratio");
@@ -102,7 +101,7 @@ std::array<double, 2> scan_size(const NanoscopeSection& image, const std::vector
     return {first->number * factor, y * factor};
 }
 
-/// `S [Height] "Height"`: the name shown, else the internal one; with the direction of the scan.
+/// `S [Height] "Height"`: the displayed name, otherwise the internal one; with the direction of the scan.
 std::string image_name(const std::string& data, const std::string* direction) {
     if (direction) return fmt::format("{} ({})", image_name(data, nullptr), bytes::lowered(*direction));
     const auto quote = data.find('"'), end = data.rfind('"');
@@ -113,21 +112,21 @@ std::string image_name(const std::string& data, const std::string* direction) {
                : data;
 }
 
-/// Where an image's integers stand.
+/// Place of the integers of an image.
 struct NanoscopeBlock {
     std::uint64_t offset = 0;
     std::size_t bytes = 2;  ///< of one value
     Index nx = 0, ny = 0;
-    double wider = 1.0, higher = 1.0;  ///< than what the image's own number of points says
+    double wider = 1.0, higher = 1.0;  ///< than the number of points of the image
 
     [[nodiscard]] std::uint64_t length() const {
         return bytes * static_cast<std::uint64_t>(nx) * static_cast<std::uint64_t>(ny);
     }
 };
 
-/// From version 9.2 on, data are 4 bytes wide while "Bytes/pixel" may still say 2: the length of the block decides.
-/// Where an image's own number of points does not fill its block and the scan's does, as version 5.30 writes them, the
-/// scan's holds.
+/// From version 9.2 on, data are 4 bytes wide although "Bytes/pixel" may still be 2: the length of the block decides.
+/// If the number of points of an image does not fill its block and that of the scan does, as in version 5.30, that of
+/// the scan is used.
 NanoscopeBlock find_block(const NanoscopeSection& image, const NanoscopeSection* scan, const std::string& name,
                           const bytes::Source& source) {
     const auto own_nx = integer(image, "samps/line", source), own_ny = integer(image, "number of lines", source);

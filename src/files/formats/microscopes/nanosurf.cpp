@@ -18,8 +18,7 @@
 #include "setae/tables/text_head.hpp"
 #include "storage/raster.hpp"
 
-// Dim0 and Dim1 are the axes of a channel; its integers run through their whole range from Dim2Min to Dim2Min +
-// Dim2Range.
+// Dim0 and Dim1 are the axes of a channel; the full range of its integers is Dim2Min to Dim2Min + Dim2Range.
 namespace setae::formats {
 namespace {
 

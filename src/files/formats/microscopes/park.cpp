@@ -13,9 +13,9 @@
 #include "setae/core/text.hpp"
 #include "storage/tiff_pixels.hpp"
 
-// A TIFF picture whose private tags hold the measurement: 50432 magic number, 50433 version, 50434 the samples, 50435 a
-// header of 356 bytes, 580 from version 2 on; all little-endian. height = gain · (scale · raw + offset) in the unit of
-// the header.
+// A TIFF picture whose private tags contain the measurement: 50432 magic number, 50433 version, 50434 the samples,
+// 50435 a header of 356 bytes, 580 from version 2 on; all little-endian. height = gain · (scale · raw + offset) in the
+// unit of the header.
 namespace setae::formats {
 namespace {
 
@@ -91,7 +91,8 @@ ParkHeader header_of(const bytes::TiffFile& file, const bytes::TiffTag& tag) {
     if (tag.bytes() < header_bytes_2) return header;
     cursor.skip(2 * 8 + 3 * 16);  // servo gain, range of the scanner, modes of scanner and servo
     header.data_type = cursor.number<std::uint32_t>();
-    cursor.skip(2 * 4 + 3 * 8);  // reserved, amplitude and frequency of the cantilever, and one that real files leave 0
+    cursor.skip(2 * 4 + 3 * 8);  // reserved, amplitude and frequency of the cantilever, and a field that is 0 in real
+                                 // files
     header.cantilever = wide_text(cursor, 16);
     return header;
 }
@@ -151,7 +152,7 @@ Raster raster_of(const ParkHeader& header, const bytes::TiffTag& samples, const 
     return raster;
 }
 
-/// The picture is not read, but a file without all of it is not whole.
+/// The picture is not read, but a file with an incomplete picture is truncated.
 void require_preview(const bytes::TiffFile& file, const bytes::TiffPage& page) {
     const auto offsets = file.integers(page, strip_offsets_tag, max_strips),
                counts = file.integers(page, strip_bytes_tag, max_strips);

@@ -15,10 +15,10 @@
 #include "setae/tables/header_number.hpp"
 #include "storage/raster.hpp"
 
-// WSxM images: three lines that name the file, sections "[Name]" with lines "Key: value" up to "[Header end]", then the
-// image, little-endian, turned by half a turn. Floating-point data are in the unit of the Z amplitude; 16-bit data span
-// the Z amplitude between the header's Minimum and Maximum, and between the data's own where the header does not state
-// those as integers.
+// WSxM images: three lines that identify the file, sections "[Name]" with lines "Key: value" up to "[Header end]", then
+// the image, little-endian, rotated by 180°. Floating-point data are in the unit of the Z amplitude; 16-bit data span
+// the Z amplitude between Minimum and Maximum of the header, or between those of the data if the header does not state
+// them as integers.
 namespace setae::formats {
 namespace {
 
@@ -41,7 +41,7 @@ struct WsxmHeader {
     throw FormatError(source.name, {.offset = offset}, "WSxM: " + what);
 }
 
-/// Curves and films share the first line with images; the second tells what they are.
+/// Curves and films have the same first line as images; the second line distinguishes them.
 void require_image(const std::vector<std::string_view>& lines, const bytes::Source& source) {
     const auto kind = lines.size() < 2 ? std::string_view{} : trimmed(lines[1]);
     if (kind == image_line) return;
@@ -55,7 +55,7 @@ void require_image(const std::vector<std::string_view>& lines, const bytes::Sour
                 fmt::format("got '{:.40}', expected '{}'; curves, spectra and films are not read", kind, image_line));
 }
 
-/// The first bytes up to the end of the header at least; all that may be one where it has no end.
+/// The first bytes at least up to the end of the header; all possible bytes of a header without end.
 std::string whole_header(const bytes::Source& source) {
     auto bytes = source.head(usual_header);
     return bytes.find(last_wsxm_line) == std::string::npos && bytes.size() < source.size ? source.head(longest_header)
@@ -107,7 +107,7 @@ std::optional<Amplitude> amplitude(std::string_view text) {
 std::vector<double> lateral_size(const WsxmHeader& header, const bytes::Source& source) {
     const auto x = amplitude(header.text("control/x amplitude"));
     const auto given_y = amplitude(header.text("control/y amplitude"));
-    const auto& y = given_y ? given_y : x;  // old versions state one for a square
+    const auto& y = given_y ? given_y : x;  // old versions state one length for a square
     if (!x || x->unit.empty()) return {};
     return {std::abs(x->number) * length_unit(x->unit, source).factor,
             std::abs(y->number) * length_unit(y->unit.empty() ? x->unit : y->unit, source).factor};
@@ -152,7 +152,7 @@ topography::Metadata metadata_of(const WsxmHeader& header) {
     return metadata;
 }
 
-/// The range of raw integers that spans the Z amplitude, where the header states it as integers.
+/// The range of raw integers that spans the Z amplitude, if the header states it as integers.
 std::optional<double> stated_range(const WsxmHeader& header) {
     const auto least = tables::finite_number(header.text("miscellaneous/minimum")),
                greatest = tables::finite_number(header.text("miscellaneous/maximum"));
@@ -160,7 +160,7 @@ std::optional<double> stated_range(const WsxmHeader& header) {
     return integers && *greatest > *least ? std::optional(*greatest - *least) : std::nullopt;
 }
 
-/// Heights that are `amplitude` times the raw integers, made to span the amplitude.
+/// Heights of `amplitude` times the raw integers, scaled to span the amplitude.
 topography::Measurement spanning(topography::Measurement measurement, double amplitude) {
     const double range =
         std::visit([](const auto& one) { return one.heights.maxCoeff() - one.heights.minCoeff(); }, measurement);

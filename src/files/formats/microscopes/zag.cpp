@@ -13,7 +13,8 @@
 #include "setae/core/text.hpp"
 #include "zon.hpp"
 
-// Keyence ZAG: built as a ZON file, its archive holds an inventory of items; an item of measurements lists ZON files.
+// Keyence ZAG: same structure as a ZON file; its archive contains an inventory of items; an item of measurements lists
+// ZON files.
 namespace setae::formats {
 namespace {
 
@@ -27,7 +28,7 @@ std::string path_of(const pugi::xml_node& node) {
     return path;
 }
 
-/// The name of the file that was imported, else the folder the measurement lies in.
+/// The name of the imported file, otherwise the folder of the measurement.
 std::string title_of(const pugi::xml_node& measurement, const std::string& folder) {
     const std::string path(trimmed(measurement.child_value("OriginalFileName")));
     const auto slash = path.find_last_of("/\\");
@@ -40,7 +41,7 @@ Match detect_zag(std::string_view head, const bytes::Source& source) {
     try {
         return bytes::Archive(keyence_archive(source)).has(inventory_member) ? Match::yes : Match::no;
     } catch (const FormatError&) {
-        return Match::no;  // told as ZON, which begins alike
+        return Match::no;  // detected as ZON, which begins in the same way
     }
 }
 

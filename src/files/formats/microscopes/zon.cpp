@@ -22,9 +22,9 @@
 #include "storage/point_mask.hpp"
 #include "storage/raster.hpp"
 
-// Keyence ZON: "KPK0" or "KPK1", a picture, and a ZIP archive whose members are named by UUIDs; in KPK1 each is packed
-// once more by Zstandard. Arrays have a header of four numbers (columns, rows, bytes of an element, bytes of a row).
-// Height = raw · MeterPerUnit.
+// Keyence ZON: "KPK0" or "KPK1", a picture, and a ZIP archive whose members have UUIDs as names; in KPK1 each is
+// additionally compressed by Zstandard. Arrays have a header of four numbers (columns, rows, bytes of an element, bytes
+// of a row). Height = raw · MeterPerUnit.
 namespace setae::formats {
 namespace {
 
@@ -38,11 +38,10 @@ constexpr const char* scan_member = "1d35862b-3b48-4df2-9235-833ef590b043";
 constexpr const char* inventory_of_many = "f1724dc6-686c-4502-9227-2a594bc8ed33";
 constexpr std::string_view zstd_signature = "\x28\xb5\x2f\xfd";
 constexpr std::uint64_t array_header = 16;
-/// Bits of a point's validity that say there is no measurement, or none was wanted; others judge a height that is
-/// there.
+/// Bits of the validity of a point for a missing or excluded measurement; other bits rate an existing height.
 constexpr std::uint8_t invalid_bits = 0x03;
 
-/// Points side by side in a member.
+/// Contiguous points in a member.
 struct PointArray {
     std::int32_t nx = 0, ny = 0, element_bytes = 0, row_bytes = 0;
     bytes::Source content;
@@ -114,7 +113,7 @@ Match detect_zon(std::string_view head, const bytes::Source& source) {
         const bytes::Archive archive(keyence_archive(source));
         return archive.has(heights_member) ? Match::yes : archive.has(inventory_of_many) ? Match::no : Match::maybe;
     } catch (const FormatError&) {
-        return Match::maybe;  // so that what is wrong with the file is told
+        return Match::maybe;  // reports the problem of the file
     }
 }
 

@@ -13,8 +13,8 @@
 #include "storage/raster.hpp"
 
 // Alicona AL3D: a magic of 17 bytes, tags of 52 bytes (key 20, value 30, CR LF; the first two are Version and TagCount,
-// which counts those that follow), a comment of 256 bytes, pictures and the depth image at offsets that tags tell:
-// float32 in metres, rows padded to 8 bytes.
+// the number of the following tags), a comment of 256 bytes, pictures and the depth image at offsets in tags: float32
+// in metres, rows padded to 8 bytes.
 namespace setae::formats {
 namespace {
 
@@ -22,8 +22,7 @@ using namespace std::string_view_literals;
 
 constexpr auto al3d_magic = "AliconaImaging\0\r\n"sv;
 constexpr std::uint64_t key_bytes = 20, value_bytes = 30, tag_bytes = 52, comment_bytes = 256;
-/// Values as near to the one that marks invalid pixels are meant, which the header prints with fewer digits than it
-/// has.
+/// Tolerance of the marker of invalid pixels, which the header prints with fewer digits.
 constexpr double marker_tolerance = 1.5e-7;
 
 struct Tags {
@@ -88,7 +87,7 @@ Index count_of(const Tags& tags, const std::string& key, const bytes::Source& so
     return static_cast<Index>(value);
 }
 
-/// The floats that InvalidPixelValue means: all within its tolerance, a handful whatever its sign.
+/// The float values of InvalidPixelValue: all within its tolerance, a few of either sign.
 std::vector<double> undefined_values(const Tags& tags) {
     const auto at = tags.values.find("InvalidPixelValue");
     const auto marker = at == tags.values.end() ? std::nullopt : tables::finite_number(at->second);
@@ -105,8 +104,8 @@ std::vector<double> undefined_values(const Tags& tags) {
     return values;
 }
 
-/// The texture after the depth image is not read, but a file without all of it is not whole: planes of bytes, rows
-/// padded to 8.
+/// The texture after the depth image is not read, but a file with an incomplete texture is truncated: planes of bytes,
+/// rows padded to 8.
 void require_texture(const Tags& tags, const Raster& depth, const bytes::Source& source) {
     if (!tags.values.contains("TextureImageOffset")) return;
     const auto offset = count_of(tags, "TextureImageOffset", source);

@@ -16,14 +16,14 @@
 #include "storage/stored_array.hpp"
 
 // DATX of Zygo's Mx: HDF5 with a table /MetaData of triples (object, relation, object or value) that leads to the
-// surface, whose attributes tell unit, undefined value and what a pixel is.
+// surface, whose attributes contain unit, undefined value and pixel size.
 namespace setae::formats {
 namespace {
 
 constexpr const char* datx = "datx";
-constexpr double huge = 1e30;  // what marks missing data is far above any height
+constexpr double huge = 1e30;  // markers of missing data are far above any height
 
-/// What the table says of an object; empty if it says nothing.
+/// Value of an object in the table; empty if there is none.
 std::string related(const std::vector<Hdf5Record>& triples, const std::string& object, const std::string& relation) {
     const auto tells = [&](const Hdf5Record& triple) {
         return triple.texts.size() == 3 && triple.texts[0] == object && triple.texts[1] == relation;
@@ -45,7 +45,7 @@ std::vector<std::string> data_paths(const Hdf5File& file) {
     return paths;
 }
 
-/// A unit in Zygo's words, "NanoMeters".
+/// A unit in the words of Zygo, "NanoMeters".
 std::string plain_unit(const std::string& unit) {
     const auto name = bytes::lowered(unit);
     constexpr std::pair<const char*, const char*> units[] = {
@@ -65,7 +65,7 @@ std::optional<double> pixel(const Hdf5File& file, const std::string& path, const
     return record->numbers[1];
 }
 
-/// What one stored value is [m], and the unit it is stored in; empty if that is no length.
+/// Value of one stored unit [m], and its unit; empty if that is no length.
 struct HeightScale {
     double factor = 1.0;
     std::string unit;
@@ -92,7 +92,7 @@ RawScale raw_scale(const Attributes& attributes, double factor) {
     return scale;
 }
 
-/// Who measured: attributes of the surface or of a group below /Attributes whose names end so.
+/// Instrument: attributes of the surface or of a group below /Attributes with such endings of their names.
 void add_instrument(const Hdf5File& file, const Attributes& surface, topography::Metadata& metadata) {
     metadata.instrument.type = "interferometer";
     auto all = surface;

@@ -51,7 +51,7 @@ struct FrtFile {
     }
 };
 
-/// An image's type, as flags, and where its values lie.
+/// Type of an image, as flags, and place of its values.
 struct FrtImage {
     std::uint32_t type = 0;
     std::uint32_t bits = 0;
@@ -112,7 +112,7 @@ FrtImage image_of(bytes::Cursor& cursor, std::uint32_t type) {
     return image;
 }
 
-/// Images of the block of several.
+/// Images of the block of several images.
 std::vector<FrtImage> images_of(const FrtBlock& block, bytes::Cursor& cursor) {
     constexpr std::uint64_t identifiers_bytes = 8, header_bytes = 16;
     constexpr std::size_t max_images = 256;
@@ -137,7 +137,7 @@ std::vector<FrtImage> images_of(const FrtBlock& block, bytes::Cursor& cursor) {
     return found;
 }
 
-/// Heights first. The single map is taken where no image of several is one: else it is the same map again.
+/// Heights first. The single map is used if none of several images is one: otherwise it is a duplicate.
 std::vector<FrtImage> all_images(const FrtFile& file, bytes::Cursor& cursor) {
     std::vector<FrtImage> found;
     if (const auto* block = file.find(FrtTag::images)) found = images_of(*block, cursor);

@@ -11,9 +11,9 @@
 #include "setae/core/text.hpp"
 #include "storage/tiff_pixels.hpp"
 
-// TIFF whose pages are named by their descriptions (HEIGHT, INTENSITY, …). The first page's description is XML with
-// lengths per pixel and per grey value; the device settings in its Exif directory are XML with the maker's calibration,
-// a factor for each axis.
+// TIFF whose pages are named by their descriptions (HEIGHT, INTENSITY, …). The description of the first page is XML
+// with lengths per pixel and per grey value; the device settings in its Exif directory are XML with the calibration by
+// the manufacturer, a factor for each axis.
 namespace setae::formats {
 namespace {
 
@@ -26,7 +26,7 @@ enum LextTag : std::uint16_t {
     device_settings_tag = 0xa40b
 };
 constexpr std::string_view root_name = "TiffTagDescData", exif_root_name = "ExifTagDescData";
-constexpr std::size_t max_pages = 300;  ///< what follows is not looked at
+constexpr std::size_t max_pages = 300;  ///< further pages are ignored
 constexpr double picometre = 1e-12;     ///< lengths of the XML: micrometres in millionths
 
 /// Metres per pixel and per grey value.
@@ -34,7 +34,7 @@ struct LextScale {
     double x = 0.0, y = 0.0, z = 0.0;
 };
 
-/// The number in the element of that name, which must be there and positive.
+/// The number in the element with that name, which must exist and be positive.
 double length_in(const pugi::xml_node& node, const std::string& name, const bytes::TiffFile& file,
                  std::uint64_t offset) {
     const auto child = node.child(name.c_str());
@@ -46,7 +46,7 @@ double length_in(const pugi::xml_node& node, const std::string& name, const byte
     return value;
 }
 
-/// The maker's factors; 1 where the file has no device settings.
+/// Calibration factors of the manufacturer; 1 if the file has no device settings.
 LextScale calibration_of(const bytes::TiffFile& file) {
     const auto& first = file.pages.front();
     if (!first.find(exif_tag)) return {1.0, 1.0, 1.0};

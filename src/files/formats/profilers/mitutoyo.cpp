@@ -46,7 +46,7 @@ std::string cell(const tables::SheetRows& rows, std::size_t row, std::size_t col
     return found == line->second.end() ? std::string() : std::string(trimmed(found->second));
 }
 
-/// A result such as "Rz     18.485 µm": name, value and unit; parameters without unit have two words.
+/// A result such as "Rz 18.485 µm": name, value and unit; parameters without unit have two words.
 struct Metric {
     std::string name, value, unit;
 };
@@ -72,7 +72,7 @@ std::string unit_of(const std::string& length) {
     return at == std::string::npos ? "" : length.substr(at);
 }
 
-/// Positions and heights; rows that hold nothing of both are none.
+/// Positions and heights; rows without either are skipped.
 HeightCurve curve_of(const tables::SheetRows& data, const bytes::Source& source) {
     std::vector<double> x, heights;
     for (const auto& [row, cells] : data) {

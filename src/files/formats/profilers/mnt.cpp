@@ -26,13 +26,13 @@
 
 // Digital Surf Mountains documents: a compound file whose stream "ScopedContents" is a tree of entries (tag of 2 bytes,
 // size of 8, content). A measured surface (class 9012) has two lateral axes, an axis of heights and an array of
-// integers in zlib blocks: height = count · step + origin. Layers computed from it store what was done, no heights.
+// integers in zlib blocks: height = count · step + origin. Computed layers store the processing steps, no heights.
 namespace setae::formats {
 namespace {
 
 constexpr const char* mnt_name = "MNT";
 constexpr const char* contents_stream = "ScopedContents";
-constexpr std::uint16_t base = 0xffff;  ///< tag of what an entry inherits
+constexpr std::uint16_t base = 0xffff;  ///< tag of the inherited part of an entry
 enum Class : std::uint32_t {
     surface_object = 9012,
     surface_data = 9062,
@@ -48,7 +48,7 @@ struct MntEntry {
     std::uint64_t offset = 0, size = 0;
 };
 
-/// Walks the tree; what it cannot find is nothing, what leaves its parent is refused.
+/// Reads the tree; a missing entry is empty, an entry that leaves its parent is refused.
 class Tree {
 public:
     explicit Tree(const bytes::Source& stream) : cursor_(stream, mnt_name) {}
@@ -72,7 +72,7 @@ public:
         }
         return entry;
     }
-    /// Objects of a document: each entry has its own length written before it once more.
+    /// Objects of a document: the length of each entry is written twice before it.
     std::vector<MntEntry> objects(const MntEntry& list) {
         std::vector<MntEntry> entries;
         const auto end = list.offset + list.size;
@@ -194,7 +194,7 @@ Array array_of(Tree& tree, const MntEntry& object, std::uint64_t elements) {
             })};
 }
 
-/// Step and origin of an axis in their own units, as SI factors where they are lengths.
+/// Step and origin of an axis in their own units, as SI factors if they are lengths.
 struct MntAxis {
     double step = 0.0, origin = 0.0;  ///< [m] where `is_length`
     bool is_length = false;
@@ -229,7 +229,7 @@ topography::Metadata metadata_of(Tree& tree, const MntEntry& document, const byt
     return metadata;
 }
 
-/// The map of a surface object; nothing for objects that hold none.
+/// The map of a surface object; empty for objects without a map.
 std::optional<Channel> surface_channel(Tree& tree, const MntEntry& object, const topography::Metadata& common,
                                        const ReadOptions& options) {
     if (!tree.is(object, surface_object)) return std::nullopt;
@@ -281,14 +281,14 @@ Match detect_mnt(std::string_view head, const bytes::Source& source) {
     try {
         return bytes::OleFile(source, mnt_name).has(contents_stream) ? Match::yes : Match::no;
     } catch (const FormatError&) {
-        return Match::maybe;  // so that what is wrong with the file is told
+        return Match::maybe;  // reports the problem of the file
     }
 }
 
 std::vector<Channel> open_mnt(const bytes::Source& source, const ReadOptions& options) {
     const bytes::OleFile file(source, mnt_name);
     for (const auto& stream : file.names())
-        (void)file.stream(stream);  // a truncated file is refused whichever stream it cuts
+        (void)file.stream(stream);  // a truncated file is refused for any truncated stream
     Tree tree(file.stream(contents_stream));
     const auto& stream = tree.stream();
     if (stream.size < 8) broken_mnt(source, 0, "its contents are empty");

@@ -20,13 +20,13 @@
 
 // SIOS nanomeasuring machine: a ZIP archive with NAME.dsc, which describes the scan field, and for scan s and line l
 // the pair NAME_s_l.dsc, which names columns ("number : date : name : points : description"), and NAME_s_l.dat, which
-// holds them as text. Lines have length/distance + 1 points; heights are the column "-Lz+Az" in metres.
+// holds them as text. Lines have length/distance + 1 points; heights are in the column "-Lz+Az" in metres.
 namespace setae::formats {
 namespace {
 
 constexpr std::string_view dashes = "------------------------------------------",
                            title = "Scan procedure description file", nmm_height_column = "-Lz+Az";
-constexpr double agreement = 1e-6;  ///< relative, of lengths that tell the same
+constexpr double agreement = 1e-6;  ///< relative, between lengths that must be equal
 constexpr Index max_lines = 1 << 20;
 
 [[noreturn]] void broken_nmm(const bytes::Source& source, std::uint64_t line, const std::string& what) {
@@ -87,13 +87,13 @@ Index number_of(const std::map<std::string, std::string>& entries, const std::st
 }
 
 struct ScanField {
-    std::string prefix;  ///< of members: the description's name without its ending
+    std::string prefix;  ///< of members: the name of the description without its ending
     Index scans = 1, lines = 1, points = 2;
     double dx = 0.0, dy = 0.0;  ///< [m]
     std::string date;
 };
 
-/// How often a distance fits into a length, with both ends: length/distance + 1.
+/// Number of points of a length at a distance, both ends included: length/distance + 1.
 Index points_along(double length, double distance, const bytes::Source& source) {
     const double steps = length / distance;
     if (!(distance > 0.0) || !(steps >= 1.0) || steps > 0x1p31 || std::abs(std::round(steps) / steps - 1.0) > agreement)
@@ -124,7 +124,7 @@ ScanField read_field(const bytes::Archive& archive, const std::string& member) {
     return field;
 }
 
-/// Names of the columns of a line, with the points each is announced to have.
+/// Names of the columns of a line, with their stated number of points.
 struct NmmColumns {
     std::vector<std::string> names;
     Index points = 0;
@@ -157,7 +157,7 @@ std::string line_member(const ScanField& field, Index scan, Index line) {
     return fmt::format("{}_{}_{}", field.prefix, scan + 1, line + 1);
 }
 
-/// Heights of one line after those of the lines before; memory grows with what is there.
+/// Appends the heights of one line; memory grows with the actual data.
 void read_line(const bytes::Archive& archive, const ScanField& field, Index scan, Index line,
                std::vector<double>& heights) {
     const auto member = line_member(field, scan, line);
@@ -223,7 +223,7 @@ void require_members(const bytes::Archive& archive, const ScanField& field, cons
                                       fmt::format("NMM: no member '{}'; the archive is not complete", name));
 }
 
-/// Unit of the machine's other columns; empty for those of unknown meaning.
+/// Unit of the other columns of the instrument; empty for those of unknown meaning.
 std::string column_unit(std::string_view name) {
     for (const auto* length : {"Lx", "Ly", "Lz", "Az", "Az0", "Az1", "XY vector"})
         if (name == length) return "m";

@@ -13,7 +13,8 @@
 #include "storage/raster.hpp"
 
 // NMS files of NanoFocus: a header of fixed offsets and 3468 bytes, heights as integers of 2 bytes between two limits
-// in µm, then a picture of 1 byte per point. No signature: the header tells its own length, and the rest must agree.
+// in µm, then a picture of 1 byte per point. No signature: the header contains its own length, and the rest must be
+// consistent.
 namespace setae::formats {
 namespace {
 
@@ -32,7 +33,7 @@ T value_at(std::string_view head, std::uint64_t offset) {
     return bytes::load<T>(head.data() + offset, std::endian::little);
 }
 
-/// Each field as it must be for heights to follow.
+/// Whether the fields are consistent with heights.
 bool is_consistent(std::string_view head) {
     if (value_at<std::uint32_t>(head, at::header_length) != nms_header_bytes) return false;
     const auto lowest = value_at<double>(head, at::limits), highest = value_at<double>(head, at::limits + 8);

@@ -20,7 +20,7 @@
 #include "storage/raster.hpp"
 
 // Olympus OIR: a header of 96 bytes and chunks, each with its size and kind: lists of metadata in XML, pictures, and
-// points, which go by the name of their image. The properties tell which image holds heights. Height = raw · length z ·
+// points with the name of their image. The properties state which image contains heights. Height = raw · length z ·
 // calibration z.
 namespace setae::formats {
 namespace {
@@ -31,22 +31,22 @@ constexpr std::uint64_t oir_header_bytes = 96, list_header_bytes = 8 * 4;
 enum Chunk : std::int32_t { metadata_list = 0, metadata = 1, picture = 2, points = 3, spacer = 5, no_more = -1 };
 enum OirBlock : std::uint32_t { properties = 2, image_prefix = 6 };
 
-/// What the chunks hold that is needed.
+/// Required content of the chunks.
 struct OirContent {
     std::string properties, prefix;
     std::map<std::string, std::vector<bytes::Piece>, std::less<>>
-        images;  ///< by name, without the number of the part at its end
+        images;  ///< by name, without the number of the part at the end
 };
 
-/// What follows a block's header, letter by letter: t a text after its length, i a number; after 'n', as often as a
-/// number says.
+/// Layout after the header of a block, one letter each: t a text after its length, i a number; after 'n', repeated by a
+/// number.
 std::string_view layout_of(std::uint32_t block) {
     static constexpr std::string_view layouts[] = {"",    "t",    "t",     "t",   "t",   "ntt", "nti", "nti",
                                                    "nti", "nitt", "ntitt", "ntt", "nti", "nti", "t"};
     return block < std::size(layouts) ? layouts[block] : "";
 }
 
-/// Reads a block's texts; keeps the first.
+/// Reads the texts of a block and returns the first.
 std::string first_text(bytes::Cursor& cursor, std::string_view layout) {
     constexpr std::uint64_t longest = 1 << 24;
     std::string first;
@@ -70,7 +70,7 @@ void read_list(bytes::Cursor& cursor, std::uint64_t end, OirContent& content) {
     while (cursor.position() < end) {
         const auto block = cursor.number<std::uint32_t>();
         const auto layout = layout_of(block);
-        if (layout.empty()) return cursor.seek(end);  // a block of another kind: the rest of the list is left
+        if (layout.empty()) return cursor.seek(end);  // a block of another kind: the rest of the list is ignored
         cursor.skip(list_header_bytes);
         auto text = first_text(cursor, layout);
         if (block == properties) content.properties = std::move(text);
@@ -118,7 +118,7 @@ std::string text_of(const pugi::xml_node& node, std::initializer_list<const char
     return std::string(trimmed(at.child_value()));
 }
 
-/// Length of a step along an axis [m]: as the channel says, times the microscope's calibration.
+/// Length of a step along an axis [m]: that of the channel times the calibration of the microscope.
 struct Step {
     double length = 0.0;
     std::string unit;

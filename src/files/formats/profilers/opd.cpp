@@ -16,9 +16,8 @@
 #include "storage/raster.hpp"
 #include "vca_tree.hpp"
 
-// OPD files of Wyko Vision: two bytes, then a directory of 24-byte entries (name, type, length), then the blocks they
-// name, one after the other. Height = raw · Wavelength [nm] / Mult; columns are stored one after the other, each from
-// the bottom.
+// OPD files of Wyko Vision: two bytes, then a directory of 24-byte entries (name, type, length), then these blocks in
+// sequence. Height = raw · Wavelength [nm] / Mult; columns are stored in sequence, each from the bottom.
 namespace setae::formats {
 namespace {
 
@@ -65,7 +64,7 @@ OpdFile read_directory(bytes::Cursor& cursor) {
         block.length = static_cast<std::uint64_t>(
             std::max(cursor.number<std::int32_t>(), 0));  // negative: a block without content
         (void)cursor.number<std::uint16_t>();
-        // Vision announces 40 bytes for this number and writes 4
+        // Vision states 40 bytes for this number and writes 4
         if (block.name == "ImageModificat~0" && block.type == float_type)
             block.length = std::min<std::uint64_t>(block.length, sizeof(float));
         offset += block.length;
@@ -106,7 +105,7 @@ std::string text(const OpdFile& file, std::string_view name, bytes::Cursor& curs
     return block->type == tagged_type ? tagged_value(*block, cursor).text : std::string();
 }
 
-/// What all channels of a file share.
+/// Common properties of all channels of a file.
 struct Common {
     ChannelInfo info;
     std::optional<double> pixel_size;  ///< [m]

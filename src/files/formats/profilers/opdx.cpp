@@ -15,8 +15,8 @@
 #include "setae/core/units.hpp"
 #include "vca_tree.hpp"
 
-// OPDx files of Bruker's Dektak XT and Vision64: a signature, then a tree of typed entries. "1D_Data" and
-// "2D_Data" hold the channels, "MetaData" says which of them are heights and which is the primary one.
+// OPDx files of Bruker's Dektak XT and Vision64: a signature, then a tree of typed entries. "1D_Data" and "2D_Data"
+// contain the channels, "MetaData" states which of them are heights and which is the primary one.
 namespace setae::formats {
 namespace {
 
@@ -81,7 +81,7 @@ std::vector<std::string> heights_first(const VcaItem& tree, const char* lists, c
     return names;
 }
 
-/// Entries that hold `content`, those named first.
+/// Entries with `content`, the named ones first.
 std::vector<const VcaItem*> data_items(const VcaItem& tree, const char* folder, const char* content,
                                        const std::vector<std::string>& names, const bytes::Source& source) {
     std::map<std::string, std::size_t> ranks;

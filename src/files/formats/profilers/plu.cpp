@@ -35,7 +35,7 @@ struct PluHead {
     unsigned layers = 1, version = 0, hardware = 0, pictures = 0;
 };
 
-/// Names by configuration number; files say it from version 2012 on.
+/// Names by configuration number, available from version 2012 on.
 std::string instrument_name(const PluHead& head) {
     static constexpr std::array names{"PLu",    "PLu 2300 XGA", "PLu 2300 XGA T5", "PLu 2300 SXGA",        "PLu 3300",
                                       "DCM 3D", "PLu neox",     "DCM 3D rev. 2",   "PLu Apex (prototype)", "S neox",
@@ -93,7 +93,7 @@ std::vector<Channel> open_plu(const bytes::Source& source, const ReadOptions& op
     if (!topography && !profile && !other)
         cursor.fail(fmt::format("a measurement of {}, expected a topography or a profile; export it as one", kind));
     std::vector<Channel> channels;
-    for (unsigned layer = 0; layer < std::max(head.layers, 1u); ++layer) {  // version 2000 counts none
+    for (unsigned layer = 0; layer < std::max(head.layers, 1u); ++layer) {  // version 2000 does not count layers
         ChannelInfo info{.name = fmt::format("{} {}", topography || profile ? "layer" : kind, layer), .format = "plu"};
         info.metadata.acquisition_time = head.date;
         info.metadata.instrument.name = instrument_name(head);

@@ -100,7 +100,7 @@ Blob read_blob(const bytes::Source& source) {
     return blob;
 }
 
-/// Radius of the probe [mm], with the decimal sign of the machine's country.
+/// Radius of the probe [mm], with the decimal sign of the locale of the instrument.
 std::optional<double> probe_radius(const std::map<std::string, std::string>& texts) {
     const auto at = texts.find("ProbeRadius");
     double value = 0.0;
@@ -128,7 +128,7 @@ topography::Metadata metadata_of(const std::map<std::string, std::string>& texts
     return metadata;
 }
 
-/// A scan where steps are equal, else the curve of its valid points.
+/// A scan if steps are equal, otherwise the curve of its valid points.
 topography::Measurement measurement_of(Blob blob, const topography::Metadata& metadata, const bytes::Source& source) {
     if (blob.positions[blob.positions.size() - 1] < blob.positions[0]) {
         blob.positions.reverseInPlace();

@@ -50,7 +50,7 @@ enum ObjectType : std::uint16_t {
     rgb_image_series = 18
 };
 
-/// How the heights were turned before they were stored.
+/// Inversion of the heights before storage.
 enum Inversion : std::uint16_t { upright = 0, negated = 1, negated_and_mirrored = 2, negated_and_upside_down = 3 };
 
 struct SurAxis {
@@ -66,19 +66,19 @@ struct SurHeader {
     std::uint16_t bits = 16;
     std::int32_t least = 0, points = 0, lines = 0;
     SurAxis x, y, z;
-    std::uint64_t data = 0;  ///< where the points begin
+    std::uint64_t data = 0;  ///< start of the points
 
     [[nodiscard]] std::uint64_t value_bytes() const { return bits / 8u; }
 };
 
-/// "µm" in the character set of DOS reads "æm" in Latin-1.
+/// "µm" in the DOS character set is "æm" in Latin-1.
 std::string unit_text(bytes::Cursor& cursor) {
     auto text = cursor.text(16);
     return text == "æm" ? "µm" : text;
 }
 
 std::string time_text(bytes::Cursor& cursor) {
-    std::array<int, 6> fields{};  // second first
+    std::array<int, 6> fields{};  // seconds first
     for (auto& field : fields) field = cursor.number<std::int16_t>();
     return bytes::iso_text({.year = fields[5],
                             .month = fields[4],
@@ -93,7 +93,7 @@ void read_axes(SurHeader& header, bytes::Cursor& cursor) {
     for (auto* axis : axes) axis->spacing = cursor.number<float>();
     for (auto* axis : axes) axis->label = cursor.text(16);
     for (auto* axis : axes) axis->unit = unit_text(cursor);
-    cursor.skip(3 * 16 + 3 * 4);  // units to show, and their ratios to those of the spacings
+    cursor.skip(3 * 16 + 3 * 4);  // display units, and their ratios to those of the spacings
 }
 
 SurHeader read_header(bytes::Cursor& cursor) {
@@ -144,12 +144,12 @@ SurHeader read_header(bytes::Cursor& cursor) {
     return header;
 }
 
-/// A zlib stream in the file and the bytes it becomes.
+/// A zlib stream in the file and its expanded size.
 struct Stream {
     std::uint64_t offset = 0, size = 0, expanded = 0;
 };
 
-/// The points after a list of streams, expanded when they are read; the cursor goes after them.
+/// The points after a list of streams, expanded on reading; the cursor is then after them.
 bytes::Source compressed_points(const SurHeader& header, bytes::Cursor& cursor) {
     const auto count = cursor.number<std::uint32_t>();
     if (count > cursor.remaining() / 8)
@@ -224,7 +224,7 @@ std::vector<double> extent_of(const SurHeader& header) {
     return size;
 }
 
-/// The points of one object, after which the cursor stands.
+/// The points of one object; the cursor is then after it.
 Channel object_channel(const SurHeader& header, const std::string& title, bool is_height,
                        const topography::Metadata& metadata, bytes::Cursor& cursor, const ReadOptions& options) {
     const bool turned = header.inversion >= negated && header.inversion <= negated_and_upside_down;
@@ -267,7 +267,7 @@ Channel object_channel(const SurHeader& header, const std::string& title, bool i
                     type));
 }
 
-/// How many objects follow one another, and of how many of them the first is heights.
+/// Numbers of objects in sequence, and of objects per heights.
 struct Group {
     std::size_t objects = 1, channels = 1;
     bool others_are_heights = true, first_is_height = true;

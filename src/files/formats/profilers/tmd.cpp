@@ -39,7 +39,7 @@ Dimensions dimensions_at(bytes::Cursor& cursor, std::uint64_t offset) {
     return dimensions;
 }
 
-/// Behind the NUL of the comment, or after 24 bytes where only that agrees with the length of the file.
+/// After the NUL of the comment, or after 24 bytes if only that is consistent with the length of the file.
 Dimensions find_dimensions(bytes::Cursor& cursor, const std::string& comment) {
     const auto& source = cursor.source();
     const auto after_nul = comment_offset + comment.find('\0') + 1;

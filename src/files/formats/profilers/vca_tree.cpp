@@ -21,7 +21,7 @@ constexpr int vca_deepest = 16;
 constexpr int max_items = 100000;
 constexpr std::uint64_t longest_text_of_vca = 1 << 16;
 constexpr std::size_t max_texts = 1000;
-/// Vision writes 1e38 where it measured nothing, which in single precision is a little less.
+/// Vision writes 1e38 for missing values, which is slightly smaller in single precision.
 constexpr double greatest_height = 9.9e37;
 
 class TreeReader {
@@ -62,7 +62,7 @@ private:
         return cursor_.text(length);
     }
 
-    /// A length is told by the bytes it takes.
+    /// A length has a prefix for its number of bytes.
     std::uint64_t length() {
         std::uint64_t bytes = 0;
         switch (const auto width = cursor_.number<std::uint8_t>()) {
@@ -180,7 +180,7 @@ private:
     int count_ = 0;
 };
 
-/// n points of which the first and the last are `extent` apart; empty if the file states no such length.
+/// Size of n points whose first and last are `extent` apart; empty if the file states no such length.
 std::optional<double> whole_size(const VcaItem* extent, Index points) {
     if (!extent || points < 2) return std::nullopt;
     const auto unit = tables::try_parse_unit(extent->text);
@@ -188,8 +188,7 @@ std::optional<double> whole_size(const VcaItem* extent, Index points) {
     return extent->number * unit->factor * static_cast<double>(points) / static_cast<double>(points - 1);
 }
 
-/// What raw values are multiplied with to be metres; 0 if they are no heights. Without a stated scale, heights keep 1
-/// and no unit.
+/// Factor of raw values to metres; 0 if they are no heights. Without a stated scale, heights keep 1 and no unit.
 double height_factor(const VcaItem& data, ChannelInfo& info) {
     const auto* scale = data.find("DataScale");
     const auto kind = data.text_at("DataKind");

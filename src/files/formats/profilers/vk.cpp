@@ -18,7 +18,7 @@
 #include "storage/raster.hpp"
 
 // Keyence VK3 and VK4: a table of offsets, the conditions of the measurement, and up to three images of light and of
-// height, each with a header and a palette; lengths in pm. VK6 and VK7 hold a VK4 file as member "Vk4File" of a ZIP
+// height, each with a header and a palette; lengths in pm. VK6 and VK7 contain a VK4 file as member "Vk4File" of a ZIP
 // archive after a picture.
 namespace setae::formats {
 namespace {
@@ -41,7 +41,7 @@ Offsets offsets_of(bytes::Cursor& cursor) {
     return offsets;
 }
 
-/// What was measured and how: numbers of 4 bytes, here by their place.
+/// Measurement conditions: numbers of 4 bytes, by index.
 struct Conditions {
     double x_pitch = 0.0, y_pitch = 0.0, z_step = 0.0;  ///< [m]
     topography::Metadata metadata;

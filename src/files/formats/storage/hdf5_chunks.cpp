@@ -19,7 +19,7 @@ namespace {
     throw FormatError(source.name, {}, fmt::format("HDF5: {} of dataset {:.200}; the file is damaged", what, path));
 }
 
-/// Sums of pairs of bytes modulo 65535, as the filter of HDF5 has them: Fletcher 1982.
+/// Sums of pairs of bytes modulo 65535, as in the filter of HDF5: Fletcher 1982.
 std::uint32_t fletcher32(std::string_view bytes) {
     constexpr std::size_t pairs_before_overflow = 360;
     std::uint32_t first = 0, second = 0;
@@ -40,7 +40,7 @@ std::uint32_t fletcher32(std::string_view bytes) {
     return folded(second) << 16 | folded(first);
 }
 
-/// The bytes of each value side by side again, what does not fill a value left at the end.
+/// The bytes of each value contiguous again; bytes of an incomplete value remain at the end.
 std::string unshuffled(const std::string& bytes, std::size_t value_bytes) {
     if (value_bytes < 2) return bytes;
     const auto values = bytes.size() / value_bytes;

@@ -32,7 +32,8 @@ std::string clean_text(std::string bytes) {
     return std::string(trimmed(bytes::decoded(std::move(bytes), bytes::Encoding::detect)));
 }
 
-// ---- what a group holds ---------------------------------------------------------------------------------------------
+// ---- content of groups
+// -----------------------------------------------------------------------------------------------
 
 herr_t note_member(hid_t, const char* name, const H5L_info_t* link, void* names) {
     auto& found = *static_cast<std::vector<std::string>*>(names);
@@ -52,7 +53,7 @@ void find_datasets(hid_t group, const std::string& path, int depth, std::size_t&
         if (++visited > max_objects) return;
         const bytes::Hdf5Handle member(H5Oopen(group, name.c_str(), H5P_DEFAULT), &H5Oclose);
         const auto type =
-            member ? H5Iget_type(member) : H5I_DATASET;  // what the library cannot open is told by array()
+            member ? H5Iget_type(member) : H5I_DATASET;  // array() reports objects that the library cannot open
         if (type == H5I_DATASET) found.push_back(path + "/" + name);
         if (type == H5I_GROUP && depth < deepest_group)
             find_datasets(member, path + "/" + name, depth + 1, visited, found);
@@ -76,7 +77,7 @@ bytes::Hdf5Handle opened_object(hid_t file, const std::string& path) {
     return object;
 }
 
-/// Whether a group of the file has a hard link of that path, to whatever it leads.
+/// Whether a group of the file has a hard link at that path, to any object.
 bool is_in(hid_t file, const std::string& path) {
     const auto slash = path.rfind('/');
     const auto group = opened_object(file, path.substr(0, slash));
@@ -92,7 +93,7 @@ struct NativeType {
     std::uint64_t bytes = 0;
 };
 
-/// A type as it is in memory. Sizes that the file announces are bounded before anything of them is allocated.
+/// A type in memory. Sizes stated by the file are limited before memory is allocated.
 std::optional<NativeType> native(hid_t stored) {
     if (H5Tget_size(stored) > max_record_bytes) return std::nullopt;
     NativeType native{{H5Tget_native_type(stored, H5T_DIR_ASCEND), &H5Tclose}, 0};
@@ -152,7 +153,7 @@ Hdf5Record record_in(const char* value, hid_t type) {
     return record;
 }
 
-/// Values that `read` fetches as `type`, each given to `take`; what the library allocated for them is freed.
+/// Values fetched by `read` as `type`, each passed to `take`; memory allocated by the library is freed.
 void with_values(hid_t space, const NativeType& type, std::uint64_t count, const std::function<herr_t(void*)>& read,
                  const std::function<void(const char*)>& take) {
     std::string values(count * type.bytes, '\0');
@@ -198,8 +199,8 @@ Attributes attributes_of(hid_t object) {
     return attributes;
 }
 
-/// Whether a table's pieces cannot take much memory, whatever they announce: deflate makes at most a thousand bytes of
-/// one.
+/// Whether the chunks of a table are limited in memory, for any stated size: deflate expands one byte to at most a
+/// thousand.
 bool are_bounded(hid_t data, hid_t properties, std::size_t dimensions) {
     constexpr std::uint64_t max_packed = 1 << 16, max_piece = 1 << 18;
     if (H5Pget_layout(properties) != H5D_CHUNKED)

@@ -29,7 +29,7 @@ void refuse_elsewhere(StoredArray& array, const char* where) {
         fmt::format("HDF5: the values of {:.200} are {}; copy them into one file with h5repack", array.name, where);
 }
 
-/// A few values stand in the dataset's header.
+/// Few values are stored in the header of the dataset.
 void place_compact(const Hdf5Dataset& dataset, std::uint64_t bytes, StoredArray& array) {
     if (bytes > max_compact_bytes)
         broken_layout(dataset.source, fmt::format("dataset {:.200} has {} bytes in its header; the file is damaged",
@@ -60,7 +60,7 @@ std::string fill_value(const Hdf5Dataset& dataset, std::size_t bytes) {
     return fill;
 }
 
-/// Values in pieces: refused where they could not have become so few bytes, else read through ChunkedValues.
+/// Values in chunks: refused if the stored bytes are too few, otherwise read through ChunkedValues.
 void place_chunked(const Hdf5Dataset& dataset, std::uint64_t bytes, StoredArray& array) {
     Hdf5Chunks chunks{dataset.path,
                       dataset.extents,

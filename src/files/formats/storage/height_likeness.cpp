@@ -14,7 +14,7 @@ namespace setae::formats {
 namespace {
 
 constexpr Index longest_line_read = 1'000'000;
-constexpr Index largest_packed = Index{1} << 22;  ///< values of an array that is unpacked to look at a few of its lines
+constexpr Index largest_packed = Index{1} << 22;  ///< values of an array that is unpacked to examine a few of its lines
 constexpr Index narrowest_map = 4, tallest_table = 16;
 constexpr const char* counting = "whole numbers that increase by one from value to value: an index";
 
@@ -35,7 +35,7 @@ bool are_even(const Array1D& values) {
     return true;
 }
 
-/// Why a line of values that grow or fall throughout is none of heights; empty for others.
+/// Why a monotonic line of values contains no heights; empty for others.
 std::string why_monotone(const Array1D& values) {
     if (!grows(values) && !grows(-values)) return {};
     if (are_whole(values)) return "whole numbers that increase from value to value: an index";
@@ -43,7 +43,7 @@ std::string why_monotone(const Array1D& values) {
     return "values that increase throughout: positions";
 }
 
-/// Line k of a map's slow index, as stored.
+/// Line k of the slow index of a map, as stored.
 Array1D stored_line(const StoredArray& array, Index k) {
     const bool first_slow = !array.first_fast;
     const Index slow = array.shape[first_slow ? 0 : 1], fast = array.shape[first_slow ? 1 : 0];
@@ -60,7 +60,7 @@ Array1D stored_line(const StoredArray& array, Index k) {
     return Eigen::Map<const Array1D>(values.data(), values.size());
 }
 
-/// Whether the values of a map are the x or the y of its points: all lines alike, or each of one value.
+/// Whether the values of a map are the x or the y of its points: all lines equal, or each constant.
 bool are_coordinates(const StoredArray& array) {
     if (array.hold && array.shape[0] * array.shape[1] > largest_packed) return false;
     const auto kept = array.hold ? array.hold() : nullptr;
@@ -75,7 +75,7 @@ bool are_coordinates(const StoredArray& array) {
     return each_constant && ((first[0] < middle[0]) == (middle[0] < last[0]));
 }
 
-/// Whole numbers that continue by one from value to value, also from the end of a line to the next.
+/// Integers that increase by one from value to value, also from the end of a line to the next.
 bool count_on(const StoredArray& array) {
     if (array.hold && array.shape[0] * array.shape[1] > largest_packed) return false;
     const auto kept = array.hold ? array.hold() : nullptr;
@@ -84,10 +84,10 @@ bool count_on(const StoredArray& array) {
     for (Index i = 0; i < n; ++i)
         if (first[i] != first[0] + static_cast<double>(i) || second[i] != first[0] + static_cast<double>(n + i))
             return false;
-    return n > 2 && second[0] != first[0];  // a step of 1 is lost beside 1e30
+    return n > 2 && second[0] != first[0];  // a step of 1 is below the rounding of 1e30
 }
 
-/// Why an array of few columns is none of heights; empty for wider ones.
+/// Why an array of few columns contains no heights; empty for wider ones.
 std::string why_narrow(const StoredArray& array) {
     const Index narrow = std::min(array.shape[0], array.shape[1]), wide = std::max(array.shape[0], array.shape[1]);
     if (narrow >= narrowest_map || wide < tallest_table) return {};
@@ -123,7 +123,7 @@ std::string why_no_heights(const LooseArray& loose) {
         const auto why = line ? why_no_line(loose) : why_no_map(loose);
         const auto quantity = other_quantity(loose.name);
         return why.empty() && !quantity.empty() ? fmt::format("its name means {}", quantity) : why;
-    } catch (const FormatError&) {  // damaged values: reading says how
+    } catch (const FormatError&) {  // damaged values: reported on reading
         return {};
     }
 }
@@ -134,7 +134,7 @@ std::string why_lone_array_is_no_map(const StoredArray& array) {
     if (auto why = why_narrow(array); !why.empty()) return why;
     try {
         return count_on(array) ? counting : std::string();
-    } catch (const FormatError&) {  // damaged values: reading says how
+    } catch (const FormatError&) {  // damaged values: reported on reading
         return {};
     }
 }

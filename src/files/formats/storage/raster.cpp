@@ -23,10 +23,10 @@ namespace setae::formats {
 namespace {
 
 constexpr Index max_points_per_direction = Index{1} << 31;
-/// Lines and samples that are converted and turned together: in the first cache, and 512 bytes of each row of heights
-/// in one go.
+/// Lines and samples that are converted and transposed together: they fit into the first-level cache, with 512
+/// contiguous bytes of each row of heights.
 constexpr Index tile_lines = 64, tile_samples = 32;
-/// What a thread reads together; less of each line where lines are long.
+/// Bytes read together by a thread; less of each line if lines are long.
 constexpr std::uint64_t block_bytes = std::uint64_t{4} << 20;
 
 [[noreturn]] void broken(const bytes::Source& source, const std::string& format, std::uint64_t offset,
@@ -62,7 +62,7 @@ Raw sample_at(const char* from) {
     }
 }
 
-/// Raw samples of a line, side by side or `step` bytes apart.
+/// Raw samples of a line, contiguous or `step` bytes apart.
 template <class Raw, bool Swapped>
 void take_samples(const char* from, std::uint64_t step, Index count, double* values) {
     const auto n = static_cast<std::size_t>(count);
@@ -93,7 +93,7 @@ TakeSamples samples_taker(Sample sample, std::endian order) {
     }
 }
 
-/// Raw values made heights in place. Without a branch: h − (h − h) is h where it is finite and NaN if it is not.
+/// Converts raw values to heights in place, without a branch: h − (h − h) is h if it is finite and NaN otherwise.
 void make_heights(double* values, Index count, const RawScale& scale) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const double factor = scale.factor, offset = scale.offset, least = scale.least, greatest = scale.greatest;
@@ -117,7 +117,7 @@ struct RasterBlock {
     Index first_line = 0, lines = 0, first_sample = 0, samples = 0;
 };
 
-/// How a raster is cut into blocks.
+/// Division of a raster into blocks.
 struct Blocks {
     explicit Blocks(const Raster& raster)
         : lines(raster.columns ? raster.nx : raster.ny), samples(raster.columns ? raster.ny : raster.nx) {
@@ -141,14 +141,14 @@ struct Blocks {
     std::size_t count = 1;
 };
 
-/// Bytes of a block as they lie in the source: lines in one go unless too much lies between them.
+/// Reads the bytes of a block: lines in one call unless the gaps between them are large.
 struct BlockReader {
     const bytes::Source& source;
     const Raster& raster;
     std::unique_ptr<char[]> memory = {};
     std::uint64_t capacity = 0;
 
-    /// Distance of the block's lines in `memory`.
+    /// Returns the distance of the lines of the block in `memory`.
     std::uint64_t read(const RasterBlock& block) {
         const auto step = raster.sample_distance(), distance = raster.row_distance();
         const auto part = (static_cast<std::uint64_t>(block.samples) - 1) * step + bytes_of(raster.sample);
@@ -157,7 +157,7 @@ struct BlockReader {
         const bool whole = lines == 1 || (all_samples && (lines - 1) * distance + part <= 2 * block_bytes);
         const auto apart = whole ? distance : part;
         const auto needed = (lines - 1) * apart + part;
-        if (needed > capacity) memory.reset(new char[needed]);  // not set to zero
+        if (needed > capacity) memory.reset(new char[needed]);  // not initialised
         capacity = std::max(capacity, needed);
         const auto begin = raster.offset + static_cast<std::uint64_t>(block.first_line) * distance +
                            static_cast<std::uint64_t>(block.first_sample) * step;
@@ -169,7 +169,7 @@ struct BlockReader {
     }
 };
 
-/// A block whose lines run along y, to which rows of heights run as well.
+/// A block whose lines run along y, like the rows of heights.
 void place_columns(const char* data, std::uint64_t distance, const RasterBlock& block, const Raster& raster,
                    const RawScale& scale, TakeSamples take, Array2D& heights) {
     const Index first_y = raster.bottom_up ? raster.ny - block.first_sample - block.samples : block.first_sample;
@@ -183,7 +183,7 @@ void place_columns(const char* data, std::uint64_t distance, const RasterBlock& 
     }
 }
 
-/// A block whose lines run along x: turned tile by tile.
+/// A block whose lines run along x: transposed tile by tile.
 void place_rows(const char* data, std::uint64_t distance, const RasterBlock& block, const Raster& raster,
                 const RawScale& scale, TakeSamples take, Array2D& heights) {
     alignas(64) std::array<double, tile_lines * tile_samples> tile;
@@ -210,7 +210,7 @@ void place_rows(const char* data, std::uint64_t distance, const RasterBlock& blo
     }
 }
 
-/// Bytes from a line's first sample to the end of its last.
+/// Bytes from the first sample of a line to the end of its last.
 std::uint64_t line_bytes(const Raster& raster) {
     const auto samples = static_cast<std::uint64_t>(raster.columns ? raster.ny : raster.nx);
     return (samples - 1) * raster.sample_distance() + bytes_of(raster.sample);
@@ -238,8 +238,8 @@ topography::Measurement measured(const bytes::Source& source, const Raster& rast
     return measurement;
 }
 
-/// Raw values that programs write where integers have no height: the extremes of their type, of those without sign the
-/// greatest alone, for 0 is one.
+/// Raw values for missing heights of integers: the extremes of the type; for unsigned types only the largest, because 0
+/// is a valid height.
 std::vector<double> extremes_of(Sample sample) {
     switch (sample) {
         case Sample::int16: return {-0x1p15, 0x1p15 - 1.0};

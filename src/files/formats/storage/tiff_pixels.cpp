@@ -15,9 +15,9 @@ namespace setae::formats {
 namespace {
 
 constexpr std::uint64_t max_pieces = 1 << 22;
-constexpr std::uint64_t allocation_floor = 1 << 24;  ///< what libtiff may take at once for the smallest file
+constexpr std::uint64_t allocation_floor = 1 << 24;  ///< minimum limit of memory for libtiff
 
-/// What is needed to find and expand a page's pixels.
+/// Data needed to find and expand the pixels of a page.
 struct Layout {
     bytes::TiffPieces pieces;
     Sample sample = Sample::uint8;
@@ -81,7 +81,7 @@ Layout layout_of(const bytes::TiffFile& file, const bytes::TiffPage& page) {
     return layout;
 }
 
-/// Refuses pieces that are not in the file, are too few, or announce to become more than honest ones do.
+/// Refuses pieces that are not in the file, are too few, or state an implausible size.
 void require_pieces(const bytes::TiffFile& file, const Layout& layout) {
     const auto needed = layout.pieces.across() * layout.pieces.down();
     if (layout.offsets.size() < needed || layout.byte_counts.size() < needed)
@@ -98,7 +98,7 @@ void require_pieces(const bytes::TiffFile& file, const Layout& layout) {
         stored += layout.byte_counts[k];
     }
     stored = std::min(stored, file.source.size);
-    // pixels become heights of 8 bytes: those of one byte are counted as two
+    // pixels become heights of 8 bytes: those of one byte count as two
     const auto width = std::max<std::uint64_t>(bytes_of(layout.sample), 2);
     const auto announced =
         width * std::max(layout.pieces.nx * layout.pieces.ny, layout.pieces.piece_nx * layout.pieces.piece_ny);
@@ -108,7 +108,7 @@ void require_pieces(const bytes::TiffFile& file, const Layout& layout) {
                            layout.pieces.nx, layout.pieces.ny));
 }
 
-/// Whether rows lie in the file as they are, one after the other.
+/// Whether rows are stored uncompressed and contiguous.
 bool side_by_side(const Layout& layout) {
     if (layout.compression != COMPRESSION_NONE || layout.pieces.tiled) return false;
     const auto strip_bytes = layout.pieces.row_bytes() * layout.pieces.piece_ny;
@@ -136,7 +136,7 @@ TiffPixels tiff_pixels(const bytes::TiffFile& file, const bytes::TiffPage& page)
         return {file.source, raster};
     }
     raster.order = std::endian::native;
-    // what reads pixels keeps no directories: a file may have many pages
+    // the reader of pixels does not keep the directories: a file may have many pages
     return {bytes::expanded_source(file.source.name, layout.pieces.bytes(),
                                    [source = file.source, format = file.format, pieces = layout.pieces] {
                                        return bytes::expanded_tiff(source, format, pieces,

@@ -25,8 +25,8 @@ struct Units {
     std::string heights;
 };
 
-/// Units from the header, else the one given; where neither says a column's, the other column's holds for both (a
-/// measurement has one length unit), with an alert. Empty if nobody says any.
+/// Units from the header, otherwise the given ones; if a column has neither, the unit of the other column applies to
+/// both (a measurement has one length unit), with a warning. Empty without any unit.
 Units find_units(const HeightCurve& curve, ChannelInfo& info, const ReadOptions& options, const bytes::Source& source) {
     Units units{curve.x.unit, curve.heights.unit};
     if (tables::is_unit_of(units.x, dimension::wavevector))
@@ -80,7 +80,7 @@ HeightCurve part_of(const HeightCurve& curve, const Pass& pass) {
     return part;
 }
 
-/// "height (forward)", of more than two passes "height (pass 3, forward)".
+/// "height (forward)", for more than two passes "height (pass 3, forward)".
 std::string name_of_pass(const std::string& name, std::size_t number, std::size_t count, bool backward) {
     const auto* way = backward ? "backward" : "forward";
     const auto pass = count > 2 ? fmt::format("(pass {}, {})", number + 1, way) : fmt::format("({})", way);
@@ -95,7 +95,7 @@ Alert passes_alert(const std::vector<Pass>& passes, const bytes::Source& source)
             "surface"};
 }
 
-/// Undefines values that mark missing heights before any height is averaged with them.
+/// Sets markers of missing heights undefined before heights are averaged.
 void undefine_marks(Profile& profile, const LengthUnit& unit, const std::string& file) {
     const auto& x = profile.positions;
     const Index n = x.size();

@@ -16,10 +16,10 @@
 namespace setae::formats {
 namespace {
 
-constexpr Index min_told_by_numbers = 8;  ///< evenly spaced numbers that are no heights by chance
+constexpr Index min_told_by_numbers = 8;  ///< number of evenly spaced numbers that are not heights by chance
 constexpr Index min_positions = 3, rows_looked_at = 64;
 constexpr double rounding_of_labels = 0.1;  ///< of a step
-constexpr double share_of_others = 0.25;    ///< of other rows that are evenly spaced, too: a tilted plane
+constexpr double share_of_others = 0.25;    ///< of other rows that are evenly spaced, too, as on a tilted plane
 
 /// Values as evenly spaced labels; empty if they are not.
 std::optional<AxisLabels> evenly_spaced(const Eigen::Ref<const Array1D, 0, Eigen::InnerStride<>>& values) {
@@ -34,11 +34,11 @@ std::optional<AxisLabels> evenly_spaced(const Eigen::Ref<const Array1D, 0, Eigen
     return AxisLabels{values[0], step, n, counts};
 }
 
-/// The last line of the header as labels: what stands in its corner, and its numbers.
+/// The last line of the header as labels: its corner, and its numbers.
 struct HeaderRow {
     std::string corner;
     Array1D numbers;
-    std::string unit;  ///< beside every number: "1.382 um"
+    std::string unit;  ///< next to every number: "1.382 um"
 };
 
 std::optional<HeaderRow> header_row(const std::vector<std::string>& header, const tables::NumberLines& lines) {
@@ -69,7 +69,7 @@ std::optional<HeaderRow> header_row(const std::vector<std::string>& header, cons
     return row;
 }
 
-/// The unit that a corner such as "y\x [um]" or "um" states.
+/// The unit in a corner such as "y\x [um]" or "um".
 std::string unit_of_corner(std::string corner) {
     if (corner.size() >= 2 && corner.front() == '"' && corner.back() == '"')
         corner = corner.substr(1, corner.size() - 2);
@@ -134,14 +134,14 @@ private:
         const Index n = lines_.columns;
         const bool corner_is_empty = std::isnan(numbers_(0, 0));
         const auto inner = evenly_spaced(row(0, 1)), whole = evenly_spaced(row(0, 0));
-        // few numbers are labels where those of the first column are, too
+        // a few numbers are labels if those of the first column are, too
         const auto column = first_column_from(1);
         const bool both = column && n - 1 + column->count > min_told_by_numbers;
         if (!inner || (!corner_is_empty && !both && n - 1 < min_told_by_numbers)) return;
         const auto others = [&](Index j) -> Array1D { return row(j, 1); };
         if (evenly_spaced_share(1, numbers_.cols(), others) > share_of_others) return;
         found.rows_above = 1;
-        // the first cell belongs to the row's positions where the first column has none
+        // the first cell belongs to the positions of the row if the first column has none
         found.first_column = corner_is_empty || !whole || column.has_value();
         found.x = found.first_column ? inner : whole;
     }

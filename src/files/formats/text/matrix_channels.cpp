@@ -23,11 +23,11 @@ using topography::HeightMap;
 using topography::LineScan;
 using topography::Measurement;
 
-/// Where a map lies among lines of numbers.
+/// Place of a map among lines of numbers.
 struct Layer {
     Index nx = 0, ny = 0;
     tables::NumberPlaces places;
-    bool void_map = false;  ///< as many lines below, 1 where a point is void
+    bool void_map = false;  ///< followed by as many lines, with 1 at void points
     bool is_line = false;
     Labels labels = {};
 };
@@ -71,7 +71,7 @@ Layer layer_of(const tables::NumberLines& lines, const MatrixHeader& header,
     return layer;
 }
 
-/// Extent along x and y [m], where the header tells both.
+/// Extent along x and y [m], if the header contains both.
 std::vector<double> size_of(const MatrixHeader& header, const Layer& layer) {
     std::vector<double> size;
     for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -106,8 +106,7 @@ Measurement measured(const tables::NumberLines& lines, const Layer& layer, doubl
     return checked(HeightMap{std::move(heights), {info.size[0], info.size[1]}, false, info.metadata}, lines.source);
 }
 
-/// Units and, where labels are positions along both axes, the size that they tell. Nothing is left open by such a map
-/// but the unit.
+/// Units and, if labels are positions along both axes, the size they give. Only the unit of such a map can be missing.
 void apply_labels(const Labels& labels, MatrixHeader& header, ChannelInfo& info, const ReadOptions& options,
                   const bytes::Source& source) {
     info.metadata.alerts.push_back({"LABELS_NOT_HEIGHTS", source.name,
@@ -123,13 +122,13 @@ void apply_labels(const Labels& labels, MatrixHeader& header, ChannelInfo& info,
                  static_cast<double>(labels.y->count) * std::abs(labels.y->step) * unit};
 }
 
-/// What the numbers of a text are said to be, and the lines that say it.
+/// Header of the numbers of a text, and its lines.
 struct SectionHeader {
     MatrixHeader header;
     std::vector<std::string> text;
 };
 
-/// What the table of a confocal microscope says of it.
+/// Metadata from the table of a confocal microscope.
 void take_microscope(topography::Metadata& metadata) {
     const auto model = metadata.attributes.find("model"), date = metadata.attributes.find("date and time");
     if (date != metadata.attributes.end()) metadata.acquisition_time = date->second;
@@ -138,7 +137,7 @@ void take_microscope(topography::Metadata& metadata) {
     metadata.instrument.type = "optical";
 }
 
-/// Whether the first numbers grow by one from each to the next, as those of an index do.
+/// Whether the first numbers increase by one, as in an index.
 bool count_on(const tables::NumberLines& lines) {
     constexpr Index enough = 64, fewest = 32;
     if (lines.rows * lines.columns < fewest) return false;
@@ -146,7 +145,8 @@ bool count_on(const tables::NumberLines& lines) {
     for (Index j = 0; j < numbers.cols(); ++j)
         for (Index i = 0; i < numbers.rows(); ++i)
             if (numbers(i, j) != numbers(0, 0) + static_cast<double>(j * numbers.rows() + i)) return false;
-    return numbers(0, 0) != numbers(numbers.rows() - 1, numbers.cols() - 1);  // a step of 1 is lost beside 1e30
+    return numbers(0, 0) != numbers(numbers.rows() - 1, numbers.cols() - 1);  // a step of 1 is below the rounding of
+                                                                              // 1e30
 }
 
 /// Why unnamed numbers are no map; empty if they may be one.
@@ -208,7 +208,7 @@ std::vector<std::string> header_lines(const bytes::Source& source, std::uint64_t
     return lines;
 }
 
-/// Where a header between numbers begins and the numbers below it do.
+/// Start of a header between numbers, and of the numbers below it.
 struct Section {
     std::uint64_t begin = 0, numbers = 0, line = 0;
 };

@@ -50,7 +50,7 @@ bool is_value_unit(std::string_view key) {
     return false;
 }
 
-/// Units of lengths may stand on lines of their own, below the lengths: everything is gathered before it is understood.
+/// Units of lengths may be on separate lines, below the lengths: all lines are read before interpretation.
 struct Gathered {
     MatrixHeader header;
     Flavour flavour = Flavour::plain;
@@ -84,7 +84,7 @@ public:
         if (gathered_.flavour == Flavour::wyko) return finish_wyko(), header;
         if (gathered_.flavour == Flavour::spip) {
             for (auto& unit : gathered_.unit)
-                if (unit.empty()) unit = "nm";  // of SPIP's own lengths
+                if (unit.empty()) unit = "nm";  // of SPIP lengths
             if (header.unit.empty() && gathered_.bit_to_nm) {
                 header.unit = "nm";
                 header.factor = *gathered_.bit_to_nm;
@@ -125,7 +125,7 @@ private:
         return static_cast<Index>(value);
     }
 
-    /// [m]; nothing where neither the text nor the header tells the unit.
+    /// [m]; empty if neither the text nor the header contains the unit.
     [[nodiscard]] std::optional<double> length(std::string text, const std::string& unit) const {
         std::replace(text.begin(), text.end(), ',', '.');
         double value = 0.0;
@@ -151,8 +151,8 @@ private:
         return true;
     }
 
-    /// "XY calibration","1.382","um/pixel" and its like, as Keyence's and other confocal microscopes' tables begin;
-    /// true for a line of two cells or three, the first of them a key of these.
+    /// "XY calibration","1.382","um/pixel" and similar lines at the beginning of tables of Keyence's and other confocal
+    /// microscopes; true for a line of two or three cells whose first is one of these keys.
     bool take_cells(std::string_view line) {
         for (const char separator : {',', ';', '\t'}) {
             std::vector<std::string_view> cells;
@@ -245,10 +245,10 @@ private:
         std::vector<std::string_view> words;
         tables::split_cells(line, ' ', words);
         if (words.size() >= 7 && words[6] == "1")
-            header.attributes[wyko_unit] = "nm";  // else multiples of the wavelength
+            header.attributes[wyko_unit] = "nm";  // otherwise multiples of the wavelength
     }
 
-    /// "name TAB value" of the two sizes; "name TAB type TAB length TAB value" of the others, without value above
+    /// "name TAB value" for the two sizes; "name TAB type TAB length TAB value" for the others, without value above
     /// numbers.
     void take_wyko(std::string_view line) {
         std::vector<std::string_view> cells;

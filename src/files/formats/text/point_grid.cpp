@@ -20,7 +20,7 @@ struct Axis {
     std::string problem;
 };
 
-/// The regular positions that values lie on.
+/// The regular positions of values.
 Axis axis_of(const Array1D& values, const char* name) {
     const auto fail = [&](const std::string& what) {
         return Axis{.problem = fmt::format("{} of the points {}", name, what)};
@@ -31,7 +31,7 @@ Axis axis_of(const Array1D& values, const char* name) {
     std::sort(sorted.begin(), sorted.end());
     const double range = sorted.back() - sorted.front();
     if (!(range > 0.0) || !std::isfinite(range)) return fail("is equal for all points");
-    // a grid of n points has fewer than n positions along each direction, so that steps are longer than range/n
+    // a grid of n points has fewer than n positions along each direction, so steps are longer than range/n
     const double same = max_stray * range / static_cast<double>(sorted.size());
     std::vector<double> positions{sorted.front()};
     double min_gap = range;

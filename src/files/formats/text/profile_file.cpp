@@ -63,7 +63,7 @@ void require_entry(std::string_view key, const std::string& value) {
     if (known && known->dimension) (void)quantity(*known, value);
 }
 
-/// What stands in the head of a file.
+/// Content of the head of a file.
 struct ProfileHead {
     std::map<std::string, std::string> entries;
     std::map<std::string, std::size_t> line;  ///< of each key, from 1

@@ -28,7 +28,7 @@ bool may_be_positions(const tables::RawTable::RawColumn& column, bool said) {
     return said || !column.unit.empty() || is_position_name(column.name);
 }
 
-/// A column that loops and other records in time have: time, or a force.
+/// A column of loops and other records in time: time, or a force.
 bool is_of_a_record(const tables::RawTable::RawColumn& column) {
     const auto unit = tables::try_parse_unit(column.unit);
     const auto quantity = other_quantity(column.name);
@@ -37,13 +37,13 @@ bool is_of_a_record(const tables::RawTable::RawColumn& column) {
            quantity == "kraft";
 }
 
-/// A column of 0, 1, 2 … or 1, 2, 3 … that no name or unit makes positions or a quantity.
+/// A column of 0, 1, 2 … or 1, 2, 3 … whose name and unit are not those of positions or a quantity.
 bool are_numbers_of_rows(const tables::RawTable::RawColumn& column) {
     return column.unit.empty() && !is_position_name(column.name) && other_quantity(column.name).empty() &&
            counts_rows(column.values);
 }
 
-/// A column that may stand before that of positions: another quantity, such as the time.
+/// A column that may come before that of positions: another quantity, such as the time.
 bool is_before_positions(const tables::RawTable::RawColumn& column) {
     return are_numbers_of_rows(column) || !other_quantity(column.name).empty() ||
            (!column.unit.empty() && !is_length_unit(column.unit));

@@ -34,7 +34,7 @@ bool is_named(const tables::RawTable& table) {
     return true;
 }
 
-/// What three columns are, and whether only their numbers say so.
+/// Meaning of three columns, and whether only the numbers show it.
 struct Choice {
     TextContent content = TextContent::none;
     bool ambiguous = false;
@@ -42,7 +42,7 @@ struct Choice {
     std::optional<std::size_t> positions = {};  ///< the column of x of several profiles
 };
 
-/// Whether a column runs evenly, as only positions do.
+/// Whether a column is evenly spaced, as only positions are.
 bool runs_evenly(const Array1D& values) {
     constexpr Index fewest = 8;
     return values.size() >= fewest && values.isFinite().all() &&
@@ -86,7 +86,7 @@ Alert ambiguous(TextContent content, const bytes::Source& source, const tables::
                                            : "check the shape; set `layout` to matrix to read them as rows of a map"};
 }
 
-/// What tells that of two columns the second holds the positions.
+/// Reason why the second of two columns contains the positions.
 enum class Exchange { no, by_name, by_steps };
 
 Exchange exchange_of(const std::vector<tables::RawTable::RawColumn>& columns) {
@@ -178,7 +178,7 @@ Channel points_of(const tables::RawTable& table, PointGrid grid, std::vector<Ale
     return loaded_channel(std::move(info), checked(std::move(map), source));
 }
 
-/// One of setae's own: a profile, whatever its steps.
+/// The profile format of setae: a profile for any steps.
 std::vector<Channel> own_profile(const bytes::Source& source) {
     auto profile = read_profile(source);
     for (Index i = 0; i < profile.positions.size(); ++i)
@@ -205,7 +205,7 @@ std::vector<Channel> own_profile(const bytes::Source& source) {
                     problem.empty() ? "" : " (" + problem + ")"));
 }
 
-/// The numbers of the first bytes; empty if they make no table.
+/// The numbers of the first bytes; empty if they are no table.
 std::optional<tables::RawTable> head_table(std::string_view head, const bytes::Source& source) {
     const bool whole = head.size() >= source.size;
     try {
@@ -222,7 +222,7 @@ bool is_profile_table(const bytes::Source& source) {
     return table && table->columns.size() > 2 && positions_of_profiles(*table, false).has_value();
 }
 
-/// Names above all columns of a table: they are no rows of a map.
+/// Names above all columns of a table: not rows of a map.
 bool is_table(const tables::TextStart& start) {
     if (start.header.empty()) return false;
     const auto names = tables::header_cells(start.header.back(), start.layout.dialect.separator, start.layout.columns,
@@ -234,8 +234,8 @@ bool is_table(const tables::TextStart& start) {
     return true;
 }
 
-/// Refuses maps whose commas may begin decimals or group thousands, or do two things at once. Gwyddion and its like
-/// group none.
+/// Refuses maps whose commas may be decimal marks or thousands separators, or both. Gwyddion and similar programs do
+/// not group thousands.
 void require_clear_commas(const tables::TextStart& start, const MatrixHeader& header) {
     if (header.is_map || start.layout.dialect.decimal_point == '.') {
         const auto row =
@@ -268,7 +268,7 @@ TextGuess guess_text(std::string_view head, const bytes::Source& source) {
     try {
         if (parse_matrix_header(start->header, source).is_map) return {TextContent::matrix, true};
     } catch (const FormatError&) {
-        return {TextContent::matrix, true};  // open says what is wrong with it
+        return {TextContent::matrix, true};  // open reports the problem
     }
     const auto columns = start->layout.columns;
     if (columns > 3 && is_table(*start) && is_profile_table(source)) return {TextContent::curve, false};

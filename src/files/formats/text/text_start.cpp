@@ -40,7 +40,7 @@ std::optional<tables::TextStart> looked_for(const bytes::Source& source) {
         auto lines = bytes::split_lines(text);
         keep_first_part(lines);
         auto layout = tables::find_layout(lines, {});
-        if (!layout && !whole) {  // a first row longer than what was read: its dialect shows in what there is of it
+        if (!layout && !whole) {  // a first row longer than the bytes read: its dialect follows from the available part
             text = bytes::decoded(head.substr(0, head.find_last_of(" \t;,")), bytes::Encoding::detect);
             lines = bytes::split_lines(text);
             layout = tables::find_layout(lines, {});

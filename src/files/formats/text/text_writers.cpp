@@ -25,7 +25,7 @@ std::string one_line(std::string text) {
     return text;
 }
 
-/// Rows `first` to `last` of a map, every digit of them.
+/// Rows `first` to `last` of a map, with all digits.
 std::string rows_of(const Array2D& heights, char separator, Index first, Index last) {
     fmt::memory_buffer text;
     for (Index j = first; j < last; ++j)
@@ -40,7 +40,7 @@ std::string gwyddion_header(const HeightMap& map) {
     return channel + fmt::format("# Width: {} m\n# Height: {} m\n# Value units: m\n", map.size[0], map.size[1]);
 }
 
-/// The row at the top first, as the map is seen and as open_text takes a matrix.
+/// The top row first, as displayed and as open_text reads a matrix.
 void write_matrix(const std::string& path, std::string text, const HeightMap& map, char separator) {
     constexpr Index together = 64;
     const Index rows = map.heights.cols();

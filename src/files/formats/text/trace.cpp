@@ -18,16 +18,16 @@ namespace {
 using topography::LineScan;
 using topography::Profile;
 
-constexpr double stray_of_step = 0.02;    ///< as line scans have it
-constexpr double stray_of_digit = 0.55;   ///< rounding and cutting off stray by half a digit about their line
+constexpr double stray_of_step = 0.02;    ///< as for line scans
+constexpr double stray_of_digit = 0.55;   ///< rounding and truncation deviate by half a digit from the line
 constexpr double min_filled_nodes = 0.1;  ///< of a line with missing rows
-constexpr double min_usual_steps = 0.7;   ///< of all steps: a line with rows missing, no irregular one
-constexpr Index min_points = 20;          ///< that show rounding or gaps
+constexpr double min_usual_steps = 0.7;   ///< of all steps: a line with missing rows, no irregular one
+constexpr Index min_points = 20;          ///< needed to detect rounding or gaps
 
 /// −1, 0 or 1.
 int direction(double step) { return (step > 0.0) - (step < 0.0); }
 
-/// The straight line through positions by their number, and how far they stray from it.
+/// The straight line through positions by index, and their deviation from it.
 struct EvenSteps {
     double first = 0.0, step = 0.0, stray = 0.0;
 };
@@ -63,7 +63,7 @@ bool never_turns(const Array1D& positions) {
     return true;
 }
 
-/// Equal steps that rounding to the last digit has hidden, between positions that may then be the same.
+/// Equal steps hidden by rounding to the last digit, possibly with repeated positions.
 std::optional<Trace> rounded_scan(const Profile& profile, double last_digit, const std::string& subject) {
     if (profile.positions.size() < min_points) return std::nullopt;
     const auto line = even_steps(profile.positions);
@@ -82,7 +82,7 @@ std::optional<Trace> rounded_scan(const Profile& profile, double last_digit, con
     return trace;
 }
 
-/// The usual step: the mean of those within half the median of all, which rounding leaves as it is.
+/// The usual step: the mean of those within half the median of all, unaffected by rounding.
 double usual_step(const Array1D& positions) {
     std::vector<double> steps;
     steps.reserve(static_cast<std::size_t>(positions.size()));
@@ -99,7 +99,7 @@ double usual_step(const Array1D& positions) {
     return count > 0.0 ? sum / count : median;
 }
 
-/// Nodes of a line with equal steps that positions lie on; empty if they lie on none, or on few of them.
+/// Nodes of positions on a line with equal steps; empty if there are none, or few are occupied.
 std::optional<std::vector<Index>> nodes_of(const Array1D& positions, double last_digit) {
     const Index n = positions.size();
     if (n < min_points) return std::nullopt;
@@ -265,7 +265,7 @@ double last_digit(const Array1D& positions) {
 
 namespace {
 
-/// The same of positions that do not turn and have no equal steps within 2 %.
+/// The trace of positions that do not turn and have no equal steps within 2 %.
 Trace traced_unevenly(Profile profile, double last_digit, const std::string& subject) {
     const bool stays_profile = profile.response || profile.standard_error.size() > 0;
     if (!stays_profile) {

@@ -9,13 +9,13 @@
 #include "setae/tables/spreadsheet.hpp"
 #include "text_channels.hpp"
 
-// Workbooks: what columns of numbers in a sheet are is told as of a text with the same cells.
+// Workbooks: columns of numbers in a sheet are interpreted as in a text with the same cells.
 namespace setae::formats {
 namespace {
 
 constexpr const char* workbook_identifier = "workbook";
 
-/// An error without the name of the sheet's text and the line of that text, which begin it.
+/// An error without the name of the text of a sheet and the line, with which it begins.
 std::string reason_without(const std::string& text, const std::string& name) {
     if (!text.starts_with(name + ":")) return text;
     const auto blank = text.find(": ", name.size());

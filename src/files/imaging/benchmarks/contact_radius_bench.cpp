@@ -13,7 +13,7 @@ namespace {
 
 constexpr int frames = 50;
 
-/// Frames of 640 × 480 with a contact of 100 px at SNR 5, as a stack with LZW, made once.
+/// Frames of 640 × 480 with a contact of 100 px at SNR 5, as a stack with LZW, created once.
 const std::string& recording() {
     static const std::string path = [] {
         std::vector<cv::Mat> pages;

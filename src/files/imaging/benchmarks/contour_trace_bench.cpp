@@ -9,13 +9,13 @@
 namespace setae::imaging {
 namespace {
 
-/// A square picture at twice the noise with an edge of waves of 60 px across it.
+/// A square picture at twice the noise with an edge of waves of 60 px.
 FramePixels picture(long side) {
     return tests::rendered({.width = side, .height = side, .noise = 50},
                            tests::Wave{.level = 0.5 * static_cast<double>(side), .amplitude = 12});
 }
 
-/// What any tracer must do at least once: OpenCV smooths the picture.
+/// Minimum work of any tracer: OpenCV smooths the picture.
 void opencv_gaussian_blur_alone(benchmark::State& state) {
     const auto pixels = picture(state.range(0));
     const cv::Mat grey(static_cast<int>(pixels.rows()), static_cast<int>(pixels.cols()), CV_32F,

@@ -32,7 +32,7 @@ LensOutline lens_outline(const std::string& picture, std::optional<double> pixel
     const auto& outline = trace.segments.front();
     const auto bottom = static_cast<double>(micrograph.pixels.rows() - 1);
     auto alerts = trace.alerts;
-    // which side is the lens plays no part
+    // the side of the lens is irrelevant
     std::erase_if(alerts, [](const Alert& alert) { return alert.code == "VACUUM_ASSUMED"; });
     return {.x = *pixel_size * outline.x,
             .z = *pixel_size * (bottom - outline.y),

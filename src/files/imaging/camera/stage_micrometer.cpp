@@ -18,13 +18,13 @@ namespace {
 
 constexpr int min_lines = 5;
 
-/// A place where a line crosses the middle of a band.
+/// A position of a line at the middle of a band.
 struct Place {
     double along, across;  ///< pixels across the lines, and along them
     int line;
 };
 
-/// Grey levels without the parabola of the illumination.
+/// Grey levels minus the parabola of the illumination.
 Array1D evenly_lit(const Array1D& levels) {
     const Array1D x = Array1D::LinSpaced(levels.size(), -1.0, 1.0);
     Eigen::Matrix<double, Eigen::Dynamic, 3> design(levels.size(), 3);
@@ -34,7 +34,7 @@ Array1D evenly_lit(const Array1D& levels) {
     return levels - (design * parabola).array();
 }
 
-/// Grey levels between which all but a hundredth at either end lie.
+/// Range of grey levels without a hundredth at either end.
 struct Contrast {
     double low, high;
     [[nodiscard]] double size() const { return high - low; }
@@ -45,7 +45,7 @@ Contrast contrast_of(std::vector<double> levels) {
     return {sorted_quantile(levels, 0.01), sorted_quantile(levels, 0.99)};
 }
 
-/// Centres of the lines in a band's mean grey levels: the rarer side of their middle is line.
+/// Centres of the lines in the mean grey levels of a band: the rarer side of their middle is line.
 std::vector<double> line_centres(const Array1D& levels) {
     const auto contrast = contrast_of({levels.begin(), levels.end()});
     const double middle = 0.5 * (contrast.low + contrast.high);
@@ -63,7 +63,7 @@ std::vector<double> line_centres(const Array1D& levels) {
             weight += beyond[end];
             moment += beyond[end] * static_cast<double>(end);
         }
-        // what a picture's rim cuts has no centre, a speck of noise is no line
+        // a line cut by the rim of the picture has no centre, a speck of noise is no line
         if (i > 0 && end < beyond.size() && beyond.segment(i, end - i).maxCoeff() > 0.25 * contrast.size())
             centres.push_back(moment / weight);
         i = end;
@@ -71,7 +71,7 @@ std::vector<double> line_centres(const Array1D& levels) {
     return centres;
 }
 
-/// Distance of neighbouring lines, where most are equally far apart.
+/// Distance of neighbouring lines, if most distances are equal.
 std::optional<double> spacing_of(const std::vector<double>& centres) {
     if (static_cast<int>(centres.size()) < min_lines) return std::nullopt;
     std::vector<double> distances;
@@ -82,7 +82,7 @@ std::optional<double> spacing_of(const std::vector<double>& centres) {
     return 2 * regular > static_cast<std::ptrdiff_t>(distances.size()) ? std::optional(spacing) : std::nullopt;
 }
 
-/// Lines that stand upright, in bands of rows; coordinates from the picture's centre.
+/// Vertical lines, in bands of rows; coordinates from the centre of the picture.
 std::vector<Place> places_of(const FramePixels& pixels) {
     const long bands = std::clamp<long>(pixels.rows() / 16, 1, 32), height = pixels.rows() / bands;
     const double middle_x = 0.5 * static_cast<double>(pixels.cols() - 1),
@@ -91,7 +91,7 @@ std::vector<Place> places_of(const FramePixels& pixels) {
     std::vector<double> last;  // centres of the band above, with their lines
     std::vector<int> last_lines;
     long found = 0;
-    // lines along the band's short side keep their contrast in its mean, other lines lose it
+    // lines along the short side of the band keep their contrast in its mean, other lines lose it
     constexpr double min_contrast = 0.4;
     const double contrast = contrast_of({pixels.data(), pixels.data() + pixels.size()}).size();
     for (long band = 0; band < bands; ++band) {
@@ -107,7 +107,7 @@ std::vector<Place> places_of(const FramePixels& pixels) {
             lines.push_back(lines.back() +
                             std::max(1, static_cast<int>(std::lround((centres[i] - centres[i - 1]) / *spacing))));
         if (!last.empty()) {
-            // the lines of the band above lie less than half a spacing away
+            // the lines of the band above are less than half a spacing away
             std::vector<double> offsets;
             for (std::size_t i = 0; i < centres.size(); ++i) {
                 const auto nearest = std::min_element(last.begin(), last.end(), [&](double a, double b) {
@@ -130,7 +130,7 @@ std::vector<Place> places_of(const FramePixels& pixels) {
     return places;
 }
 
-/// Least squares of the lines' numbers, errors by line.
+/// Least squares of the numbers of the lines, errors by line.
 struct NumberFit {
     Eigen::Vector4d at = Eigen::Vector4d::Zero();  ///< c, a along, a across, and d/r_c² |…| of the bent term
     Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero();
@@ -141,7 +141,7 @@ struct NumberFit {
 NumberFit fit_numbers(const std::vector<Place>& places, double corner) {
     const auto n = static_cast<Index>(places.size());
     NumberFit fit;
-    // the bent term needs a, which the next round knows better
+    // the bent term needs a, which the next round determines more accurately
     Eigen::Vector2d direction(1.0, 0.0);
     Eigen::MatrixXd design(n, 4);
     Eigen::VectorXd numbers(n);
@@ -219,7 +219,7 @@ std::optional<RulingFit> ruling_fit(const FramePixels& pixels, const Estimate& p
                          .method = "lines of a ruling",
                          .degrees_of_freedom = freedom};
     result.probability = 2.0 * student_t_probability(-std::abs(fit.at[3]) / result.distortion.standard_error, freedom);
-    // in a picture that was turned over, along is y
+    // in a transposed picture along is y
     if (!upright) result.angle = 0.5 * pi - result.angle;
     return result;
 }
@@ -251,7 +251,7 @@ CameraScale camera_scale(const std::vector<FramePixels>& pictures, const Estimat
         throw InvalidArgument(fmt::format("a distance of {} m between lines; expected more than 0", pitch.value));
     CameraScale scale{.width = static_cast<long>(pictures.front().cols()),
                       .height = static_cast<long>(pictures.front().rows())};
-    // ± of the pitch is common to both axes: it stays out of their ratio
+    // ± of the pitch is common to both axes and not part of their ratio
     Estimate exact = pitch;
     exact.standard_error = undefined;
     std::optional<RulingFit> ruled_x, ruled_y;

@@ -16,9 +16,9 @@ namespace {
 using Grey = FramePixels;
 
 constexpr long pixels_across = 200;
-constexpr double false_alarms = 0.01;    // gradients of pure noise that pass, in a frame
+constexpr double false_alarms = 0.01;    // gradients of pure noise accepted per frame
 constexpr double min_gradient = 1.2e-3;  // of the largest grey level: a third of a level of 8 bits per pixel
-constexpr double padding = 0.25;         // centres may lie beyond the frame by this share of it
+constexpr double padding = 0.25;         // centres may be outside the frame by this share of it
 constexpr std::size_t max_candidates = 3;
 constexpr int rays = 96;
 
@@ -35,7 +35,7 @@ Grey binned(const Grey& pixels, long k) {
     return result;
 }
 
-/// Takes the parabola of least squares off.
+/// Subtracts the parabola of least squares.
 void take_illumination_off(Grey& grey) {
     using Matrix = Eigen::Matrix<double, 6, 6>;
     using Vector = Eigen::Matrix<double, 6, 1>;
@@ -61,8 +61,8 @@ void take_illumination_off(Grey& grey) {
 
 float lower_quartile(const std::vector<float>& values) { return upper_quantile(values, 0.25); }
 
-/// Standard deviation of one pixel's noise from a mask that is blind to planes, of pixels far enough apart for noise
-/// that a camera has blurred; by the lower quartile of magnitudes, as structure may fill half of a frame. Source:
+/// Standard deviation of one pixel's noise from a mask that is insensitive to planes, with pixels far enough apart for
+/// noise blurred by a camera; by the lower quartile of magnitudes, as structure may fill half of a frame. Source:
 /// Immerkær, Computer Vision and Image Understanding 64 (1996) 300, who takes the mean and next neighbours.
 double noise_of(const Grey& grey) {
     constexpr long apart = 3;
@@ -125,7 +125,7 @@ Votes votes_for_centres(const Grey& grey, double brightest, double smallest_radi
             const float steepness = std::sqrt(gx * gx + gy * gy);
             if (steepness < floor) continue;
             for (const double side : {-1.0, 1.0}) {
-                if (sign * side > 0) continue;  // brighter outside: the centre lies against the gradient
+                if (sign * side > 0) continue;  // brighter outside: the centre is against the gradient
                 const double dx = side * gx / steepness, dy = side * gy / steepness;
                 const float weight = std::min(1.0f, 2.0f * steepness / steepest);
                 for (double r = smallest_radius; r < farthest; r += 1.0) {
@@ -140,7 +140,7 @@ Votes votes_for_centres(const Grey& grey, double brightest, double smallest_radi
     return votes;
 }
 
-/// Mean over circles about a centre, and how many pixels of the frame each has.
+/// Mean over circles about a centre, and the number of pixels of each in the frame.
 struct RadialMean {
     std::vector<double> mean, count;
 };
@@ -166,10 +166,10 @@ RadialMean radial_mean(const Grey& grey, double centre_x, double centre_y) {
 
 struct RadialStep {
     double radius = 0, step = 0,
-           strength = 0;  ///< strength: step times the square root of the pixels, as it stands out of noise
+           strength = 0;  ///< strength: step times the square root of the pixels, proportional to its signal over noise
 };
 
-/// Where the radial mean first leaves the plateau of the centre: by a third of how far it ever leaves it.
+/// End of the plateau of the centre in the radial mean: a third of its largest deviation from the plateau.
 std::optional<RadialStep> end_of_plateau(const RadialMean& radial, double noise, double smallest_radius, double sign) {
     constexpr double share = 1.0 / 3, outstanding = 6.0;
     double sum = 0, count = 0, farthest = 0;
@@ -213,7 +213,7 @@ std::optional<RadialStep> edge_of(const RadialMean& radial, double noise, double
         }
         if (inner_count < 1 || outer_count < 1) continue;
         const double whole = 2 * std::numbers::pi * static_cast<double>(at) * reach;
-        if (inner_count + outer_count < 0.15 * 2 * whole) continue;  // too little of it lies in the frame
+        if (inner_count + outer_count < 0.15 * 2 * whole) continue;  // too little of it is in the frame
         const double step = outer / outer_count - inner / inner_count;
         const bool stands_out =
             sign * step >= 0 && std::abs(step) > outstanding * noise * std::sqrt(1 / inner_count + 1 / outer_count);
@@ -234,7 +234,7 @@ double between_pixels(const Grey& grey, double x, double y) {
            fy * ((1 - fx) * at(row + 1, column) + fx * at(row + 1, column + 1));
 }
 
-/// Points of the edge along rays within a third of the outline's radius.
+/// Points of the edge along rays within a third of the radius of the outline.
 std::vector<EdgePoint> edge_points(const Grey& grey, const Outline& outline, double sign, bool fringes) {
     constexpr double pitch = 0.5, share = 0.5;
     constexpr long reach = 3;  // samples on either side
@@ -268,7 +268,7 @@ std::vector<EdgePoint> edge_points(const Grey& grey, const Outline& outline, dou
         }
         if (best < 0 || steps[static_cast<std::size_t>(best)] <= 0) continue;
         if (fringes) {
-            // the first peak of steps that is high enough
+            // the first sufficiently high peak of steps
             const double enough = share * steps[static_cast<std::size_t>(best)];
             for (long i = reach + 1; i < best; ++i) {
                 const auto at = static_cast<std::size_t>(i);
@@ -281,7 +281,7 @@ std::vector<EdgePoint> edge_points(const Grey& grey, const Outline& outline, dou
     return points;
 }
 
-/// The outline through points of the edge; empty if they make none.
+/// The outline through points of the edge; empty if there is none.
 std::optional<Outline> outline_through(const std::vector<EdgePoint>& points, const Outline& start) {
     if (points.size() < 12) return std::nullopt;
     Outline outline = consensus_circle(points, std::max(1.0, 0.06 * start.mean_radius), start);
@@ -306,7 +306,8 @@ struct Search {
 Search search(const FramePixels& pixels, long k, const ContactFrameOptions& options) {
     Grey grey = binned(pixels, k);
     const double brightest = static_cast<double>(grey.abs().maxCoeff());
-    const Grey as_seen = options.fringes ? grey : Grey();  // the parabola bends the plateau of large contacts
+    const Grey as_seen = options.fringes ? grey : Grey();  // the subtracted parabola bends the plateau of large
+                                                           // contacts
     take_illumination_off(grey);
     const double noise = std::max(noise_of(grey), 1e-7 * brightest);
     const double smallest = 0.7 * options.smallest_radius / static_cast<double>(k);
@@ -333,7 +334,7 @@ Search search(const FramePixels& pixels, long k, const ContactFrameOptions& opti
         for (int round = 0; round < 2; ++round)
             if (const auto better = outline_through(edge_points(grey, outline, sign, options.fringes), outline))
                 outline = *better;
-        // pixel (0, 0) of the binned frame has its centre between those it averages
+        // the centre of pixel (0, 0) of the binned frame is between the averaged pixels
         const double factor = static_cast<double>(k), shift = 0.5 * (factor - 1);
         result.discs.push_back(
             {{factor * outline.centre_x + shift, factor * outline.centre_y + shift, factor * outline.mean_radius,
@@ -363,7 +364,7 @@ CoarseSearch find_discs(const FramePixels& pixels, const ContactFrameOptions& op
     for (auto& disc : found.discs) {
         const double radius = disc.outline.mean_radius;
         if (k == 1 || radius > enough * static_cast<double>(k)) continue;
-        // small: once more with more pixels, around the place
+        // small: repeated with more pixels, around the place
         const long half = static_cast<long>(4 * radius + 4 * static_cast<double>(k)) + 8;
         const long x = std::clamp(std::lround(disc.outline.centre_x) - half, 0L, std::max(0L, pixels.cols() - 16)),
                    y = std::clamp(std::lround(disc.outline.centre_y) - half, 0L, std::max(0L, pixels.rows() - 16));

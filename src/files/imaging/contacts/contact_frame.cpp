@@ -65,7 +65,7 @@ ContactFrame as_frame(const EdgeFit& fit, double sign) {
         const Eigen::Vector3d slope(of_mean, of_stretch * along[0], of_stretch * along[1]);
         return std::sqrt(std::max(0.0, slope.dot(shape * slope)));
     };
-    // a blurred convex edge lies inside the true one by w²/(2r): the mean over the blur of the sagitta y²/(2r)
+    // a blurred convex edge is inside the true one by w²/(2r): the mean over the blur of the sagitta y²/(2r)
     const double shrinking = fit.edge_width * fit.edge_width / (2 * geometric);
     frame.radius = geometric + shrinking;
     frame.radius_standard_error = deviation(outline.mean_radius / geometric, -stretch / geometric);
@@ -105,7 +105,7 @@ std::string why_not(const ContactFrame& frame, const ContactFrameOptions& option
 
 ContactFrame measure_contact_frame(const FramePixels& pixels, const ContactFrameOptions& options) {
     require_valid(pixels, options);
-    constexpr double beyond_doubt = 0.85;  // confidence at which no other candidate is looked at
+    constexpr double beyond_doubt = 0.85;  // confidence above which no other candidate is tested
     std::string reason = "a structure is visible, but it is not round";
     double highest = -1, best = -1;
     bool structure = false;

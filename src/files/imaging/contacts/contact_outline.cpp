@@ -17,10 +17,10 @@ namespace {
 
 constexpr double sample = 0.5;                              // px along a ray
 constexpr Index half_step = 6, level_samples = 8;           // 3 px of a step, 4 px of a level
-constexpr Index reach = half_step + level_samples;          // samples that a place needs on either side
+constexpr Index reach = half_step + level_samples;          // samples needed for a place on either side
 constexpr double smallest_place = 8.0, search_range = 0.3;  // px; of the radius
 constexpr double cost = 0.05, level_arc = 16.0;             // of a half pixel; px along the edge
-constexpr Index max_shift = 3;                              // samples from a ray to the next
+constexpr Index max_shift = 3;                              // samples between neighbouring rays
 
 double between(const FramePixels& pixels, double x, double y) {
     const auto column = static_cast<Index>(x), row = static_cast<Index>(y);
@@ -54,7 +54,7 @@ Polar sampled(const FramePixels& pixels, double centre_x, double centre_y, doubl
     return polar;
 }
 
-/// Steps at samples reach … K − 1 − reach over the median ray's largest.
+/// Steps at samples reach … K − 1 − reach over the largest of the median ray.
 Array2D steps(const Polar& polar, double sign) {
     Array2D step(polar.grey.rows(), polar.grey.cols() - 2 * reach);
     std::vector<double> largest;
@@ -102,8 +102,8 @@ Places places_on(const std::vector<Index>& path, const Polar& polar, Index half_
     return places;
 }
 
-/// Standard deviation of a pixel's noise: of second differences along the rows that keep off the edge, 6 σ² of white
-/// noise, by their median. Grey levels of a contact without noise give 0.
+/// Standard deviation of the noise of a pixel: of second differences along the rows away from the edge, 6 σ² for white
+/// noise, by their median. A contact without noise gives 0.
 double pixel_noise(const FramePixels& pixels, const TracedEdge& edge) {
     constexpr double off_edge = 5.0, normal = 1.4826;
     const double reach_of_disc = 1.5 * edge.radius.maxCoeff();
@@ -144,7 +144,7 @@ ContactOutline trace_contact_outline(const FramePixels& pixels, const ContactFra
     const double arc = 2.0 * pi * contact.radius / static_cast<double>(angles);
     const auto half_arc = std::clamp<Index>(static_cast<Index>(std::lround(0.5 * level_arc / arc)), 0, angles / 4);
     const auto places = places_on(closed_path(steps(polar, sign), cost, max_shift), polar, half_arc);
-    // white noise between pixels: a line across two of them sees (1 − u)² + u², 2/3 on average
+    // white noise between pixels: linear interpolation has the variance (1 − u)² + u², 2/3 on average
     const double window = 2.0 * sample * static_cast<double>(half_step);
     const TracedEdge edge{places.radius, centre_x, centre_y};
     const double place_error =

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double undefined_radius = std::numeric_limits<double>::quiet_NaN();
 
-/// Reason of each frame of the source that is left out.
+/// Reason of each excluded frame of the source.
 std::vector<const std::string*> exclusions(const FrameSource& source, const std::vector<ExcludedFrame>& excluded) {
     std::vector<const std::string*> reasons(source.size(), nullptr);
     for (const auto& [number, reason] : excluded) {
@@ -54,7 +54,7 @@ ContactFrame measured(const FrameSource& source, std::size_t index, const Contac
     return frame;
 }
 
-/// The polarity of most frames by their confidence; automatic where nothing was measured.
+/// The polarity of most frames by their confidence; automatic if nothing was measured.
 Polarity majority(const std::vector<ContactRadius>& frames) {
     double dark = 0, bright = 0;
     for (const auto& frame : frames)

@@ -7,9 +7,9 @@ namespace setae::imaging {
 namespace {
 
 constexpr double margin = 4.0, smoothing = 1.0;  // px
-constexpr int blurred_rim = 3;                   // px about a void, which its blurred rim does not leave
+constexpr int blurred_rim = 3;                   // px about a void, which contain its blurred rim
 
-/// 1 where a pixel lies more than the margin inside the edge.
+/// 1 if a pixel is more than the margin inside the edge.
 cv::Mat inside_of(const TracedEdge& edge, const cv::Size& size) {
     cv::Mat inside(size, CV_8U, cv::Scalar(0));
     for (int row = 0; row < size.height; ++row)
@@ -26,7 +26,7 @@ cv::Mat widened(const cv::Mat& mask, int pixels) {
 }
 
 /// Area [px²] of the void `label` in its box: the sum of (I − inner)/(outer − inner) over it and 3 px about it, which a
-/// blur does not change; inner: the mean of the 3 px beyond. Other voids and what is outside the edge are left out.
+/// blur does not change; inner: the mean of the 3 px beyond. Other voids and pixels outside the edge are left out.
 double void_area(const cv::Mat& grey, const cv::Mat& counted, const cv::Mat& labels, int label, double step) {
     const cv::Mat own = labels == label, others = (labels != 0) & (labels != label);
     cv::Mat near = widened(own, blurred_rim), beyond = widened(own, 2 * blurred_rim) & ~near;

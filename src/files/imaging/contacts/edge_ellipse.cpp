@@ -23,9 +23,8 @@ double median_magnitude(const std::vector<double>& values) {
     return upper_median(std::move(magnitudes));
 }
 
-/// (1 + ρ)/(1 − ρ), the variance of a mean over that of independent residuals where ρ is the correlation of neighbours
-/// (that of farther ones its powers); pairs count where both agree. `parameters` were fitted to the residuals. At
-/// least 1.
+/// (1 + ρ)/(1 − ρ), the variance of a mean over that of independent residuals for a correlation ρ of neighbours (powers
+/// of ρ for farther ones); pairs are used if both agree. `parameters` were fitted to the residuals. At least 1.
 double correlation_factor(const std::vector<double>& residuals, const std::vector<double>& weights, int parameters) {
     constexpr double most = 0.8;
     const auto n = residuals.size();
@@ -43,7 +42,7 @@ double correlation_factor(const std::vector<double>& residuals, const std::vecto
     }
     if (pairs < 12 || variance <= 0) return 1.0;
     const double correlation =
-        std::clamp(product / pairs / (variance / counted) + parameters / counted, 0.0, most);  // the fit takes −p/n off
+        std::clamp(product / pairs / (variance / counted) + parameters / counted, 0.0, most);  // the fit subtracts p/n
     return (1 + correlation) / (1 - correlation);
 }
 
@@ -129,8 +128,8 @@ OutlineCorrection corrected_outline(const Outline& outline, const std::vector<Ed
     }
     if (agreeing < parameters + 3 || slope <= 0) return result;
     const double freedom = agreeing - parameters;
-    // never below what pixel noise makes; the last factor is the variance of Student's t, as few offsets tell their
-    // scatter badly
+    // never below the scatter from pixel noise; the last factor is the variance of Student's t, because few offsets
+    // determine their scatter poorly
     const double scatter =
         std::max(1.0, influence * agreeing / (slope * slope) * (agreeing / freedom) * (freedom / (freedom - 2)));
     normal.setZero();
@@ -165,7 +164,7 @@ Outline consensus_circle(const std::vector<EdgePoint>& points, double tolerance,
     auto most = agreeing(otherwise);
     if (n < 6) return best;
     for (std::uint64_t k = 0; k < triples; ++k) {
-        // three points about a third of the perimeter apart, or anywhere
+        // three points about a third of the perimeter apart, or arbitrary
         const auto first = mixed(3 * k) % n, second = (first + 1 + mixed(3 * k + 1) % (n - 1)) % n,
                    third = (first + 1 + mixed(3 * k + 2) % (n - 1)) % n;
         if (second == third) continue;

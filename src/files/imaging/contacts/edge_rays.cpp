@@ -14,19 +14,19 @@ namespace setae::imaging {
 namespace {
 
 constexpr double arc_per_ray = 6.0;                       // px of perimeter
-constexpr double narrowest_ray = 0.3, widest_ray = 12.0;  // widths of edges [px]; a pixel's own area makes 0.29
+constexpr double narrowest_ray = 0.3, widest_ray = 12.0;  // widths of edges [px]; the area of a pixel causes 0.29
 constexpr double bin = 0.5;                               // px of distance, of profiles
-constexpr double min_contrast = 0.3;                      // of the median ray's
+constexpr double min_contrast = 0.3;                      // of that of the median ray
 constexpr int max_rounds = 10, rounds_before_polish = 6, rounds_of_search = 4;
 constexpr double nearly_at_rest = 0.03, at_rest = 0.003, restless = 0.2;  // px
 
-/// How places are found: among all, from the outline on, or linear in the grey levels.
+/// Search for places: among all, from the outline on, or linear in the grey levels.
 enum class Stage { search, refine, polish };
 
 double normal_density(double t) { return std::exp(-0.5 * t * t) * (std::numbers::inv_sqrtpi / std::numbers::sqrt2); }
 double normal_integral(double t) { return 0.5 * std::erf(t / std::numbers::sqrt2); }  // odd
 
-/// Angle in [0, 2π) to 0.005 rad: sectors need no more.
+/// Angle in [0, 2π) to 0.005 rad, sufficient for sectors.
 double rough_angle(double y, double x) {
     const double ax = std::abs(x), ay = std::abs(y), q = std::min(ax, ay) / std::max(std::max(ax, ay), 1e-12);
     double angle =
@@ -114,7 +114,7 @@ struct StepFit {
     bool good = false;
 };
 
-/// Level and contrast for a given place and width; the squares that remain.
+/// Level and contrast for a given place and width; the remaining squares.
 double linear_part(const RayProfile& profile, StepFit& fit) {
     double n = 0, h = 0, hh = 0, g = 0, gh = 0, gg = 0;
     for (const auto& at : profile.bins) {
@@ -134,8 +134,8 @@ double linear_part(const RayProfile& profile, StepFit& fit) {
     return gg - fit.level * g - fit.contrast * gh;
 }
 
-/// Rounds of Gauss and Newton. One round with a known contrast is linear in the grey levels: noise makes no bias, and
-/// the scatter of places is that of their mean.
+/// Gauss–Newton rounds. One round with a known contrast is linear in the grey levels: noise causes no bias, and the
+/// scatter of places is that of their mean.
 void refine(const RayProfile& profile, StepFit& fit, bool width_free, double farthest, int rounds,
             double known_contrast = 0) {
     const int unknowns = width_free ? 4 : 3;
@@ -172,7 +172,7 @@ void refine(const RayProfile& profile, StepFit& fit, bool width_free, double far
     }
 }
 
-/// The place among steps of half a width that leaves the least squares with a contrast of the sign.
+/// The place among steps of half a width with least squares and a contrast of the given sign.
 StepFit searched(const RayProfile& profile, double width, double sign, double farthest) {
     StepFit best{.width = width};
     double least = std::numeric_limits<double>::infinity();
@@ -188,7 +188,7 @@ StepFit searched(const RayProfile& profile, double width, double sign, double fa
     return best;
 }
 
-/// Pixels a sector would have where it lies wholly within the frame.
+/// Pixels of a sector completely inside the frame.
 double whole_sector(const Outline& outline, std::size_t rays, const Window& window) {
     return 2 * std::numbers::pi * outline.mean_radius / static_cast<double>(rays) * (window.inside + window.outside);
 }
@@ -223,13 +223,13 @@ std::vector<EdgeRay> fitted_rays(const Sectors& sectors, const Outline& outline,
         ray.contrast = fit.contrast;
         ray.variance = fit.inverse(2, 2);
         ray.contrast_deviation = std::sqrt(fit.inverse(1, 1));
-        // scatter within bins and of bins about the fit: of pixels
+        // scatter within bins and of bins about the fit, per pixel
         const double own = std::max(0.0, profile.grey_squared - grey_squared) + fit.squares;
         squares_per_pixel.push_back(own / std::max(1.0, fit.count - 3));
         squares += own;
         freedom += fit.count - 3;
     }
-    // the median keeps rays over dust out
+    // the median excludes rays over dust
     noise = std::sqrt(std::max(upper_median(squares_per_pixel), 0.0));
     const double floor = freedom > 0 ? 1e-4 * std::sqrt(squares / freedom) : 0;
     noise = std::max({noise, floor, 1e-9});
@@ -240,8 +240,8 @@ std::vector<EdgeRay> fitted_rays(const Sectors& sectors, const Outline& outline,
     return rays;
 }
 
-/// The mean over rays that agree, of grey levels less each ray's own level; by the distance from the outline, or from
-/// each ray's own place.
+/// The mean over agreeing rays of grey levels minus the level of each ray; by the distance from the outline, or from
+/// the place of each ray.
 RayProfile mean_profile(const Sectors& sectors, const std::vector<EdgeRay>& rays, const std::vector<bool>& agree,
                         bool from_own_place) {
     RayProfile mean{std::vector<ProfileBin>(sectors.window.bins()), 0};
@@ -272,7 +272,8 @@ RayProfile mean_profile(const Sectors& sectors, const std::vector<EdgeRay>& rays
     return mean;
 }
 
-/// Where the mean profile first turns back outside the edge by a share of the contrast; `farthest` where it does not.
+/// Position where the mean profile first turns back outside the edge by a share of the contrast; `farthest` if it does
+/// not.
 double first_fringe(const RayProfile& profile, const StepFit& step, double sign, double farthest) {
     constexpr double turned = 0.08;
     double highest = -std::numeric_limits<double>::infinity(), at_highest = farthest;
@@ -287,7 +288,7 @@ double first_fringe(const RayProfile& profile, const StepFit& step, double sign,
     return farthest;
 }
 
-/// Rays that make the outline: those whose contrast has the sign and is comparable to the median's.
+/// Rays of the outline: those whose contrast has the sign and is comparable to the median.
 struct OutlineRays {
     std::vector<EdgeOffset> offsets;
     std::vector<std::size_t> rays;
@@ -311,7 +312,7 @@ OutlineRays comparable_rays(const std::vector<EdgeRay>& rays, double sign) {
     return found;
 }
 
-/// Takes over what a correction says of the rays; marks those that agree.
+/// Applies the weights of a correction to the rays; marks those that agree.
 void take_agreement(EdgeFit& fit, const OutlineRays& used, const OutlineCorrection& correction, double sign,
                     std::vector<bool>& agree) {
     constexpr double min_weight = 0.073;  // Tukey's at 4 of 4.685 scales: (1 − (4/4.685)²)²
@@ -368,7 +369,7 @@ EdgeFit fit_edge(const FramePixels& pixels, const Outline& start, double sign, d
         fit.rays = fitted_rays(sectors, outline, width, sign, stage, fit.contrast, fit.noise);
         if (stage == Stage::polish)
             for (std::size_t k = 0; k < count; ++k)
-                fit.rays[k].fitted = fit.rays[k].fitted && agree[k];  // a linear place cannot be far off
+                fit.rays[k].fitted = fit.rays[k].fitted && agree[k];  // the error of a linear place is small
         const auto used = comparable_rays(fit.rays, sign);
         fit.visible_share = share_within(outline, pixels.cols(), pixels.rows());
         fit.shape = fit.visible_share < 0.9 ? OutlineShape::circle : OutlineShape::ellipse;
@@ -389,9 +390,9 @@ EdgeFit fit_edge(const FramePixels& pixels, const Outline& start, double sign, d
         const double previous = width;
         if (step.good) width = std::clamp(step.width, narrowest_ray, widest_ray);
         if (fringes && step.good) {
-            // over a whole fringe brightness averages out; where it does not turn, the window stays
+            // over a whole fringe brightness averages out; without a turn the window is kept
             const double turn = std::clamp(2 * first_fringe(mean, step, sign, reach), 3.0, reach);
-            outside = round < rounds_of_search ? turn : std::min(outside, turn);  // it settles
+            outside = round < rounds_of_search ? turn : std::min(outside, turn);  // it converges
         }
         fit.outline = correction.outline;
         fit.edge_width = width;
@@ -401,7 +402,7 @@ EdgeFit fit_edge(const FramePixels& pixels, const Outline& start, double sign, d
             if (correction.largest_step < 1.0) stage = Stage::refine;
         } else if (stage == Stage::refine) {
             if (fringes && correction.largest_step < at_rest && steady) break;
-            // resolved fringes make other contrasts than the median's: there places stay those of each ray's own fit
+            // resolved fringes have other contrasts than the median: places are then those of the fit of each ray
             if (!fringes && ((correction.largest_step < nearly_at_rest && steady) || round >= rounds_before_polish))
                 stage = Stage::polish;
         } else if (correction.largest_step < at_rest && steady) {

@@ -18,7 +18,7 @@ namespace {
 constexpr double min_width = 640;                                           // px of the picture
 const cv::Scalar outline_colour(40, 160, 255), words_colour(80, 220, 255);  // blue, green, red
 
-/// The frame in 8 bits from its darkest to its brightest level, enlarged by a whole number.
+/// The frame in 8 bits from its darkest to its brightest level, enlarged by an integer factor.
 cv::Mat canvas(const FramePixels& pixels, int factor) {
     const cv::Mat grey(static_cast<int>(pixels.rows()), static_cast<int>(pixels.cols()), CV_32F,
                        const_cast<float*>(pixels.data()));
@@ -34,7 +34,7 @@ cv::Mat canvas(const FramePixels& pixels, int factor) {
 void draw(cv::Mat& picture, const EdgeEllipse& ellipse, const PictureRegion& region, int factor) {
     constexpr int shift = 4, sides = 360;  // 16ths of a pixel
     const auto place = [&](double x, double y) {
-        // a pixel's centre is the middle of the square it became
+        // the centre of a pixel is the middle of its square
         const double factor_x = factor * (x - static_cast<double>(region.x) + 0.5) - 0.5,
                      factor_y = factor * (y - static_cast<double>(region.y) + 0.5) - 0.5;
         return cv::Point(static_cast<int>(std::lround(factor_x * (1 << shift))),

@@ -76,7 +76,7 @@ public:
 private:
     static constexpr int shift = 4;  // 16ths of a pixel
 
-    /// A pixel's centre is the middle of the square it became.
+    /// The centre of a pixel is the middle of its square.
     [[nodiscard]] cv::Point place(double x, double y) const {
         const auto scaled = [&](double v) {
             return static_cast<int>(std::lround((factor_ * (v + 0.5) - 0.5) * (1 << shift)));

@@ -18,12 +18,12 @@ namespace setae::imaging {
 namespace {
 
 constexpr long smallest_picture = 32;    // px a side
-constexpr double min_area = 400.0;       // px² of an island that counts
+constexpr double min_area = 400.0;       // px² of a relevant island
 constexpr double default_length = 50.0;  // px
-constexpr double min_gain = 0.05;  // of ln likelihood a square of the coarse division, by which two phases explain more
+constexpr double min_gain = 0.05;  // of ln likelihood per square of the coarse division, for two phases instead of one
 constexpr double faint = 1.0;      // contrast over noise
 constexpr double start_smoothing = 2.0;  // px: outlines of pixels are staircases
-constexpr double min_detour = 30.0;      // px on either side of a single anchor that are found anew
+constexpr double min_detour = 30.0;      // px on either side of a single anchor that are traced again
 
 void validate(const FramePixels& pixels, const TraceOptions& options) {
     if (pixels.rows() < smallest_picture || pixels.cols() < smallest_picture)
@@ -59,7 +59,7 @@ double distance_to(const PlaneCurve& curve, const Anchor& anchor, Index& nearest
     return std::sqrt(((curve.x - anchor.x).square() + (curve.y - anchor.y).square()).minCoeff(&nearest));
 }
 
-/// Outlines of a mask as they are; of those that anchors name, the nearest to each list's first.
+/// Unsmoothed outlines of a mask; with anchors the nearest to the first of each list.
 std::vector<ContourSegment> binary_segments(const PixelMask& sample, const TraceOptions& options) {
     std::vector<ContourSegment> segments;
     const auto found = outlines(sample);
@@ -82,7 +82,7 @@ std::vector<ContourSegment> binary_segments(const PixelMask& sample, const Trace
     return segments;
 }
 
-/// Points outside the picture go: at its sides the curve's ends wander.
+/// Removes points outside the picture: at its sides the ends of the curve are unreliable.
 void keep_within(PlaneCurve& curve, Array1D& standard_error, long columns, long rows) {
     if (curve.closed) return;
     const auto inside = [&](Index i) {
@@ -136,7 +136,7 @@ PlaneCurve joined(const std::vector<PlaneCurve>& parts) {
     return whole;
 }
 
-/// The nearest of the curves, led through one anchor: a stretch on either side of it is found anew.
+/// The nearest curve, moved through one anchor: a part on either side of it is traced again.
 PlaneCurve led_through(const std::vector<PlaneCurve>& curves, const Anchor& anchor, const LiveWire& wire) {
     const PlaneCurve* best = nullptr;
     double least = std::numeric_limits<double>::infinity();
@@ -174,7 +174,7 @@ PlaneCurve led_through(const std::vector<PlaneCurve>& curves, const Anchor& anch
     return joined(parts);
 }
 
-/// Curves from the division into phases, staircases smoothed.
+/// Curves from the division into phases, with smoothed staircases.
 std::vector<PlaneCurve> found_curves(const TwoPhases& phases, const TraceOptions& options) {
     std::vector<PlaneCurve> curves;
     for (const auto& outline : outlines(phases.sample))

@@ -16,18 +16,17 @@ namespace {
 
 constexpr int max_rounds = 30, rounds_of_search = 4, rounds_of_full_steps = 12, rounds_before_choice = 3,
               max_choices = 4;
-constexpr double search_reach = 10.0;    // px
-constexpr double first_smoothing = 3.0;  // px
-constexpr double at_rest = 0.02;         // px
-constexpr Index min_pixels = 2;          // near each point of a curve that is not lost
-constexpr double max_move = 1.5;         // px a round
-constexpr double level_stretch =
-    30.0;                           // px along the curve over which level and contrast are taken (standard deviation)
-constexpr double min_error = 0.02;  // px: what pixels of a picture without noise leave
+constexpr double search_reach = 10.0;             // px
+constexpr double first_smoothing = 3.0;           // px
+constexpr double at_rest = 0.02;                  // px
+constexpr Index min_pixels = 2;                   // near each point of a curve unless it is lost
+constexpr double max_move = 1.5;                  // px a round
+constexpr double level_stretch = 30.0;            // px along the curve for level and contrast (standard deviation)
+constexpr double min_error = 0.02;                // px: residuals from pixels of a picture without noise
 constexpr double narrowest = 0.29, widest = 4.0;  // px
 constexpr double anchor_weight = 1e7;             // over the information of one point
 
-/// What pixels say at each point of a curve.
+/// Information from pixels at each point of a curve.
 struct Evidence {
     Array1D level, contrast;  ///< a and b of I = a + b shape
     Array1D information;      ///< Σ b² I'²/σ² [1/px²]
@@ -88,7 +87,7 @@ private:
     std::vector<double> squares_, count_;
 };
 
-/// One curve on its way to the edge.
+/// One curve during refinement.
 class Refinement {
 public:
     Refinement(EdgeBand& band, const PlaneCurve& start, const std::vector<Anchor>& anchors)
@@ -138,7 +137,7 @@ private:
         lost_ = !(evidence_.information.mean() > 0) || !evidence_.score.isFinite().all();
     }
 
-    /// Too few pixels, or none that tells of an edge.
+    /// Too few pixels, or none with information on an edge.
     [[nodiscard]] RefinedEdge lost_edge() const {
         RefinedEdge edge;
         edge.curve = curve_;
@@ -146,14 +145,14 @@ private:
         return edge;
     }
 
-    /// Distance from the edge beyond which it is not felt.
+    /// Distance from the edge beyond which it has no effect.
     [[nodiscard]] double reach_of_slope() const {
         return shape_.fringe != 0 ? std::max(3 * shape_.width, 2.5 * shape_.fringe_width) : 3 * shape_.width;
     }
     [[nodiscard]] double away() const { return reach_of_slope() + 2.0; }
 
-    /// The edge's own width. A trace with error e that follows noise by K̄ = ∫K dq/π shows w² + ⟨e²⟩ − 2 N K̄: errors
-    /// blur the mean profile, and noise that was followed makes it steeper.
+    /// Width of the edge itself. A trace with error e that follows noise by K̄ = ∫K dq/π has w² + ⟨e²⟩ − 2 N K̄: errors
+    /// blur the mean profile, and followed noise makes it steeper.
     [[nodiscard]] double freed_of_fit(double width) const {
         return std::sqrt(std::clamp(width * width - error_squares_ + 2 * noise_ * mean_spline_transfer(smoothing_),
                                     narrowest * narrowest, widest * widest));
@@ -206,7 +205,7 @@ private:
             product[p.index] += w * t * g;
         }
         for (auto* sum : {&one, &shape, &squared, &grey, &product}) *sum = spread(curve_, *sum, level_stretch);
-        // the contrast is held to the whole contour's with the weight of a tenth of the pixels around
+        // the contrast is tied to that of the whole contour with the weight of a tenth of the pixels around
         const Array1D hold = 0.1 * squared;
         const Array1D determinant = (one * (squared + hold) - shape.square()).max(1e-300);
         evidence_.contrast = ((one * (product + hold) - shape * grey) / determinant).max(0.25).min(4.0);
@@ -220,7 +219,7 @@ private:
         return evidence_.contrast[p.index] * shape_.slope(p.distance);
     }
 
-    /// Solves for the displacement along normals that the smoothing wants, and goes there.
+    /// Solves for the displacement along normals with smoothing, and applies it.
     void move(int round) {
         const Index n = curve_.size();
         const Array1D stiffness = local_information() * std::pow(smoothing_, 4);
@@ -261,12 +260,12 @@ private:
         even_out();
     }
 
-    /// The move that nineteen points in twenty do not exceed.
+    /// The displacement that nineteen points in twenty do not exceed.
     [[nodiscard]] static double largest_of(const Array1D& moves) {
         return upper_quantile(std::vector<double>(moves.begin(), moves.end()), 0.95);
     }
 
-    /// Anchors draw the place nearest to them, between two points, along the normal there.
+    /// Anchors attract the nearest place, between two points, along the normal there.
     void hold_anchors(Array1D& right, std::vector<Eigen::Triplet<double>>& entries) const {
         const double weight = anchor_weight * std::max(1e-300, evidence_.information.mean());
         for (const auto& anchor : anchors_) {
@@ -337,7 +336,7 @@ private:
         const double beside = away();
         Array1D outer = Array1D::Zero(n), inner = outer;
         for (const auto& p : pixels_) {
-            // the sum that makes a place, moved into vacuum or into the sample
+            // the sum of a place, shifted into vacuum or into the sample
             const double moved = p.distance > 0 ? p.distance - beside : p.distance + beside;
             if (p.distance > 0 ? moved < 0 : moved >= 0) continue;
             const double slope = evidence_.contrast[p.index] * shape_.slope(moved);
@@ -348,7 +347,7 @@ private:
         return long_run_variance(outer_place) + long_run_variance(inner_place);
     }
 
-    /// Spectrum of places before smoothing, off a base of waves longer than 130 px.
+    /// Spectrum of places before smoothing, relative to waves longer than 130 px.
     [[nodiscard]] PlaceSpectrum spectrum() const {
         const auto base = smoothed(curve_, 20.0);
         const auto across = normals(base);
@@ -371,8 +370,9 @@ private:
         error_squares_ = expected_squares(spectrum(), noise_, smoothing_);
     }
 
-    /// Pixels between two points speak for both by their distance from either, so the points are those of the polyline
-    /// that fits the edge best, K (1 + q²/12): a twelfth of the second difference makes them samples of the edge.
+    /// Pixels between two points contribute to both by their distances, so the points are those of the polyline that
+    /// fits the edge best, K (1 + q²/12): subtraction of a twelfth of the second difference converts them to samples of
+    /// the edge.
     [[nodiscard]] PlaneCurve samples_of_edge() const {
         auto samples = curve_;
         for (Index k = curve_.closed ? 0 : 1; k < (curve_.closed ? curve_.size() : curve_.size() - 1); ++k) {
@@ -411,10 +411,10 @@ private:
     Normals normals_;
     Evidence evidence_;
     double reach_ = search_reach, smoothing_ = first_smoothing, last_move_ = 1e300;
-    Array1D moved_;  ///< by which points moved in the last round [px]
+    Array1D moved_;  ///< displacement of points in the last round [px]
     double vacuum_noise_ = 0, sample_noise_ = 0;
     bool lost_ = false;
-    double noise_ = 0, error_squares_ = 0;  ///< N and the expected error, once measured
+    double noise_ = 0, error_squares_ = 0;  ///< N and the expected error, after measurement
 };
 
 }  // namespace

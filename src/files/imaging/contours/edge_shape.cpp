@@ -11,13 +11,13 @@
 namespace setae::imaging {
 namespace {
 
-constexpr double narrowest_edge = 0.29, widest_edge = 4.0;  // px; a pixel's own area makes 0.29
+constexpr double narrowest_edge = 0.29, widest_edge = 4.0;  // px; the area of a pixel causes 0.29
 constexpr double narrowest_fringe = 0.8, widest_fringe = 10.0;
-constexpr double min_fringe_gain = 30.0;  // of χ² by which a fringe stands out
-constexpr double farthest = 3.0;          // px between the place a fit begins at and the edge
-constexpr double min_scatter = 1e-3;      // of a profile's range: pixels are squares
+constexpr double min_fringe_gain = 30.0;  // of χ² for a significant fringe
+constexpr double farthest = 3.0;          // px between the start of a fit and the edge
+constexpr double min_scatter = 1e-3;      // of the range of a profile: pixels are squares
 constexpr double min_fringe = 0.05;       // of the step
-constexpr double min_spread = 1.7;        // of the fringe over the step's width
+constexpr double min_spread = 1.7;        // of the fringe over the width of the step
 constexpr double bin = 0.25;              // px
 constexpr int max_steps = 60;
 
@@ -125,7 +125,7 @@ std::vector<double> weights_of(const EdgeProfile& profile) {
     return weights;
 }
 
-/// Whether a fit still speaks of the edge it began at: near it, of the same sign, steepest at its place.
+/// Whether a fit still describes the initial edge: near it, of the same sign, steepest at its place.
 bool same_edge(const EdgeShape& shape, const EdgeShape& start) {
     if (std::abs(shape.place - start.place) > farthest || shape.slope(0) * start.slope(0) <= 0) return false;
     const double steepest = std::abs(shape.slope(0));
@@ -134,7 +134,7 @@ bool same_edge(const EdgeShape& shape, const EdgeShape& start) {
     return true;
 }
 
-/// A narrow one would only be a step of another width: the derivative of a step by its width is such a wave.
+/// A narrow fringe is only a step of another width: the derivative of a step by its width has this shape.
 bool is_fringe(const EdgeShape& shape) {
     return shape.fringe_rules() || (std::abs(shape.fringe) > min_fringe * std::abs(shape.step) &&
                                     shape.fringe_width > min_spread * shape.width);
@@ -214,7 +214,7 @@ EdgeProfile edge_profile(const std::vector<BandPixel>& pixels, double reach) {
 EdgeShape fitted_shape(const EdgeProfile& profile) {
     const auto weights = weights_of(profile);
     const auto n = static_cast<long>(profile.mean.size());
-    constexpr long reach = 12;  // bins on either side whose means make a slope: 3 px
+    constexpr long reach = 12;  // bins on either side whose means give a slope: 3 px
     const auto mean_over = [&](long from, long to) {
         double sum = 0, weight = 0;
         for (long i = std::max(0L, from); i < std::min(n, to); ++i) {

@@ -66,7 +66,7 @@ LiveWire::Path LiveWire::between(const Anchor& from, const Anchor& to) const {
             const long y = row + step_y[d], x = column + step_x[d];
             if (y < 0 || x < 0 || y >= rows || x >= columns) continue;
             const double length = d % 2 == 0 ? 1.0 : 1.4142135623730951;
-            // left hand of the step, as the picture is seen
+            // left of the step, as displayed
             const double across_x = static_cast<double>(step_y[d]) / length,
                          across_y = -static_cast<double>(step_x[d]) / length;
             const double rise = static_cast<double>(rise_x_(top + y, left + x)) * across_x +
@@ -102,7 +102,7 @@ LiveWire::Path LiveWire::along(const std::vector<Anchor>& anchors) const {
     Path whole;
     for (std::size_t i = 0; i + 1 < anchors.size(); ++i) {
         const auto part = between(anchors[i], anchors[i + 1]);
-        const long skipped = i == 0 ? 0 : 1;  // where it begins the last one ended
+        const long skipped = i == 0 ? 0 : 1;  // it begins at the end of the last one
         whole.x.insert(whole.x.end(), part.x.begin() + skipped, part.x.end());
         whole.y.insert(whole.y.end(), part.y.begin() + skipped, part.y.end());
         whole.cost += part.cost;

@@ -13,7 +13,7 @@ namespace {
 /// Directions of a walk along corners of pixels: right, down, left, up.
 constexpr std::array<long, 4> side_x{1, 0, -1, 0}, side_y{0, 1, 0, -1};
 
-/// Walks with vacuum on the left hand; a corner (x, y) is the upper left one of pixel (row y, column x).
+/// Walks with vacuum on the left; a corner (x, y) is the upper left one of pixel (row y, column x).
 class Walk {
 public:
     explicit Walk(const PixelMask& sample)
@@ -24,7 +24,7 @@ public:
 
     std::vector<PlaneCurve> all() {
         std::vector<PlaneCurve> curves;
-        for (const bool open : {true, false})  // open ones begin at the picture's sides
+        for (const bool open : {true, false})  // open ones begin at the sides of the picture
             for (long y = 0; y <= rows_; ++y)
                 for (long x = 0; x <= columns_; ++x)
                     for (int direction = 0; direction < 4; ++direction)
@@ -40,7 +40,7 @@ private:
         return row < 0 || column < 0 || row >= rows_ || column >= columns_ ? -1 : sample_(row, column);
     }
 
-    /// Whether vacuum lies on the left and sample on the right of the step from a corner.
+    /// Whether vacuum is on the left and sample on the right of the step from a corner.
     [[nodiscard]] bool is_border(long x, long y, int direction) const {
         switch (direction) {
             case 0: return label(y - 1, x) == 0 && label(y, x) == 1;
@@ -81,7 +81,8 @@ private:
             x += side_x[direction];
             y += side_y[direction];
             int next = -1;
-            for (const int turn : {1, 0, 3}) {  // right first: parts of the sample that touch at a corner stay apart
+            for (const int turn : {1, 0, 3}) {  // right first: parts of the sample that touch at a corner remain
+                                                // separate
                 const int candidate = (direction + turn) % 4;
                 if (is_border(x, y, candidate) && !was_walked(x, y, candidate)) {
                     next = candidate;
@@ -93,7 +94,7 @@ private:
             direction = next;
         }
         if (open) add();
-        else if (direction == first) {  // it began within a straight stretch
+        else if (direction == first) {  // the walk began inside a straight part
             corner_x.erase(corner_x.begin());
             corner_y.erase(corner_y.begin());
         }

@@ -15,7 +15,7 @@
 namespace setae::imaging {
 namespace {
 
-constexpr long surroundings = 12;       // squares around one whose levels count
+constexpr long surroundings = 12;       // squares around a square for its levels
 constexpr double max_difference = 6.0;  // of one square
 constexpr long tile_side = 128;         // squares
 
@@ -100,7 +100,7 @@ PixelMask cut_of(const Vertices& vertex, std::vector<double> terminal, double bo
             join(row, column, row + 1, column + 1, diagonal);
             join(row, column, row + 1, column - 1, diagonal);
         }
-    // the source is vacuum: cutting off from it costs what sample costs more
+    // the source is vacuum: its capacity is the additional cost of sample
     for (std::size_t i = 0; i < terminal.size(); ++i)
         graph.addTermWeights(static_cast<int>(i), std::max(0.0, terminal[i]), std::max(0.0, -terminal[i]));
     graph.maxFlow();
@@ -169,7 +169,7 @@ Cells cells_of(const FramePixels& pixels, const PixelMask& hidden, long side, lo
             cells.log_variance(row, column) =
                 variance > 0 ? std::log(variance) : std::numeric_limits<double>::quiet_NaN();
         }
-    // squares without any scatter take the least there is
+    // squares without scatter have the smallest nonzero scatter
     const double least =
         cells.log_variance.isFinite().select(cells.log_variance, std::numeric_limits<double>::infinity()).minCoeff();
     cells.log_variance = cells.log_variance.isFinite().select(cells.log_variance, std::isfinite(least) ? least : 0.0);

@@ -13,7 +13,7 @@ constexpr int bins = 24, modes = 12;
 constexpr double lowest = 0.08;                                            // 1/px
 constexpr double shortest_length = 0.2, longest_length = 12, pace = 1.07;  // px
 constexpr Index max_lags = 8;
-constexpr double min_share = 0.05;  // of the variance: sums over lags may come out negative
+constexpr double min_share = 0.05;  // of the variance: sums over lags may be negative
 
 /// |Σ h exp(−iqk)|²/n.
 double power(const Array1D& heights, double q) {

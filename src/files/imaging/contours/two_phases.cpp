@@ -20,15 +20,15 @@ using Map = CellMap;
 constexpr long coarse_cells = 48;    // across the shorter side, where levels are found
 constexpr double border_cost = 2.0;  // of a side of a square, in units of ln likelihood
 constexpr double max_cost =
-    8.0;  // of a level or structure far from a phase's: squares on the border, glare and dust belong to neither
+    8.0;  // limit for a level or structure far from both phases: squares on the border, glare and dust
 constexpr double min_phase_share =
-    1e-3;  // of the range of levels: what is less is rounding and the tails of blur, not structure
+    1e-3;  // of the range of levels: smaller scatter is rounding and the tails of blur, not structure
 constexpr double least_squares_of_a_phase = 20;
-constexpr int first_turns = 2, max_turns = 10;  // cut and levels in turns: of every start, and of the best ones
+constexpr int first_turns = 2, max_turns = 10;  // alternating cuts and levels: for every start, and for the best ones
 constexpr std::size_t best_starts = 3;
-constexpr double told_structure = 1.3;   // ratio of noise by which one phase has more of it
+constexpr double told_structure = 1.3;   // ratio of noise that distinguishes the phases
 constexpr long max_samples = 1'000'000;  // of pixels for a median
-constexpr long band = 3;                 // squares on either side of a border cut anew
+constexpr long band = 3;                 // squares on either side of a border for a repeated cut
 
 /// 1, x, y, x², xy, y² of the illumination, then 1, x, y of the sample on it; x, y in −1 … 1.
 constexpr int terms = 9;
@@ -47,7 +47,7 @@ struct PhaseModel {
 
 double place(long i, long n) { return n > 1 ? 2.0 * static_cast<double>(i) / static_cast<double>(n - 1) - 1.0 : 0.0; }
 
-/// Levels and scatter of a division, by squares away from its border, which hold some of both; false where a phase has
+/// Levels and scatter of a division, by squares away from its border, if there are some of both; false if a phase has
 /// too few.
 bool fit(PhaseModel& model, const Cells& cells, const PixelMask& labels, double min_scatter,
          double min_structure_scatter) {
@@ -103,7 +103,7 @@ double cost(const PhaseModel& model, const Cells& cells, long row, long column, 
            std::min(0.5 * structure * structure, max_cost) + std::log(model.structure_scatter[label]);
 }
 
-/// How much rather vacuum than sample; and the energy of the division given.
+/// Preference of vacuum over sample; and the energy of the given division.
 struct Preference {
     Map difference;
     double energy = 0;
@@ -216,7 +216,7 @@ Division best_division(const Cells& cells, const LeastScatter& least) {
     return best;
 }
 
-/// The energy where all is one phase with a quadratic level.
+/// The energy of a single phase with a quadratic level.
 double undivided_energy(const Cells& cells, const LeastScatter& least) {
     const long rows = cells.mean.rows(), columns = cells.mean.cols();
     using Six = Eigen::Matrix<double, 6, 1>;
@@ -260,8 +260,8 @@ PixelMask enlarged(const PixelMask& labels, long rows, long columns, long ratio)
     return larger;
 }
 
-/// Levels and noise away from the border, and which phase is vacuum: that with less structure, of like ones the
-/// brighter.
+/// Levels and noise away from the border, and the phase of vacuum: that with less structure, the brighter one if
+/// similar.
 void name_phases(TwoPhases& result, const FramePixels& pixels, const PixelMask& hidden, const PhaseModel& model,
                  long side, Vacuum vacuum) {
     std::array<std::vector<double>, 2> levels;

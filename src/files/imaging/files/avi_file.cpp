@@ -51,7 +51,7 @@ void AviFile::read_list(std::uint64_t begin, std::uint64_t end, int depth) {
         if ((id == "RIFF" || id == "LIST") && head.size() == 12 && depth < deepest_list) {
             const auto kind = head.substr(8, 4);
             const auto list_end =
-                bytes < 4 ? end : std::min(end, body + bytes);  // a recorder that was cut off leaves 0 or too much
+                bytes < 4 ? end : std::min(end, body + bytes);  // an interrupted recording has 0 or a larger number
             if (kind != "INFO" && kind != "odml") read_list(body + 4, list_end, depth + 1);
             at = list_end + list_end % 2;
             continue;

@@ -20,7 +20,7 @@ struct Layout {
     bool top_down = false;
     std::uint64_t bits = 0, packing = none, pixels_at = 0;
     std::vector<float> palette;               ///< grey levels
-    std::array<std::uint32_t, 3> channels{};  ///< where red, green and blue stand in a pixel of 16 or 32 bits
+    std::array<std::uint32_t, 3> channels{};  ///< masks of red, green and blue in a pixel of 16 or 32 bits
 
     [[nodiscard]] std::uint64_t row_bytes() const {
         return (static_cast<std::uint64_t>(size.width) * bits + 31) / 32 * 4;
@@ -29,7 +29,7 @@ struct Layout {
 
 FrameRead refused(std::string why) { return {{}, std::move(why)}; }
 
-/// Up to 256 entries of 3 or 4 bytes, blue first; those a file lacks are black.
+/// Up to 256 entries of 3 or 4 bytes, blue first; missing ones are black.
 std::vector<float> palette_in(std::string_view bytes, std::uint64_t at, std::uint64_t entry_bytes, std::uint64_t bits) {
     std::vector<float> palette(std::size_t{1} << bits, 0.0f);
     for (auto& grey : palette) {
@@ -49,7 +49,7 @@ double channel_of(std::uint32_t pixel, std::uint32_t mask) {
     return width > 8 ? value >> (width - 8) : value << (8 - width);
 }
 
-/// One place in the palette a pixel, rows as they lie in the file; what is skipped stays 0. False for damaged ones.
+/// One index of the palette per pixel, rows in the order of the file; skipped pixels remain 0. False for damaged ones.
 bool expand_runs(std::string_view runs, const Layout& layout, std::vector<std::uint8_t>& places) {
     const auto width = static_cast<std::uint64_t>(layout.size.width),
                height = static_cast<std::uint64_t>(layout.size.height);

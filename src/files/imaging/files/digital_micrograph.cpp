@@ -21,7 +21,7 @@ std::optional<std::size_t> index_of(const std::optional<double>& number) {
     return static_cast<std::size_t>(*number);
 }
 
-/// Places in ImageList of what is no thumbnail: those that documents show first, in the order of ImageSourceList.
+/// Indices in ImageList without thumbnails: displayed documents first, in the order of ImageSourceList.
 std::vector<std::size_t> images_of(const DmTag& root, std::size_t count) {
     std::set<std::size_t> thumbnails;
     if (const auto* list = root.find("Thumbnails"))
@@ -37,7 +37,7 @@ std::vector<std::size_t> images_of(const DmTag& root, std::size_t count) {
         for (const auto& source : list->tags) add(index_of(source.number_at("ImageRef")));
     if (images.empty())
         for (std::size_t i = 0; i < count; ++i) add(i);
-    if (images.empty()) images.push_back(count - 1);  // nothing but thumbnails: the last
+    if (images.empty()) images.push_back(count - 1);  // only thumbnails: the last
     return images;
 }
 
@@ -67,7 +67,7 @@ struct Tagged {
     const char *path, *name, *unit;
 };
 
-/// What tags of an image say of how it was taken.
+/// Tags of an image on its acquisition.
 constexpr std::array instrument_tags{Tagged{"Microscope Info/Indicated Magnification", "magnification", ""},
                                      Tagged{"Microscope Info/Voltage", "voltage", " V"},
                                      Tagged{"Microscope Info/Illumination Mode", "illumination mode", ""},

@@ -175,7 +175,7 @@ private:
         }
         if (kind == kind_array && from + 2 < types_.size()) {
             const auto inner = element_bytes(from + 1, begin);
-            return times(types_[types_.size() - 1 - from], inner, begin);  // counts stand outermost last
+            return times(types_[types_.size() - 1 - from], inner, begin);  // the outermost count is last
         }
         throw damaged(begin, fmt::format("a tag of type {} is unknown, or the file is damaged", kind));
     }

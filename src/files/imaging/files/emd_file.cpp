@@ -68,7 +68,7 @@ std::optional<double> step_of(hid_t group, const std::string& name) {
     return positions[1] - positions[0];
 }
 
-/// "[n_m]" as EMD writes units, without brackets and the lines between prefix and unit.
+/// "[n_m]" in EMD units, without brackets and the lines between prefix and unit.
 std::string emd_unit(std::string unit) {
     std::erase_if(unit, [](char c) { return c == '[' || c == ']' || c == '_'; });
     return unit;
@@ -196,7 +196,7 @@ void read_ncem(const bytes::Source& file, hid_t group, Micrograph& micrograph, c
     set_pixel_size(micrograph, axes[plane.column_axis], axes[plane.row_axis], "EMD dimensions");
 }
 
-/// Velox' metadata of the first frame: a column of bytes that hold JSON.
+/// Velox metadata of the first frame: a column of bytes with JSON.
 nlohmann::json velox_metadata(hid_t image) {
     if (!exists(image, "Metadata")) return nullptr;
     const Handle data(H5Dopen2(image, "Metadata", H5P_DEFAULT), &H5Dclose);
@@ -246,7 +246,7 @@ void read_velox(const bytes::Source& file, hid_t image, Micrograph& micrograph, 
         if (const auto text = json_text(metadata, path); !text.empty()) micrograph.attributes[name] = text + unit;
 }
 
-/// An image of a file, or what stands in the place of one.
+/// An image of a file, or its replacement.
 struct EmdEntry {
     std::string path;
     ImageEntry shown;
@@ -258,7 +258,7 @@ bool is_reciprocal(const std::string& unit) {
            unit.find("-1") != std::string::npos;
 }
 
-/// Whether a dataset holds records, as complex numbers are stored.
+/// Whether a dataset contains records, the storage of complex numbers.
 bool holds_records(hid_t group, const char* name) {
     if (!exists(group, name)) return false;
     const Handle data(H5Dopen2(group, name, H5P_DEFAULT), &H5Dclose);
@@ -348,7 +348,7 @@ Micrograph read_image(const bytes::Source& file, const MicrographOptions& option
     for (const auto& entry : entries) shown.push_back(entry.shown);
     const auto& chosen = entries[choose_image(micrograph, std::move(shown), options)];
     const bool real_transform =
-        chosen.shown.kind == "Fourier transform" && !chosen.complex;  // an alert tells its units
+        chosen.shown.kind == "Fourier transform" && !chosen.complex;  // a warning reports its units
     if (!chosen.shown.is_picture() && !real_transform)
         throw FormatError(
             file.name, {.offset = 0},

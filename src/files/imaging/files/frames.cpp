@@ -64,7 +64,7 @@ FrameNumbers numbers_in_store(const Store& store) {
     return numbers;
 }
 
-/// The size the first frame with a header states.
+/// The size of the first frame with a header.
 PictureSize first_size(const Store& store, const std::string& where) {
     std::optional<PictureSize> size;
     std::visit(Overloaded{[&](const AviFile& avi) { size = avi.picture_size(); },

@@ -13,7 +13,7 @@
 
 #include "picture_decoders.hpp"
 
-// libjpeg leaves by longjmp where it fails: the functions that call it below hold nothing that must be destroyed.
+// libjpeg returns by longjmp on errors: the functions that call it below have no objects to be destroyed.
 namespace setae::imaging {
 namespace {
 
@@ -28,7 +28,7 @@ struct Faults : jpeg_error_mgr {
     std::longjmp(faults.back, 1);
 }
 
-/// What libjpeg warns of and continues with pixels of its own making.
+/// Warnings after which libjpeg continues with invented pixels.
 void leave_where_pixels_are_made_up(j_common_ptr jpeg, int level) {
     if (level >= 0) return;
     switch (jpeg->err->msg_code) {
@@ -78,7 +78,7 @@ bool read_rows(Reader& reader, JSAMPARRAY rows) {
     return true;
 }
 
-/// Inks, which files hold inverted, to red, green and blue in their place.
+/// Converts inks, stored inverted, to red, green and blue in place.
 void mix_inks(std::vector<JSAMPLE>& pixels) {
     for (std::size_t at = 0; at < pixels.size(); at += 4)
         for (std::size_t ink = 0; ink < 3; ++ink)

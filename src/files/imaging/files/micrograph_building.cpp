@@ -21,7 +21,7 @@ namespace {
 
 constexpr double square_within = 1e-3;
 
-/// Words for units as programs of microscopes write them.
+/// Words for units in microscope software.
 std::string_view symbol_of(std::string_view unit) {
     struct Word {
         std::string_view word, symbol;
@@ -81,7 +81,7 @@ void set_pixel_size(Micrograph& micrograph, const AxisScale& x, const AxisScale&
                          fmt::format("{} has the unit '{}', which is not a length", source, micrograph.unit), remedy);
     }
     const PixelSize size{std::abs(x.scale) * *metres_x,
-                         std::abs(y.scale) * *metres_y};  // a negative scale turns an axis round
+                         std::abs(y.scale) * *metres_y};  // a negative scale reverses an axis
     if (!(size.x > 0 && size.y > 0 && std::isfinite(size.x) && std::isfinite(size.y)))
         return add_alert(micrograph, "BAD_CALIBRATION",
                          fmt::format("{} states pixels of {:g} {} × {:g} {}", source, x.scale, unit_x, y.scale, unit_y),
@@ -121,7 +121,7 @@ PictureSize picture_size(const bytes::Source& file, std::uint64_t offset, std::u
 
 namespace {
 
-/// "0 'HAADF', 1 'HAADF' (Fourier transform)"; of many the first ones.
+/// "0 'HAADF', 1 'HAADF' (Fourier transform)"; only the first ones of many.
 std::string listed_images(const std::vector<ImageEntry>& images) {
     constexpr std::size_t max_listed = 12;
     std::string text;
@@ -160,7 +160,7 @@ std::size_t choose_image(Micrograph& micrograph, std::vector<ImageEntry> images,
 }
 
 std::size_t choose_image(Micrograph& micrograph, std::uint64_t count, const MicrographOptions& options) {
-    constexpr std::uint64_t max_listed = 1 << 20;  // a damaged header may announce any number
+    constexpr std::uint64_t max_listed = 1 << 20;  // a damaged header may state any number
     return choose_image(micrograph, std::vector<ImageEntry>(std::min(count, max_listed)), options);
 }
 

@@ -42,8 +42,8 @@ std::optional<SampleType> sample_type(std::uint64_t mode) {
 /// A pixel between a tenth of a picometre and a micrometre.
 bool sensible(double size) { return size > 1e-13 && size < 1e-6; }
 
-/// Pixel size [m] of FEI's extended header, entry by entry; true where one stands there. Its numbers are little endian
-/// in practice.
+/// Pixel size [m] of FEI's extended header, entry by entry; true if there is one. Its numbers are little endian in
+/// practice.
 bool read_fei_header(const bytes::Source& file, std::uint64_t section, Micrograph& micrograph) {
     const auto first = file.up_to(header_bytes, fei::min_size);
     if (first.size() < fei::min_size) return false;
@@ -59,8 +59,8 @@ bool read_fei_header(const bytes::Source& file, std::uint64_t section, Micrograp
     return true;
 }
 
-/// Pixel size of the cell's dimensions [Å] over its sampling. A cell without positive dimensions says nothing: programs
-/// write 0 if nobody told them, and damaged ones anything.
+/// Pixel size from the dimensions of the cell [Å] over its sampling. A cell without positive dimensions gives none:
+/// programs write 0 if unknown, and damaged files contain arbitrary numbers.
 void set_cell(Micrograph& micrograph, std::array<double, 2> cell, std::array<std::int32_t, 2> sampling) {
     const std::string source = "MRC cell dimensions";
     const bool positive = cell[0] > 0.0 && cell[1] > 0.0 && std::isfinite(cell[0]) && std::isfinite(cell[1]) &&

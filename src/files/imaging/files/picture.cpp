@@ -30,7 +30,7 @@ std::optional<PictureSize> jpeg_size(std::string_view bytes) {
     return std::nullopt;
 }
 
-/// Whether a picture ends as its format says; decoders fill what is missing with grey.
+/// Whether a picture ends as defined by its format; decoders fill missing data with grey.
 bool ends_whole(std::string_view bytes) {
     switch (picture_kind(bytes)) {
         case PictureKind::png: return png_is_whole(bytes);
@@ -60,7 +60,7 @@ std::optional<PictureSize> stated_size(std::string_view bytes) {
             return PictureSize{static_cast<long>(bytes::number_in(bytes, 16, 4, true)),
                                static_cast<long>(bytes::number_in(bytes, 20, 4, true))};
         case PictureKind::bmp: {
-            if (bytes::number_in(bytes, 14, 4) == 12)  // as OS/2 writes it
+            if (bytes::number_in(bytes, 14, 4) == 12)  // as in OS/2
                 return PictureSize{static_cast<long>(bytes::number_in(bytes, 18, 2)),
                                    static_cast<long>(bytes::number_in(bytes, 20, 2))};
             const auto height = static_cast<std::int32_t>(bytes::number_in(bytes, 22, 4));

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
-/// End of the run of digits that begins at `at`, and where its first digit other than 0 stands.
+/// End of the run of digits that begins at `at`, and position of its first digit other than 0.
 struct DigitRun {
     std::size_t end, significant;
 };
@@ -59,7 +59,7 @@ bool natural_order(std::string_view first, std::string_view second) {
             ++j;
         }
     }
-    if (i == first.size() && j == second.size()) return first < second;  // equal but for leading zeros
+    if (i == first.size() && j == second.size()) return first < second;  // equal except for leading zeros
     return i == first.size();
 }
 
@@ -131,7 +131,7 @@ std::optional<PictureSize> size_of_picture(const std::string& path) {
         const auto size = stated_size(head);
         return size || file.size <= head.size()
                    ? size
-                   : stated_size(file.up_to(0, file.size));  // long comments before a JPEG's size
+                   : stated_size(file.up_to(0, file.size));  // long comments before the size of a JPEG
     }
     try {
         const auto size = TiffStack(path).size_of(0);

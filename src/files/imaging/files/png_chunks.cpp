@@ -22,7 +22,7 @@ constexpr std::array<std::uint32_t, 256> remainders = [] {
     return table;
 }();
 
-/// Kind, content and checksum of the chunk at a place; empty if it is not all there.
+/// Kind, content and checksum of the chunk at a place; empty if it is incomplete.
 std::optional<std::string_view> chunk_at(std::string_view png, std::size_t at) {
     if (at + 12 > png.size()) return std::nullopt;
     const auto length = bytes::number_in(png, at, 4, true);

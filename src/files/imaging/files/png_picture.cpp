@@ -15,7 +15,7 @@
 #include "setae/imaging/opencv_session.hpp"
 #include "setae/imaging/png_writer.hpp"
 
-// libpng leaves by longjmp where it fails: the functions that call it below hold nothing that must be destroyed.
+// libpng returns by longjmp on errors: the functions that call it below have no objects to be destroyed.
 namespace setae::imaging {
 namespace {
 
@@ -110,7 +110,7 @@ FrameRead decoded_png(std::string_view bytes, PictureSize size) {
     const int channels = png_get_channels(reader.png, reader.info);
     const bool wide = png_get_bit_depth(reader.png, reader.info) == 16;
     const auto height = static_cast<std::size_t>(size.height);
-    // of 2 bytes, so that both kinds of values lie as they must
+    // of 2 bytes, for the alignment of both kinds of values
     std::vector<std::uint16_t> pixels((stride * height + 1) / 2);
     auto* const first = reinterpret_cast<png_bytep>(pixels.data());
     std::vector<png_bytep> rows(height);

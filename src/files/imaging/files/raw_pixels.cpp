@@ -42,7 +42,7 @@ void convert_complex(const char* from, std::endian order, std::uint64_t count, f
     }
 }
 
-/// Packed colours are numbers 0xAARRGGBB in the file's order of bytes.
+/// Packed colours are numbers 0xAARRGGBB in the byte order of the file.
 void convert_colour(const char* from, std::endian order, std::uint64_t count, float* to) {
     for (std::uint64_t i = 0; i < count; ++i) {
         const auto packed = bytes::load<std::uint32_t>(from + 4 * i, order);

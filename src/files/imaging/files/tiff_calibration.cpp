@@ -50,7 +50,7 @@ std::string value_in(const std::map<std::string, Section>& sections, const std::
     return value == found->second.end() ? std::string() : value->second;
 }
 
-/// Numbers that FEI's sections hold under these keys; an alert for text that is none.
+/// Numbers in FEI's sections with these keys; a warning for invalid text.
 std::optional<double> fei_number(const std::map<std::string, Section>& sections, const std::string& section,
                                  const std::string& key, Micrograph& micrograph) {
     const auto text = value_in(sections, section, key);
@@ -63,7 +63,7 @@ std::optional<double> fei_number(const std::map<std::string, Section>& sections,
     return number;
 }
 
-/// Source: no public specification; keys as files of Helios instruments and RosettaSciIO have them, lengths in metres.
+/// Source: no public specification; keys as in files of Helios instruments and RosettaSciIO, lengths in metres.
 bool read_fei(const TiffStack& stack, const bytes::TiffPage& page, Micrograph& micrograph) {
     auto text = stack.text(page, tag::fei_helios);
     if (text.empty()) text = stack.text(page, tag::fei_sfeg);
@@ -98,7 +98,7 @@ bool read_fei(const TiffStack& stack, const bytes::TiffPage& page, Micrograph& m
     return true;
 }
 
-/// Source: no public specification; the known part of the block as tifffile reads it.
+/// Source: no public specification; the known part of the block as in tifffile.
 bool read_olympus(const TiffStack& stack, const bytes::TiffPage& page, Micrograph& micrograph) {
     const auto start = stack.number(page, tag::olympus);
     if (!start) return false;
@@ -173,7 +173,7 @@ bool read_ome(const TiffStack& stack, Micrograph& micrograph) {
     return true;
 }
 
-/// Metres of a pixel by the resolution tags, of what they were told: film, screen or paper.
+/// Metres per pixel by the resolution tags, if they are not those of film, screen or paper.
 std::optional<PixelSize> printed_size(const TiffStack& stack, const bytes::TiffPage& page) {
     const auto x = stack.real(page, tag::x_resolution), y = stack.real(page, tag::y_resolution);
     const auto unit = stack.number(page, tag::resolution_unit).value_or(2);
@@ -182,8 +182,8 @@ std::optional<PixelSize> printed_size(const TiffStack& stack, const bytes::TiffP
     return PixelSize{metres / *x, metres / y.value_or(*x)};
 }
 
-/// SightX: the description is XML, resolution is that of the picture on the screen at the magnification named. SEM: the
-/// description holds the bar's length in pixels and what it means.
+/// SightX: the description is XML, the resolution is that of the picture on the screen at the stated magnification.
+/// SEM: the description contains the length of the bar in pixels and in metres.
 bool read_jeol(const TiffStack& stack, const bytes::TiffPage& page, Micrograph& micrograph) {
     const auto text = stack.text(page, tag::description);
     const auto untested = [&] {

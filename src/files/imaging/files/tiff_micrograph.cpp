@@ -37,7 +37,7 @@ std::vector<std::size_t> images_of(const TiffStack& stack) {
 Micrograph read_tiff(const bytes::Source& file, const MicrographOptions& options) {
     auto micrograph = unread_micrograph(file, "tiff");
     const TiffStack stack(file);
-    for (std::size_t i = 0; i < stack.size(); ++i)  // whether it is a thumbnail or the image cannot be told
+    for (std::size_t i = 0; i < stack.size(); ++i)  // it is unknown whether it is a thumbnail or the image
         if (const auto fault = stack.fault(i); !fault.empty()) throw FormatError(file.name, {}, fault);
     const auto images = images_of(stack);
     const auto index = images[choose_image(micrograph, images.size(), options)];

@@ -29,7 +29,7 @@ constexpr std::uint16_t width = 256, height = 257, bits = 258, compression = 259
 constexpr std::size_t max_pages = 1'000'000;
 constexpr std::uint64_t max_parts = 1U << 22;
 constexpr std::uint64_t longest_side = 1U << 30;
-constexpr std::uint64_t max_tile_pixels = 1U << 20;  // the decoder takes memory for a whole tile
+constexpr std::uint64_t max_tile_pixels = 1U << 20;  // the decoder allocates a whole tile
 
 std::optional<double> parsed(std::string_view text) {
     const auto value = leading<double>(text);
@@ -53,7 +53,7 @@ std::optional<SampleType> sample_type(std::uint64_t bits, std::uint64_t format) 
     }
 }
 
-/// What libtiff may take at once: a picture, the compressed bytes of it, and a little for itself.
+/// Memory limit of libtiff: a picture, its compressed bytes, and a margin.
 std::uint64_t memory_for(const bytes::TiffPieces& pieces, std::uint64_t file_bytes) {
     return 4 * pieces.nx * pieces.ny + pieces.bytes() + file_bytes + (std::uint64_t{1} << 26);
 }
@@ -185,7 +185,7 @@ std::vector<TiffStack::Part> TiffStack::parts(std::size_t index, std::string& fa
     return parts;
 }
 
-/// Grey levels of pixels of at most 8 bits, whatever their colours.
+/// Grey levels of pixels of at most 8 bits in any colours.
 FrameRead TiffStack::colours(const bytes::TiffPieces& pieces) const {
     const auto words = bytes::tiff_colours(file_.source, "TIFF", pieces, memory_for(pieces, file_.source.size));
     FramePixels pixels(static_cast<long>(pieces.ny), static_cast<long>(pieces.nx));

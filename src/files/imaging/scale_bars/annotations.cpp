@@ -20,8 +20,8 @@ constexpr double same_level = 0.01;       // of scaled levels: drawn, not photog
 constexpr double highest_data_bar = 0.3;  // of the picture's height
 constexpr int min_data_bar = 12;          // rows
 constexpr int margin = 3;                 // px around letters
-constexpr int min_letter = 8;             // px of height, of text alone
-constexpr double max_ink = 0.03;          // share of a picture that letters cover
+constexpr int min_letter = 8;             // px of height, for text only
+constexpr double max_ink = 0.03;          // share of a picture covered by letters
 
 double share_near(const cv::Mat1f& levels, int row, double level) {
     int count = 0;
@@ -29,7 +29,7 @@ double share_near(const cv::Mat1f& levels, int row, double level) {
     return static_cast<double>(count) / levels.cols;
 }
 
-/// The level that most pixels of a row share, to same_level.
+/// The level of most pixels of a row, to same_level.
 double common_level(const cv::Mat1f& levels, int row) {
     std::map<long, int> counts;
     for (int x = 0; x < levels.cols; ++x)
@@ -48,7 +48,7 @@ cv::Mat1b mask_where(const cv::Mat1f& levels, double level, double tolerance, bo
     return mask;
 }
 
-/// Rows along the lower edge (of a picture upside down: the upper one) of one drawn level, with letters on them, across
+/// Rows along the lower edge (the upper edge of an inverted picture) of one drawn level, with letters on them, across
 /// the whole width; 0 if there are none.
 int rows_of_data_bar(const cv::Mat1f& levels) {
     const int most = static_cast<int>(highest_data_bar * levels.rows);
@@ -87,7 +87,7 @@ bool is_text(const LetterLine& line) {
     return static_cast<double>(aligned) >= 0.6 * static_cast<double>(bottoms.size());
 }
 
-/// Text drawn in the darkest or the brightest level.
+/// Text in the darkest or the brightest level.
 std::vector<cv::Rect> text(const cv::Mat1f& levels) {
     std::vector<cv::Rect> found;
     double least = 0, most = 0;
@@ -95,14 +95,14 @@ std::vector<cv::Rect> text(const cv::Mat1f& levels) {
     for (const double level : {least, most}) {
         const auto mask = mask_where(levels, level, same_level, true);
         if (cv::countNonZero(mask) > max_ink * static_cast<double>(levels.total()))
-            continue;  // a ground, a mask, a saturated picture
+            continue;  // a background, a mask, a saturated picture
         const auto lines = letter_lines(mask, {});
         std::size_t letters = 0, of_text = 0;
         for (const auto& line : lines) {
             letters += line.letters.size();
             of_text += is_text(line) ? line.letters.size() : 0;
         }
-        if (2 * of_text < letters) continue;  // blobs of a texture that is cut off
+        if (2 * of_text < letters) continue;  // blobs of a truncated texture
         for (const auto& line : lines)
             if (is_text(line)) found.push_back(line.box);
     }

@@ -32,7 +32,7 @@ class Measurement {
 public:
     Measurement(const cv::Mat1f& levels, int min_length) : levels_(levels), min_length_(min_length) {}
 
-    /// A bar within `box`, the place of something long and thin that stands out by `height`; empty if it is none.
+    /// A bar within `box`, the place of a long and thin object that differs by `height`; empty if it is none.
     [[nodiscard]] std::optional<BarCandidate> operator()(const cv::Rect& box, double height, double sign) const {
         BarCandidate bar;
         if (!rows(bar, box, height) || !columns(bar, box, height, sign)) return std::nullopt;
@@ -45,7 +45,7 @@ public:
 
 private:
     [[nodiscard]] double at(int y, int x) const { return static_cast<double>(levels_(y, x)); }
-    /// How much darker (for bright bars) a pixel is than the bar, in contrasts.
+    /// Difference of a pixel from the bar (darker for bright bars), in contrasts.
     [[nodiscard]] double apart(const BarCandidate& bar, int y, int x) const {
         return (bar.level - at(y, x)) / bar.contrast;
     }
@@ -93,7 +93,7 @@ private:
         bar.contrast = sign * upper_median(std::move(differences));
         const auto core = moments_of(levels_, {bar.left + 1, bar.top, bar.length() - 2, bar.thickness()});
         bar.deviation = core.deviation;
-        // ends that are blurred belong to the bar as far as they are like it by its contrast
+        // blurred ends belong to the bar if their level is near that of the bar relative to its contrast
         const auto nearly = [&](int x) {
             return std::abs(moments_of(levels_, {x, bar.top, 1, bar.thickness()}).mean - bar.level) <=
                    0.2 * std::abs(bar.contrast);
@@ -137,7 +137,7 @@ private:
         return true;
     }
 
-    /// Deviation of a pixel's noise, from differences of neighbours in a row.
+    /// Deviation of the noise of a pixel, from differences of neighbours in a row.
     [[nodiscard]] double noise(int first_row, int last_row, int left, int right, bool robust) const {
         std::vector<double> squares;
         double sum = 0;
@@ -171,21 +171,21 @@ private:
         const double inside = noise(bar.top, bar.bottom, bar.left + 1, bar.right - 1, false);
         const double around = std::max(noise(bar.top - 14, bar.top - 4, bar.left, bar.right, true),
                                        noise(bar.bottom + 4, bar.bottom + 14, bar.left, bar.right, true));
-        const bool at_the_end = bar.level <= 0.1 || bar.level >= 0.9;  // of the picture's levels
+        const bool at_the_end = bar.level <= 0.1 || bar.level >= 0.9;  // of the levels of the picture
         const bool cleaner = inside <= 0.5 * around && bar.deviation <= 0.1 * contrast;
         const bool clean = bar.deviation <= 0.03 * contrast && around <= 0.02 * contrast;
         const bool extreme = at_the_end && bar.thickness() >= 3 && contrast >= 8 * bar.deviation && contrast >= 0.4;
-        // a few pixels of a texture may happen to be alike
+        // a few pixels of a texture may be equal by chance
         if (bar.length() * bar.thickness() < 50 && bar.deviation > 0.03 * contrast) return false;
         if (bar.thickness() <= 2 && (bar.deviation > 0.06 * contrast || !at_the_end)) return false;
         return cleaner || clean || extreme;
     }
 
-    /// Whether the lines above and below go round the ends.
+    /// Whether the lines above and below continue around the ends.
     [[nodiscard]] bool framed(const BarCandidate& bar, int outline, double level) const {
         for (const int way : {-1, 1}) {
             const int end = way < 0 ? bar.left : bar.right;
-            double farthest = 0;  // towards the outline's level, in its difference from the bar's
+            double farthest = 0;  // towards the level of the outline, in its difference from the bar
             for (int k = 1; k <= outline + 1; ++k) {
                 const int x = std::clamp(end + k * way, 0, levels_.cols - 1);
                 farthest = std::max(farthest, (moments_of(levels_, {x, bar.top, 1, bar.thickness()}).mean - bar.level) /
@@ -200,7 +200,7 @@ private:
     }
 
     void find_outline(BarCandidate& bar) const {
-        // as noisy as the bar itself
+        // as noisy as the bar
         const double tolerance =
             std::clamp(3 * bar.deviation, 0.15 * std::abs(bar.contrast), 0.3 * std::abs(bar.contrast));
         double first = 0;
@@ -219,7 +219,7 @@ private:
             const bool mixed =
                 static_cast<double>(off) > 0.3 * static_cast<double>(ring.size());  // a texture, not some letters
             if (k == 1) {
-                // a ring in between the levels of bar and ground is blur
+                // a ring between the levels of bar and background is blur
                 if (!one_level || std::abs(level - bar.level) < 0.6 * std::abs(bar.contrast)) return;
                 first = level;
             } else if (mixed || std::abs(level - first) > tolerance) {
@@ -233,7 +233,7 @@ private:
         }
     }
 
-    /// A tick at one end: narrow, near it, and standing out by three rows, or by as many above as below.
+    /// A tick at one end: narrow, near it, and three rows high, or equally high above and below.
     [[nodiscard]] std::optional<BarTick> tick(const BarCandidate& bar, int end, int inwards) const {
         const int most = std::min(bar.length() / 4, bar.thickness() + 6);
         const auto reach = [&](int x, int row, int way) {
@@ -256,7 +256,7 @@ private:
             }
         }
         if (first < 0 || last >= most - 1) return std::nullopt;
-        // edges of the tick by the share of pixels, from the rows that stand out
+        // edges of the tick by the share of pixels, from the rows beyond the bar
         double weight = 0, middle = 0;
         for (int k = first - 1; k <= last + 1; ++k) {
             const int x = end + k * inwards;
@@ -267,7 +267,7 @@ private:
                 if (step <= down) covered += std::clamp(1 - apart(bar, bar.bottom + step, x), 0.0, 1.0);
             }
             covered /= up + down;
-            if (covered < 0.3 && (k < first || k > last)) continue;  // the ground next to it
+            if (covered < 0.3 && (k < first || k > last)) continue;  // the background next to it
             weight += covered;
             middle += covered * x;
         }

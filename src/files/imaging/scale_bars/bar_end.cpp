@@ -14,7 +14,7 @@ constexpr double farthest = 1.5;                                 // px
 constexpr std::array<double, 5> blurs{0.0, 0.4, 0.7, 1.0, 1.4};  // px
 const double whole_pixel_prior = std::log(50.0);
 
-/// Share of a pixel, centred at x, left of an edge that is blurred.
+/// Share of a pixel, centred at x, to the left of a blurred edge.
 double coverage(double x, double edge, double blur) {
     if (blur <= 0) return std::clamp(edge - x + 0.5, 0.0, 1.0);
     // the integral of the normal distribution over the pixel, by the primitive of its distribution function
@@ -41,7 +41,7 @@ BarEnd bar_end(const cv::Mat1f& rows, int inside, double level, double deviation
         for (int y = 0; y < rows.rows; ++y)
             column.variance += std::pow(static_cast<double>(rows(y, x)) - column.mean, 2) / rows.rows;
     }
-    // what surrounds the bar: pixels that no blur of this edge reaches, where there are any
+    // surroundings of the bar: pixels beyond the blur of this edge, if there are any
     const int first_outside = std::min(inside + 2, columns - 1);
     double outside = 0, outside_square = 0;
     for (int x = first_outside; x < columns; ++x) {
@@ -56,7 +56,8 @@ BarEnd bar_end(const cv::Mat1f& rows, int inside, double level, double deviation
     const double contrast = std::abs(outside - level);
     const double floor = std::max(deviation, 0.01 * contrast);
     const double texture = std::max(outside_square - outside * outside, 0.0);
-    const double independent = std::max(1.0, rows.rows / 2.0);  // rows of a texture follow their neighbours
+    const double independent = std::max(1.0, rows.rows / 2.0);  // rows of a texture are correlated with their
+                                                                // neighbours
 
     struct Trial {
         double place = 0, logarithm = 0;

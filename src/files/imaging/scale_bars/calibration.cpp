@@ -21,7 +21,7 @@ constexpr const char* ways_out =
     "give `pixel`, such as \"0.05 nm\", or the length of the scale bar in `scale_bar`, such as \"5 "
     "nm\"";
 
-/// A pixel size that is known, in words for messages.
+/// A known pixel size, as text for messages.
 struct KnownSize {
     PixelSize size;
     double relative_standard_error = 0;
@@ -55,7 +55,7 @@ KnownSize size_by(const ScaleBar& bar, double length, const char* how) {
             fmt::format("the scale bar of {:.1f} px, {} {},", bar.length, how, in_words(length))};
 }
 
-/// Whether two sizes differ by more than the bar's error explains; bars lie along x.
+/// Whether two sizes differ by more than the error of the bar; bars are along x.
 bool contradict(const KnownSize& first, const KnownSize& second) {
     const double allowed =
         std::max(agreement_of_sizes, 3 * std::hypot(first.relative_standard_error, second.relative_standard_error));
@@ -64,14 +64,14 @@ bool contradict(const KnownSize& first, const KnownSize& second) {
     return x || (y && !first.of_bar && !second.of_bar);
 }
 
-/// Another bar as good that would give another size, in words; empty without one.
+/// Another equally good bar with another size, as text; empty without one.
 std::string ambiguity(const std::vector<FoundBar>& found, const std::optional<double>& given) {
     if (found.empty()) return {};
     const auto& best = found.front().bar;
     for (std::size_t k = 1; k < found.size(); ++k) {
         const auto& other = found[k].bar;
         if (other.confidence < best.confidence - equally_good) continue;
-        double ratio = other.length / best.length;  // of the pixels' sizes, where both mean one length
+        double ratio = other.length / best.length;  // of the pixel sizes, if both are one length
         if (!given && best.labelled_length && other.labelled_length)
             ratio /= *other.labelled_length / *best.labelled_length;
         const double error =
@@ -130,7 +130,7 @@ private:
         alerts_.push_back({code, micrograph_.name, message, action});
     }
 
-    /// Sizes in the order in which they count.
+    /// Sizes in order of priority.
     void collect() {
         if (options_.pixel_size) known_.push_back({*options_.pixel_size, 0, false, "given", "the given value"});
         std::vector<KnownSize> stated;
@@ -148,7 +148,7 @@ private:
         for (std::size_t i = 0; i < known_.size(); ++i)
             for (std::size_t k = i + 1; k < known_.size(); ++k) {
                 const auto &first = known_[i], &second = known_[k];
-                // two lengths of one bar differ exactly or not at all
+                // two lengths of one bar differ exactly or are equal
                 const bool same_bar = first.of_bar && second.of_bar;
                 if (same_bar ? std::abs(first.size.x / second.size.x - 1) <= 1e-6 : !contradict(first, second))
                     continue;

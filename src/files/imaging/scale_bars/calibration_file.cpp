@@ -23,7 +23,7 @@ using Json = nlohmann::ordered_json;
 constexpr const char* version_key = "setae_calibration";
 constexpr int version = 1;
 
-/// An object of a JSON file that knows which keys were requested; errors name file and key.
+/// An object of a JSON file that records the keys that were read; errors contain file and key.
 class ObjectReader {
 public:
     ObjectReader(const Json& object, std::string path, std::string where)
@@ -141,7 +141,7 @@ void write_calibration(const std::string& path, const KeptCalibration& kept) {
     for (const auto& alert : calibration.alerts)
         json["alerts"].push_back(
             {{"code", alert.code}, {"subject", alert.subject}, {"message", alert.message}, {"action", alert.action}});
-    // names of files need not be UTF-8
+    // file names may not be UTF-8
     bytes::write_whole_file(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 

@@ -12,17 +12,17 @@
 namespace setae::imaging {
 namespace {
 
-constexpr double shortest_share = 0.03;  // of the picture's width
+constexpr double shortest_share = 0.03;  // of the width of the picture
 constexpr double min_quality = 0.5;
 constexpr int shortest = 12;      // px
-constexpr double rounding = 0.3;  // px: standard error of a length that a program rounded to whole pixels
+constexpr double rounding = 0.3;  // px: standard error of a length that was rounded to whole pixels
 
 double length_overlap(const BarCandidate& first, const BarCandidate& second) {
     const int common = std::min(first.right, second.right) - std::max(first.left, second.left) + 1;
     return static_cast<double>(common) / std::min(first.length(), second.length());
 }
 
-/// Least (or greatest) level of each stretch of `size` pixels that lies within the picture, by doubling stretches.
+/// Smallest (or largest) level of each range of `size` pixels inside the picture, by doubling ranges.
 cv::Mat1b extreme_of_stretches(cv::Mat1b picture, const cv::Size& size, bool least) {
     const auto combined = [least](const cv::Mat1b& from, int right, int down) {
         const int width = from.cols - right, height = from.rows - down;
@@ -41,7 +41,7 @@ cv::Mat1b extreme_of_stretches(cv::Mat1b picture, const cv::Size& size, bool lea
     return picture;
 }
 
-/// Opening by a line: what is as bright over its length. Darkness where no line fits within the picture.
+/// Opening by a line: structures that are as bright over its length. Dark where no line fits inside the picture.
 cv::Mat1b opened(const cv::Mat1b& picture, const cv::Size& line) {
     if (picture.cols < line.width || picture.rows < line.height) return cv::Mat1b(picture.size(), 0);
     cv::Mat1b padded;
@@ -50,7 +50,7 @@ cv::Mat1b opened(const cv::Mat1b& picture, const cv::Size& line) {
     return extreme_of_stretches(std::move(padded), line, false);
 }
 
-/// Boxes around what is above a threshold and joined along columns: runs of rows that overlap those of the row before.
+/// Boxes around pixels above a threshold, joined along columns: runs of rows that overlap those of the previous row.
 std::vector<cv::Rect> boxes_above(const cv::Mat1b& picture, int threshold) {
     struct Run {
         int left = 0, right = 0;  // right: one beyond
@@ -108,7 +108,7 @@ struct Search {
     double byte = 0;  // a step of 8 bits, as scaled_levels
 };
 
-/// Candidates of one polarity: what a long opening along rows keeps and one across them removes.
+/// Candidates of one polarity: structures kept by a long opening along rows and removed by one across them.
 void collect(const cv::Mat1b& bytes, const cv::Mat1f& levels, const Search& search, std::vector<BarCandidate>& found) {
     const int min_length = search.min_length;
     const auto rows = opened(bytes, {min_length, 1});
@@ -143,7 +143,7 @@ bool repeats(const BarCandidate& bar, const std::vector<BarCandidate>& all) {
     return count >= 2;
 }
 
-/// Where both ends have the same tick, the length runs between their middles.
+/// If both ends have the same tick, the length is between their middles.
 void settle_ticks(DrawnBar& bar) {
     const auto &left = bar.left_tick, &right = bar.right_tick;
     const double asymmetry = left && right ? (left->middle - bar.begin_x) - (bar.end_x - right->middle) : 0;
@@ -187,7 +187,7 @@ DrawnBar measured(const cv::Mat1f& levels, const BarCandidate& bar) {
     return drawn;
 }
 
-/// Two halves with the label between them, as FEI's data bars have: one bar.
+/// Two halves with the label between them, as in data bars of FEI: one bar.
 std::vector<DrawnBar> joined(const cv::Mat1f& levels, std::vector<DrawnBar> bars) {
     for (std::size_t i = 0; i < bars.size(); ++i)
         for (std::size_t k = 0; k < bars.size(); ++k) {
@@ -258,7 +258,7 @@ cv::Mat1f scaled_levels(const FramePixels& pixels) {
 std::vector<DrawnBar> drawn_bars(const cv::Mat1f& levels) {
     const int min_length = std::max(shortest, static_cast<int>(std::ceil(shortest_share * levels.cols)));
     if (levels.rows < 8 || levels.cols < min_length + 6) return {};
-    // bars may be darker or brighter than all of the picture, single pixels far more so
+    // bars may be darker or brighter than the whole picture, single pixels even more
     double low = 0, high = 0;
     cv::minMaxLoc(levels, &low, &high);
     low = std::max(low, -1.0);
@@ -276,7 +276,7 @@ std::vector<DrawnBar> drawn_bars(const cv::Mat1f& levels) {
     std::vector<BarCandidate> chosen;
     for (const auto& bar : found)
         if (bar.drawn && bar.thickness() >= thinnest && !repeats(bar, found)) chosen.push_back(bar);
-    // the inside of an outlined bar means its outline, too, which looks like two thin bars
+    // the inside of an outlined bar represents its outline, too, which looks like two thin bars
     std::stable_sort(chosen.begin(), chosen.end(), [](const BarCandidate& a, const BarCandidate& b) {
         if ((a.outline > 0) != (b.outline > 0)) return a.outline > 0;
         return a.length() * a.thickness() > b.length() * b.thickness();

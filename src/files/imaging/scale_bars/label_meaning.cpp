@@ -69,7 +69,7 @@ LabelMeaning meaning_of_label(std::string_view reading) {
             fmt::format("label read as '{}', which is rare for a scale bar; it may be misread", meaning.text);
         return meaning;
     }
-    meaning.length = number / std::pow(10.0, -unit->exponent);  // a power of ten that is exact
+    meaning.length = number / std::pow(10.0, -unit->exponent);  // an exact power of ten
     return meaning;
 }
 

@@ -14,7 +14,7 @@
 namespace setae::imaging {
 namespace {
 
-/// As long as it lives, OpenMP's regions (Tesseract's inner loops) run in the thread that calls.
+/// While it exists, OpenMP regions (Tesseract's inner loops) run in the calling thread.
 struct OneThread {
     int before = omp_get_max_active_levels();
     OneThread() { omp_set_max_active_levels(0); }
@@ -23,7 +23,7 @@ struct OneThread {
     OneThread& operator=(const OneThread&) = delete;
 };
 
-/// What is called of Tesseract's library, which stays loaded once it is.
+/// Functions of Tesseract's library, which stays loaded.
 struct Tesseract {
     std::string fault;  ///< why it cannot be called
     void* library = platform::loaded_library("libtesseract.so.5");

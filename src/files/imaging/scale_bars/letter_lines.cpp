@@ -17,10 +17,10 @@ constexpr double small_letter = 0.45;  // of the highest: lower parts are points
 struct Part {
     cv::Rect box;
     int label = 0, area = 0;
-    std::vector<int> pieces;  // labels of strokes above or below that belong to it
+    std::vector<int> pieces;  // labels of strokes above or below that belong to the letter
 };
 
-/// A stroke above or below a letter that is broken off, or the ring of Å: what is left out would make a 2 of a 5.
+/// A detached stroke above or below a letter, or the ring of Å: without it a 5 would become a 2.
 bool broken_off(const cv::Rect& stroke, const cv::Rect& letter) {
     const int common = std::min(stroke.br().x, letter.br().x) - std::max(stroke.x, letter.x);
     const int gap = std::max(stroke.y, letter.y) - std::min(stroke.br().y, letter.br().y);
@@ -50,7 +50,7 @@ int holes(const cv::Mat1b& letter) {
     return cv::connectedComponents(ground, labels, 4, CV_32S) - 2;
 }
 
-/// Runs of ink along the row a little below the middle: 3 of m, 2 of n and u.
+/// Runs of ink along the row slightly below the middle: 3 of m, 2 of n and u.
 int stems(const cv::Mat1b& letter) {
     const int row = std::min(static_cast<int>(0.6 * letter.rows), letter.rows - 1);
     int count = 0;
@@ -88,7 +88,7 @@ std::vector<LetterLine> letter_lines(const cv::Mat1b& mask, const std::vector<cv
     }
     std::sort(letters.begin(), letters.end(),
               [](const Part& a, const Part& b) { return std::pair(a.box.x, a.label) < std::pair(b.box.x, b.label); });
-    // lines: letters joined by what stands next to them
+    // lines: letters joined with adjacent ones
     std::vector<std::size_t> line_of(letters.size());
     std::iota(line_of.begin(), line_of.end(), 0U);
     for (std::size_t i = 0; i < letters.size(); ++i)

@@ -10,7 +10,7 @@
 namespace setae::imaging {
 namespace {
 
-constexpr std::size_t max_bars = 4;  // that are reported
+constexpr std::size_t max_bars = 4;  // maximum number of reported bars
 constexpr int margin = 3;            // px around bar and label: blur, and shadows of letters
 
 PictureRegion region_of(const cv::Rect& box, const cv::Mat1f& levels) {

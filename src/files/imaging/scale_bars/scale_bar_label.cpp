@@ -17,15 +17,15 @@
 namespace setae::imaging {
 namespace {
 
-constexpr std::array<int, 2> magnified{36, 46};  // px of a line's height: what Tesseract reads well
-constexpr std::size_t max_lines = 2;             // looked at in each mask
+constexpr std::array<int, 2> magnified{36, 46};  // px of the height of a line suitable for Tesseract
+constexpr std::size_t max_lines = 2;             // lines read in each mask
 
 struct Ink {
     double level = 0, tolerance = 0;
     double bridge = 0;  // tolerance within broken strokes
 };
 
-/// A reading of a line that looks like the label of a bar, or nearly.
+/// A reading of a line that is probably the label of a bar.
 struct Reading {
     LabelMeaning meaning;
     cv::Rect box;
@@ -51,8 +51,8 @@ cv::Mat1b enlarged(const LetterLine& line, int height) {
     return framed;
 }
 
-/// Unit that the shapes of the last two letters spell, where the reader took them for that or for what looks like it:
-/// Tesseract has no µ and confuses m with n.
+/// Unit by the shapes of the last two letters, if the reading agrees or is similar: Tesseract has no µ and confuses m
+/// with n.
 std::string with_unit_by_shape(const std::string& text, const LetterLine& line, char shape) {
     if (shape == 0 || text.size() < 3) return text;
     const std::string_view last = "mn";
@@ -70,8 +70,8 @@ std::string with_unit_by_shape(const std::string& text, const LetterLine& line, 
     return text.substr(0, text.size() - (micro ? 3 : 2)) + shape + 'm';
 }
 
-/// Whether there is a letter for each digit that was read, all higher than an m: a digit with a piece broken off is
-/// another one.
+/// Whether there is a letter for each digit of the reading, all higher than an m: a broken digit looks like another
+/// one.
 bool digits_whole(const LetterLine& line, long digits, const std::string& unit) {
     const std::size_t of_unit = unit == "A" ? 1 : 2;
     if (static_cast<long>(line.letters.size() - of_unit) != digits) return false;
@@ -80,7 +80,7 @@ bool digits_whole(const LetterLine& line, long digits, const std::string& unit) 
                        [least](const cv::Rect& letter) { return letter.height >= least; });
 }
 
-/// What the reader says, where the letters have the shapes for it.
+/// The meaning of a reading, if the letters have the corresponding shapes.
 LabelMeaning checked(const LetterLine& line, const std::string& reading) {
     const char shape = prefix_by_shape(line);
     const auto text = with_unit_by_shape(reading, line, shape);
@@ -119,8 +119,8 @@ cv::Mat1b mask_near(const cv::Mat1f& patch, double level, double tolerance) {
     return mask;
 }
 
-/// Pixels of the ink's level. Thin upright strokes that are blurred break: where they are nearly of that level, gaps of
-/// up to four rows are closed.
+/// Pixels with the level of the ink. Thin vertical strokes break by blurring: gaps of up to four rows are closed if
+/// their level is similar.
 cv::Mat1b mask_of(const cv::Mat1f& patch, const Ink& ink) {
     const auto strict = mask_near(patch, ink.level, ink.tolerance);
     if (ink.tolerance >= ink.bridge) return strict;
@@ -132,7 +132,7 @@ cv::Mat1b mask_of(const cv::Mat1f& patch, const Ink& ink) {
     return closed;
 }
 
-/// What the readings of the nearest line that holds a length agree on; empty if none holds one.
+/// The common result of the readings of the nearest line with a length; empty if there is none.
 std::optional<BarLabel> agreed(const std::vector<Reading>& readings) {
     const Reading* best = nullptr;
     for (const auto& reading : readings)
@@ -168,7 +168,7 @@ BarLabel read_label(const cv::Mat1f& levels, const DrawnBar& bar, LabelRecognise
         own = {{own[0].x, own[0].y, near.x - own[0].x, own[0].height},
                {near.br().x, own[0].y, own[0].br().x - near.br().x, own[0].height}};
     }
-    // letters in the level of the bar: exactly, and with edges that are blurred; in that of the outline
+    // letters in the level of the bar, exactly and with blurred edges; in that of the outline
     const double ground = median_level(levels(patch));
     std::vector<Ink> inks;
     for (const double share : {0.06, 0.12, 0.2, 0.3, 0.4, 0.5})

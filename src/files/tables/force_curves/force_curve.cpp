@@ -111,7 +111,7 @@ Table table_of(const ForceCurveData& data, const ForceCurveOptions& constants) {
     return table;
 }
 
-/// The table with what the file and the options say of it.
+/// The table with the metadata of the file and the options.
 Table described_table(const ForceCurveData& data, const ForceCurveOptions& options, const std::string& name,
                       const char* format) {
     auto constants = data.constants;

@@ -26,8 +26,7 @@ Array1D in_si(const RawTable::RawColumn& column, const Dimension& expected, cons
     return column.values * unit->factor;
 }
 
-/// A stretch without the rows in which both are undefined: the shorter one of two branches is filled up with empty
-/// cells.
+/// A segment without the rows in which both are undefined: the shorter branch is padded with empty cells.
 ForceSegment segment_of(const char* name, const Array1D& height, const Array1D& reading, const bytes::Source& source) {
     Index rows = height.size();
     while (rows > 0 && std::isnan(height[rows - 1]) && std::isnan(reading[rows - 1])) --rows;
@@ -50,7 +49,7 @@ std::optional<std::string> entry(const RawTable& table, std::string_view key) {
     return std::nullopt;
 }
 
-/// A calibration of the header, which is 1 where nobody entered any.
+/// A calibration in the header, which is 1 if it was not entered.
 std::optional<double> calibration(const RawTable& table, std::string_view key) {
     const auto text = entry(table, key);
     double value = 0.0;
@@ -74,7 +73,7 @@ Dimension dimension_of(Reading reading) {
     return reading == Reading::force ? dimension::force : reading == Reading::deflection ? dimension::length : volts();
 }
 
-/// The three columns of Nova's text, or nothing.
+/// The three columns of Nova's text, or empty.
 std::optional<RawTable> nova_table(const bytes::Source& source) {
     if (!bytes::looks_like_text(source.head(bytes::detection_bytes)) ||
         numeric_columns(source.head(bytes::detection_bytes)) != 3)
@@ -88,7 +87,7 @@ std::optional<RawTable> nova_table(const bytes::Source& source) {
     return table;
 }
 
-/// First row after the constant readings an export begins with.
+/// First row after the constant readings at the beginning of an export.
 Index after_padding(const Array1D& reading) {
     Index i = 1;
     while (i < reading.size() && reading[i] == reading[0]) ++i;

@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::uint64_t header_bytes = 384, wave_begins = 64, label_bytes = 32;
 
-/// What the headers say of where things stand.
+/// Layout by the headers.
 struct Wave {
     std::endian order = std::endian::little;
     std::uint64_t rows = 0, columns = 0, number_bytes = 0;
@@ -33,7 +33,7 @@ std::int32_t integer(const std::string& head, std::size_t at, std::endian order)
     return bytes::load<std::int32_t>(head.data() + at, order);
 }
 
-/// A size of the header, which must lie within the file.
+/// A size in the header, which must be inside the file.
 std::uint64_t size_at(const std::string& head, std::size_t at, std::endian order, const bytes::Source& source) {
     const auto value = integer(head, at, order);
     if (value < 0 || static_cast<std::uint64_t>(value) > source.size)
@@ -43,7 +43,7 @@ std::uint64_t size_at(const std::string& head, std::size_t at, std::endian order
     return static_cast<std::uint64_t>(value);
 }
 
-/// Byte order where the first bytes are a version 5 header whose checksum is right.
+/// Byte order if the first bytes are a version 5 header with a correct checksum.
 std::optional<std::endian> order_of(const std::string& head) {
     if (head.size() < header_bytes) return std::nullopt;
     for (const auto order : {std::endian::little, std::endian::big}) {
@@ -87,7 +87,7 @@ Wave wave_of(const std::string& head, std::endian order, const bytes::Source& so
     return wave;
 }
 
-/// Labels of the columns: a name of the dimension, then one of each.
+/// Labels of the columns: the name of the dimension, then one per column.
 std::vector<std::string> labels(const Wave& wave, const bytes::Source& source) {
     if (wave.labels_bytes < (wave.columns + 1) * label_bytes) return {};
     const auto bytes = source.bytes(wave.labels_at, wave.labels_bytes);
@@ -136,7 +136,7 @@ Array1D channel(const Wave& wave, std::size_t index, const bytes::Source& source
     return values;
 }
 
-/// Where segments begin, and one past the last: the note's "Indexes", else the turn of the height.
+/// Begins of the segments, and one past the last: "Indexes" in the note, otherwise the turn of the height.
 std::vector<Index> bounds(const std::map<std::string, std::string>& note, const Array1D& height) {
     std::vector<Index> result{0};
     if (const auto entry = note.find("Indexes"); entry != note.end()) {
@@ -184,7 +184,7 @@ ForceCurveData read_igor_force(const bytes::Source& source) {
     const auto note = note_of(wave, source);
     ForceCurveData data;
     data.constants = {positive(note, "SpringConstant"), positive(note, "InvOLS")};
-    // the wave holds metres that the sensitivity of the note made from volts
+    // the wave contains metres computed from volts with the sensitivity in the note
     data.reading = data.constants.sensitivity ? Reading::volts : Reading::deflection;
     const auto z = channel(wave, *height, source);
     const Array1D reading = channel(wave, *deflection, source) / data.constants.sensitivity.value_or(1.0);

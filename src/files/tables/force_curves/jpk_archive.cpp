@@ -36,7 +36,7 @@ Properties parse_properties(const std::string& text) {
     return properties;
 }
 
-/// Takes "NAME/NUMBER/" off the front of a path.
+/// Removes "NAME/NUMBER/" from the beginning of a path.
 std::optional<long> numbered_folder(std::string_view& path, std::string_view name) {
     if (!path.starts_with(name)) return std::nullopt;
     const auto rest = path.substr(name.size());
@@ -47,7 +47,7 @@ std::optional<long> numbered_folder(std::string_view& path, std::string_view nam
     return number;
 }
 
-/// Folders that hold a header of a segment, by curve.
+/// Folders with a header of a segment, by curve.
 std::map<long, std::vector<std::string>> segment_folders(const bytes::Archive& archive) {
     constexpr std::string_view header = "segment-header.properties";
     std::map<long, std::map<long, std::string>> found;
@@ -84,7 +84,7 @@ JpkKind JpkArchive::kind() const {
         map{"spm-force-scan-map-file", "spm-quantitative-image-data-file", "force-scan-map",
             "quantitative-imaging-map"};
     if (curves_.empty()) return JpkKind::other;
-    // files that other programs made anew say their type alone
+    // files rewritten by other programs contain only their type
     for (const char* key : {"jpk-data-file", "type"}) {
         const auto kind = property(header_, key);
         if (kind && curve.contains(*kind)) return JpkKind::curve;

@@ -13,13 +13,13 @@
 #include "setae/core/number_text.hpp"
 #include "setae/tables/force_curve_formats.hpp"
 
-// header.properties says what the file is; a curve is a folder "segments" with a folder for each of its segments, a
-// map a folder "index" with such a curve in each of its numbered folders. What all segments say alike may stand once,
-// in shared-data/header.properties.
+// header.properties states the kind of the file; a curve is a folder "segments" with a folder for each of its segments,
+// a map a folder "index" with such a curve in each of its numbered folders. Common properties of all segments may be in
+// shared-data/header.properties.
 namespace setae::tables {
 namespace {
 
-/// The first word of the keys of a file, "force-scan" or "quantitative-imaging", by the type its header names.
+/// The first word of the keys of a file, "force-scan" or "quantitative-imaging", by the type in its header.
 std::string family(const Properties& header) {
     const auto type = property(header, "type").value_or("");
     return type.starts_with("quantitative-imaging") ? "quantitative-imaging" : "force-scan";
@@ -31,7 +31,7 @@ std::optional<double> finite(const Properties& properties, const std::string& ke
     return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
-/// What a header of a file or a curve says of who measured with what.
+/// Adds user and instrument in the header of a file or a curve.
 void add_description(const Properties& header, const std::string& series, ForceCurveData& data) {
     for (const char* wanted : {"instrument", "probe", "comment", "source-software"})
         if (const auto value = property(header, fmt::format("{}.description.{}", series, wanted));

@@ -34,7 +34,7 @@ struct Encoder {
     std::vector<double> (*read)(const std::string&) = nullptr;
 };
 
-/// Nothing for an encoder setae does not know.
+/// Empty for an unknown encoder.
 std::optional<Encoder> encoder(std::string type) {
     if (type.ends_with("-limited")) type.resize(type.size() - 8);
     if (type == "signedshort") return Encoder{2, numbers<std::int16_t>};
@@ -48,7 +48,7 @@ std::optional<Encoder> encoder(std::string type) {
     return std::nullopt;
 }
 
-/// What a header says under KEY, or by reference under NAME.N.KEY of the shared header, N at "HERE.NAME.*".
+/// Value of KEY in a header, or by reference of NAME.N.KEY in the shared header, N at "HERE.NAME.*".
 std::optional<std::string> referred(const Properties& own, const Properties& shared, const std::string& here,
                                     const char* name, const std::string& key) {
     const auto number = property(own, fmt::format("{}.{}.*", here, name));
@@ -102,12 +102,12 @@ JpkSegment::Scaling JpkSegment::scaling(const std::string& channel, const std::s
     return {value("multiplier"), value("offset")};
 }
 
-/// Whether a channel can be had in a slot, such as "force".
+/// Whether a channel is available in a slot, such as "force".
 bool JpkSegment::defines(const std::string& channel, const std::string& slot) const {
     return of_channel(channel, fmt::format("conversion-set.conversion.{}.defined", slot)).value_or("false") == "true";
 }
 
-/// The conversions from the file's numbers up to a slot, one after the other.
+/// The conversions from the numbers of the file to a slot, in sequence.
 JpkSegment::Scaling JpkSegment::chain(const std::string& channel, const std::string& slot) const {
     Scaling total;
     std::vector<std::string> seen;
@@ -125,7 +125,7 @@ JpkSegment::Scaling JpkSegment::chain(const std::string& channel, const std::str
     return total;
 }
 
-/// A channel's numbers before any conversion of its set: volts of the converter, or what floats hold.
+/// Numbers of a channel before conversions of its set: volts of the converter, or the stored floats.
 Array1D JpkSegment::base_values(const std::string& channel) const {
     const auto type = of_channel(channel, "encoder.type").value_or(of_channel(channel, "type").value_or(""));
     const auto coder = encoder(type);
@@ -149,7 +149,7 @@ Array1D JpkSegment::in_slot(const std::string& channel, const std::string& slot)
     return base_values(channel) * step.multiplier + step.offset;
 }
 
-/// The height a sensor measured, else what was asked of the piezo, in the slot that is best calibrated.
+/// The height measured by a sensor, otherwise the set value of the piezo, in the best calibrated slot.
 JpkSegment::HeightChannel JpkSegment::found_height() const {
     const auto list = property(own_, "channels.list").value_or("");
     std::vector<std::string_view> there;

@@ -17,7 +17,7 @@
 #include "setae/tables/force_curve_formats.hpp"
 #include "setae/tables/header.hpp"
 
-// Force curves that JPK's data processing exports as text: for each segment lines "# key: value", among them "segment",
+// Force curves exported by JPK data processing as text: for each segment lines "# key: value", among them "segment",
 // "columns" and "units", then rows of numbers in SI between blanks. Several curves follow one another with another
 // "index".
 namespace setae::tables {
@@ -25,13 +25,13 @@ namespace {
 
 using JpkEntries = std::map<std::string, std::string>;
 
-/// Where the rows of a segment stand, and what is said of it.
+/// Place of the rows of a segment, and its metadata.
 struct TextSegment {
     JpkEntries entries;
     std::size_t first_line = 0, lines = 0;  ///< of the text
 };
 
-/// A text with its lines; both live as long as any of its curves.
+/// A text with its lines; both exist as long as any of its curves.
 struct JpkText {
     std::string name, text;
     std::vector<std::string_view> lines;
@@ -49,7 +49,7 @@ std::vector<std::string> words_of_line(std::string_view line) {
     return {cells.begin(), cells.end()};
 }
 
-/// The number of a segment's curve: its index, which is −1 where the file holds one.
+/// The number of the curve of a segment: its index, which is −1 if the file contains one curve.
 long number_of(const TextSegment& segment) {
     return std::max(0L, spelled<long>(entry_of(segment.entries, "index")).value_or(0));
 }
@@ -114,7 +114,7 @@ TextColumn required_column(const JpkText& text, const TextSegment& segment, cons
                        what, entry_of(segment.entries, "columns"), entry_of(segment.entries, "units")));
 }
 
-/// Columns of a segment's rows in SI, in the order asked for.
+/// Columns of the rows of a segment in SI, in the requested order.
 std::vector<Array1D> columns_of(const JpkText& text, const TextSegment& segment,
                                 const std::vector<TextColumn>& wanted) {
     std::vector<std::vector<double>> values(wanted.size());

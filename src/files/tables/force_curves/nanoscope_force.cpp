@@ -20,20 +20,20 @@
 #include "setae/tables/nanoscope_header.hpp"
 
 // Force curves of Nanoscope: for each channel a section "Ciao force image list" and a block of little-endian integers,
-// curve after curve, of each the approach and then the retraction, both from the deepest point of the base outwards.
-// The height is the channel of the sensor, else the ramp in equal steps; volts are integers times "V/LSB".
+// curve after curve, each with the approach and then the retraction, both from the deepest point of the base outwards.
+// The height is the channel of the sensor, otherwise the ramp in equal steps; volts are integers times "V/LSB".
 namespace setae::tables {
 namespace {
 
 constexpr std::string_view force_images = "ciao force image list";
-constexpr double largest_long_step = 1e-6;  ///< [V]; of 32-bit integers: a larger one is that of their upper 16 bits
+constexpr double largest_long_step = 1e-6;  ///< [V]; for 32-bit integers: a larger step is that of their upper 16 bits
 
-/// A channel's integers and what they mean.
+/// Integers of a channel and their scale.
 struct ForceBlock {
     std::string name;
     std::uint64_t offset = 0, bytes = 2;
     std::uint64_t extend = 0, retract = 0, curves = 0;
-    double step = 0.0;  ///< [V] of an integer
+    double step = 0.0;  ///< [V] per integer
     std::string sensitivity;
 
     [[nodiscard]] std::uint64_t curve_bytes() const { return bytes * (extend + retract); }
@@ -49,7 +49,7 @@ struct NanoscopeForce {
     std::map<std::string, std::string> metadata;
 };
 
-/// `S [DeflectionError] "Deflection Error"`: the name shown, else the internal one.
+/// `S [DeflectionError] "Deflection Error"`: the displayed name, otherwise the internal one.
 std::string data_name(const std::string& data) {
     const auto quote = data.find('"'), end = data.rfind('"');
     if (quote != std::string::npos && end > quote + 1) return data.substr(quote + 1, end - quote - 1);
@@ -120,7 +120,7 @@ bool names_height_sensor(const std::string& name) {
            lower.find("z sensor") != std::string::npos;
 }
 
-/// What the base travels [m]: volts of the ramp times the sensitivity of the piezo.
+/// Travel of the base [m]: volts of the ramp times the sensitivity of the piezo.
 std::optional<double> ramp_of(const NanoscopeSection& image, const std::vector<NanoscopeSection>& sections) {
     const std::string* text = find(image, "ramp size");
     for (const char* key : {"ramp size", "ramp size zsweep"})
@@ -206,7 +206,7 @@ NanoscopeForce force_of(const bytes::Source& source) {
     return force;
 }
 
-/// The integers of a stretch of a curve in volts; the lowest integer of all marks what was not measured.
+/// The integers of a part of a curve in volts; the smallest integer marks missing values.
 Array1D volts_of(const ForceBlock& block, std::uint64_t curve, bool extend, const bytes::Source& source) {
     const auto count = extend ? block.extend : block.retract;
     const auto begin = block.offset + curve * block.curve_bytes() + (extend ? 0 : block.bytes * block.extend);
@@ -223,7 +223,7 @@ Array1D volts_of(const ForceBlock& block, std::uint64_t curve, bool extend, cons
     return values;
 }
 
-/// Samples before those at the far end that were not measured.
+/// Number of samples before the missing ones at the far end.
 Index measured(const Array1D& reading, const Array1D& height) {
     Index count = reading.size();
     while (count > 0 && (std::isnan(reading[count - 1]) || std::isnan(height[count - 1]))) --count;

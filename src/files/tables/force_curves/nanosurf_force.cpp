@@ -27,7 +27,7 @@
 namespace setae::tables {
 namespace {
 
-/// A stretch of each curve: the frame its channels name, what it is called here, the parameter with its duration.
+/// A segment of each curve: the frame in the names of its channels, its name in setae, the parameter with its duration.
 struct Phase {
     const char* frame;
     const char* name;
@@ -38,7 +38,7 @@ constexpr std::array<Phase, 4> nanosurf_phases{{{"Spec forward", "extend", "FwMo
                                                 {"Spec backward", "retract", "BwModTime"},
                                                 {"Spec bwd pause", "pause", "BwPauseTime"}}};
 
-/// A channel of all curves: a line each.
+/// A channel of all curves: one line per curve.
 struct CurveChannel {
     TextSection section;
     NanosurfIntegers integers;
@@ -49,7 +49,7 @@ struct CurveChannel {
 struct NanosurfPhase {
     std::string name;
     CurveChannel height, deflection;
-    double duration = 0.0;  ///< [s]; 0 if the file does not tell
+    double duration = 0.0;  ///< [s]; 0 if unknown
 };
 
 struct NanosurfCurves {
@@ -66,7 +66,7 @@ const TextSection& section_named(const TextSections& sections, std::string_view 
     return found == sections.end() ? empty : found->second;
 }
 
-/// The number of "D[48]*[N/m]" in SI where its unit has the dimension wanted.
+/// The number of "D[48]*[N/m]" in SI if its unit has the wanted dimension.
 std::optional<double> number_in_brackets(const std::string& text, const Dimension& wanted) {
     const auto middle = text.find("]*[");
     const auto begin = text.find('[');
@@ -85,7 +85,7 @@ std::optional<double> spring_constant_of(const TextSections& sections) {
     return std::nullopt;
 }
 
-/// [m/V] of the detector: an input "5,TipSignalDC,Deflection,m,2.8e-07,0" says what 10 V mean.
+/// [m/V] of the detector: an input "5,TipSignalDC,Deflection,m,2.8e-07,0" is the value of 10 V.
 std::optional<double> sensitivity_of(const TextSections& sections) {
     for (const auto& [key, value] : section_named(sections, "DataSet\\Calibration\\Scanhead")) {
         std::vector<std::string_view> cells;
@@ -97,7 +97,7 @@ std::optional<double> sensitivity_of(const TextSections& sections) {
     return std::nullopt;
 }
 
-/// Where the curves were taken: "x;y;…" in metres of each; NaN if the file does not say.
+/// Positions of the curves: "x;y;…" in metres for each; NaN if unknown.
 std::vector<std::array<double, 2>> places_of(const TextSections& sections, std::uint64_t lines) {
     std::vector<std::array<double, 2>> places(lines, {undefined, undefined});
     const std::string root = "DataSet\\SpecInfos";
@@ -116,7 +116,7 @@ std::vector<std::array<double, 2>> places_of(const TextSections& sections, std::
     return places;
 }
 
-/// What a channel's Dim2Unit makes its values; nothing for another dimension.
+/// Quantity of the values of a channel by its Dim2Unit; empty for another dimension.
 std::optional<Reading> reading_of(const Unit& unit) {
     if (unit.dimension == dimension::length) return Reading::deflection;
     if (unit.dimension == dimension::force) return Reading::force;
@@ -124,7 +124,7 @@ std::optional<Reading> reading_of(const Unit& unit) {
     return std::nullopt;
 }
 
-/// All channels of spectroscopy by frame and name, each where its bytes begin.
+/// All channels of spectroscopy by frame and name, each with the offset of its bytes.
 std::map<std::pair<std::string, std::string>, CurveChannel> curve_channels(const TextSections& sections,
                                                                            std::uint64_t at,
                                                                            const bytes::Source& source) {
@@ -148,7 +148,7 @@ std::map<std::pair<std::string, std::string>, CurveChannel> curve_channels(const
     return channels;
 }
 
-/// The phases that have height and deflection. @throws FormatError if they do not match.
+/// The phases with height and deflection. @throws FormatError if they do not match.
 NanosurfCurves curves_of(const bytes::Source& source) {
     const auto head = nanosurf_head(source);
     NanosurfCurves curves{.sections = nanosurf_sections(head)};
@@ -190,7 +190,7 @@ double stored_integer(const char* from, const NanosurfIntegers& stored) {
     return stored.is_signed ? bytes::load<std::int32_t>(from, order) : bytes::load<std::uint32_t>(from, order);
 }
 
-/// The values of a curve, as many as were measured of it.
+/// The measured values of a curve.
 Array1D line_of(const CurveChannel& channel, std::uint64_t line, const bytes::Source& source) {
     const auto& stored = channel.integers;
     const auto measured = spelled<std::uint64_t>(text_entry(channel.section, fmt::format("LineDim{}Points", line)));
@@ -204,7 +204,7 @@ Array1D line_of(const CurveChannel& channel, std::uint64_t line, const bytes::So
     return values;
 }
 
-/// −1 where heights fall on the way into the sample.
+/// −1 if heights decrease on approach.
 double travel_sign_of(const std::vector<ForceSegment>& segments) {
     for (const auto& segment : segments) {
         if (segment.name == "pause") continue;

@@ -32,7 +32,7 @@ void require_forwards(const Array1D& time, const std::string& subject) {
     }
 }
 
-/// Index of the time nearest to t; the earlier of two as near.
+/// Index of the time nearest to t; the earlier of two equally near.
 Index nearest(const Array1D& time, double t) {
     const auto after = std::lower_bound(time.begin(), time.end(), t) - time.begin();
     if (after == 0) return 0;
@@ -48,7 +48,7 @@ double half_step(const Array1D& time, Index sample, double t) {
     return 0.5 * std::abs(time[other] - time[sample]);
 }
 
-/// Where the last defined value of a series stands, from 0; −1 if there is none.
+/// Index of the last defined value of a series, from 0; −1 if there is none.
 Index last_defined(const Array1D& values) {
     Index last = values.size() - 1;
     while (last >= 0 && std::isnan(values[last])) --last;

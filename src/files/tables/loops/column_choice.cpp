@@ -33,7 +33,7 @@ std::vector<std::string> all_labels(const ColumnGuess& guess) {
     return names;
 }
 
-/// Columns that a header's text or a position names; a unit picks among columns of one name.
+/// Columns chosen by the text of a header or a position; a unit selects among columns with one name.
 std::vector<std::size_t> columns_named(const ColumnGuess& guess, const HeaderCell& wanted) {
     const auto position = spelled<std::size_t>(wanted.name).value_or(0);
     if (position >= 1 && position <= guess.columns.size()) return {position - 1};
@@ -49,7 +49,7 @@ std::vector<std::size_t> columns_named(const ColumnGuess& guess, const HeaderCel
     return same_unit.empty() || wanted.unit.empty() ? same_name : same_unit;
 }
 
-/// The column that a user names for a role, with the unit that replaces the header's.
+/// The column chosen by the user for a role, with the unit that replaces that of the header.
 RoleCandidate column_chosen(const ColumnGuess& guess, const std::string& role, const std::string& text) {
     const auto wanted = parse_header_cell(text);
     const auto found = columns_named(guess, wanted);
@@ -102,7 +102,7 @@ void require_numbers(const ColumnGuess& guess, const std::string& role, std::siz
     if (shown.note == ColumnGuess::undefined_note) refuse(guess, role, column, "has no numbers");
 }
 
-/// What is wrong with a unit of another dimension: "is in g, a unit of mass; …".
+/// The problem of a unit of another dimension: "is in g, a unit of mass; …".
 std::string misfit(const ColumnGuess& guess, const std::string& role, std::size_t column, const std::string& unit) {
     if (role == "force" && !weight_unit(unit).empty())
         return fmt::format(
@@ -113,7 +113,7 @@ std::string misfit(const ColumnGuess& guess, const std::string& role, std::size_
                        usual_unit(role));
 }
 
-/// @throws FormatError for a unit that is none of the role's; one that is missing is another's to find.
+/// @throws FormatError for a unit that does not fit the role; a missing unit is reported elsewhere.
 void require_unit(const ColumnGuess& guess, const std::string& role, const RoleCandidate& candidate) {
     const auto text = candidate.unit.value_or(guess.columns[candidate.column].unit);
     if (text.empty()) return;
@@ -128,7 +128,7 @@ void require_unit(const ColumnGuess& guess, const std::string& role, const RoleC
     refuse(guess, role, candidate.column, misfit(guess, role, candidate.column, text));
 }
 
-/// By header where that names one column, else by position.
+/// By header if that is unique, otherwise by position.
 MappedColumn mapped(const ColumnGuess& guess, const std::string& name, const RoleCandidate& candidate) {
     const auto& header = guess.columns[candidate.column].name;
     const auto same = std::count_if(guess.columns.begin(), guess.columns.end(),
@@ -139,7 +139,7 @@ MappedColumn mapped(const ColumnGuess& guess, const std::string& name, const Rol
     return result;
 }
 
-/// The column that an expression names.
+/// The column of a name in an expression.
 std::size_t column_in_expression(const ColumnGuess& guess, const std::string& role, const std::string& name) {
     std::vector<std::size_t> found;
     std::vector<std::string> names;
@@ -237,7 +237,7 @@ void add_checked(const ColumnGuess& guess, const std::string& role, const RoleCa
                     fmt::join(names, " and "), columns.size() == 1 ? "has" : "have", column_option(stated)));
 }
 
-/// A column named for a role whose unit is of another dimension; empty if there is none.
+/// A column with the name of a role whose unit has another dimension; empty if there is none.
 std::string misfit_among(const ColumnGuess& guess, const std::string& role) {
     for (const auto& vocabulary : loop_vocabularies())
         for (std::size_t k = 0; k < guess.columns.size() && vocabulary.role == role; ++k) {
@@ -249,7 +249,7 @@ std::string misfit_among(const ColumnGuess& guess, const std::string& role) {
     return "";
 }
 
-/// The position of a column that may be meant for a role: the first in a unit of the role that no other role has.
+/// The position of a column that may be that of a role: the first with a unit of the role and of no other role.
 std::string likely_position(const ColumnGuess& guess, const std::string& role) {
     for (std::size_t k = 0; k < guess.columns.size(); ++k)
         if (is_unit_of(guess.columns[k].unit, dimension_of_role(role))) return fmt::format("{}", k + 1);
@@ -268,7 +268,7 @@ std::string likely_position(const ColumnGuess& guess, const std::string& role) {
                                   : wrong));
 }
 
-/// A column of the role, its best candidate where none is chosen; empty if it has none.
+/// A column of the role, its best candidate if none is chosen; empty if it has none.
 std::optional<RoleCandidate> likeliest(const ColumnGuess& guess, const RoleGuess& role, const ChosenColumns& chosen) {
     if (chosen.contains(role.role)) return decided(guess, role, chosen);
     return role.candidates.empty() ? std::nullopt : std::optional(role.candidates.front());

@@ -22,7 +22,7 @@ std::string with_unit(const std::string& reason, const std::string& unit) {
     return unit.empty() ? reason + "; the column has no unit" : fmt::format("{}, {} its unit", reason, unit);
 }
 
-/// Words may be known of two roles ("contact radius" also as a radius): the best one counts.
+/// Words may belong to two roles ("contact radius" is also a radius): the best one is used.
 RoleGuess candidates_of(const RawTable& table, const Vocabulary& role) {
     RoleGuess guess{role.role, {}};
     for (std::size_t k = 0; k < table.columns.size(); ++k) {
@@ -37,7 +37,7 @@ RoleGuess candidates_of(const RawTable& table, const Vocabulary& role) {
     return guess;
 }
 
-/// A gap becomes smaller on approach: it is a displacement with the other sign, where no column is one itself.
+/// A gap decreases on approach: it is a displacement with opposite sign, if no other column is a displacement.
 void add_from_gap(const RawTable& table, RoleGuess& displacement) {
     if (!displacement.candidates.empty()) return;
     for (std::size_t k = 0; k < table.columns.size(); ++k) {
@@ -53,7 +53,7 @@ void add_from_gap(const RawTable& table, RoleGuess& displacement) {
     }
 }
 
-/// The only column with a unit of the role, where words say nothing.
+/// The only column with a unit of the role, if words do not decide.
 void add_by_unit(const RawTable& table, const Vocabulary& role, RoleGuess& guess) {
     if (!guess.candidates.empty() || role.dimension == dimension::length) return;
     std::vector<std::size_t> found;
@@ -84,7 +84,7 @@ void add_from_area(const RawTable& table, RoleGuess& radius) {
     }
 }
 
-/// A column serves one role: where two want it, the surer keeps it.
+/// A column has one role: of two candidates the more probable one keeps it.
 void settle(std::vector<RoleGuess>& roles) {
     for (auto& role : roles)
         std::erase_if(role.candidates, [&](const RoleCandidate& candidate) {

@@ -18,8 +18,8 @@ namespace {
 
 [[noreturn]] void refuse(const mu::ParserError& error) { throw InvalidArgument(error.GetMsg()); }
 
-/// @throws InvalidArgument for what muParser takes and an expression over columns is not: a value given to a column, a
-/// list of expressions of which the last one counts, and text after a zero byte.
+/// @throws InvalidArgument for text accepted by muParser that is no expression over columns: an assignment to a column,
+/// a list of expressions of which the last one counts, and text after a zero byte.
 void require_one_value(const std::string& text) {
     if (text.find('\0') != std::string::npos) throw InvalidArgument("the expression contains a zero byte");
     constexpr std::string_view before_equals = "=<>!";
@@ -79,7 +79,7 @@ std::vector<Dimension> dimensions_of(const ExpressionInputs& inputs) {
     return dimensions;
 }
 
-/// Value at generic arguments, with base unit `base` made 2^−`power` times as large; larger first or last.
+/// Value at generic arguments, with base unit `base` 2^−`power` times as large; larger first or last.
 double probe(Expression& expression, const std::vector<Dimension>& dimensions, std::size_t base, int power,
              bool descending) {
     const auto n = dimensions.size();
@@ -90,7 +90,7 @@ double probe(Expression& expression, const std::vector<Dimension>& dimensions, s
     return expression();
 }
 
-/// Whether the expression scales as the dimension says.
+/// Whether the expression scales with the dimension.
 bool has_dimension(Expression& expression, const std::vector<Dimension>& dimensions, const Dimension& expected) {
     for (std::size_t base = 0; base < expected.exponents.size(); ++base)
         for (const bool descending : {false, true}) {
@@ -103,7 +103,7 @@ bool has_dimension(Expression& expression, const std::vector<Dimension>& dimensi
     return true;
 }
 
-/// Whether the expression scales so at the values that are set, which may lead into a branch of its own.
+/// Whether the expression scales with the dimension at the current values, which may be in a separate branch.
 bool has_dimension_here(Expression& expression, const std::vector<Dimension>& dimensions, const Dimension& expected) {
     std::vector<double> kept;
     for (std::size_t i = 0; i < dimensions.size(); ++i) kept.push_back(expression.value(i));
@@ -115,7 +115,7 @@ bool has_dimension_here(Expression& expression, const std::vector<Dimension>& di
         for (std::size_t i = 0; i < kept.size(); ++i)
             expression.set(i, std::ldexp(kept[i], dimensions[i].exponents[base]));
         const double after = expression(), scaled = std::ldexp(before, expected.exponents[base]);
-        // rounding of differences between much larger values is no other dimension
+        // rounding of differences between much larger values is not another dimension
         constexpr double rounding = 1e-6;
         scales = scales && (!std::isfinite(after) || std::abs(after - scaled) <= rounding * std::abs(scaled));
     }

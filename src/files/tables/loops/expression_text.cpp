@@ -19,7 +19,7 @@ namespace {
 bool in_name(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 bool in_number(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
-/// A unit without blank and '*' after a number, and the bytes it takes with the blank before it.
+/// A unit without blank and '*' after a number, and its length including the blank before it.
 struct FoundUnit {
     Unit unit;
     std::size_t length = 0;
@@ -34,7 +34,7 @@ FoundUnit unit_behind(std::string_view text) {
                (text[at] == '-' && at > 0 && text[at - 1] == '^');
     };
     while (end < text.size() && in_unit(end)) ++end;
-    // "N/piezo" is a force over a column: without what follows its last '/'
+    // "N/piezo" is a force over a column: the part after the last '/' is removed
     while (end > begin) {
         const auto unit = text.substr(begin, end - begin);
         if (!in_number(unit.front()))
@@ -49,7 +49,7 @@ FoundUnit unit_behind(std::string_view text) {
 
 namespace {
 
-/// A name's length and the unit in brackets after it.
+/// Length of a name and the unit in brackets after it.
 struct FoundName {
     std::string name;
     std::optional<std::string> unit;
@@ -77,7 +77,7 @@ void add_name(const FoundName& found, ExpressionText& result) {
                                           known->second, *found.unit));
 }
 
-/// Letters without accents, so that names may be typed as the header has them; Å is a unit.
+/// Letters without accents, so names may be typed as in the header; Å is a unit.
 std::string with_plain_names(const std::string& text) {
     std::string plain;
     std::string_view rest = text;

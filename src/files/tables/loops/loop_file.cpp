@@ -72,7 +72,7 @@ void require_entry(const std::string& key, const std::string& value) {
     if (known && known->expected) (void)quantity(*known, value);
 }
 
-/// What is not known of a file while it is read line by line.
+/// State while a file is read line by line.
 struct Reader {
     std::string path;
     std::vector<std::string_view> lines;
@@ -84,7 +84,7 @@ struct Reader {
 void read_entry(Reader& reader, Table& table) {
     const auto text = trimmed(reader.lines[reader.line].substr(1));
     const auto colon = text.find(':');
-    if (colon == std::string_view::npos) return;  // a remark
+    if (colon == std::string_view::npos) return;  // a comment
     const std::string key(trimmed(text.substr(0, colon))), value(trimmed(text.substr(colon + 1)));
     if (!is_key(key)) return;
     if (!table.metadata.emplace(key, value).second) reader.fail(fmt::format("key '{}' is given twice; keep one", key));
@@ -148,7 +148,7 @@ void require_loop(const Table& table) {
     }
 }
 
-/// Checks that each header cell will be read as the name and unit it is made from.
+/// Checks that each header cell is read with its name and unit.
 void require_columns(const Table& table) {
     std::set<std::string> names;
     for (const auto& column : table.columns) {

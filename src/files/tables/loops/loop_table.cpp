@@ -37,7 +37,7 @@ bool is_loop_column(const std::string& name) {
                        [&](const LoopColumn& known) { return known.name == name; });
 }
 
-/// Positions of the file's columns that a mapping names.
+/// Positions of the columns of the file in a mapping.
 std::set<std::size_t> columns_in(const Mapping& mapping, const ColumnGuess& guess) {
     std::set<std::size_t> positions;
     for (const auto& column : mapping.columns)
@@ -48,12 +48,12 @@ std::set<std::size_t> columns_in(const Mapping& mapping, const ColumnGuess& gues
     return positions;
 }
 
-/// Columns that words tell to be force, displacement, contact radius or time, where no column has that name itself. A
-/// role that two columns may play is left open.
+/// Columns recognised by words as force, displacement, contact radius or time, if no column has that name. A role with
+/// two candidates remains open.
 void take_guessed(LoopTable& loop, const ColumnGuess& guess, LoopColumns wanted,
                   const std::set<std::size_t>& of_chosen) {
     for (const auto& role : guess.roles) {
-        if (wanted == LoopColumns::force_record && role.role == "contact_radius") continue;  // the camera's
+        if (wanted == LoopColumns::force_record && role.role == "contact_radius") continue;  // that of the camera
         if (loop.table.find(role.role) || role.candidates.size() != 1) continue;
         const RoleCandidate& candidate = role.candidates.front();
         const auto& column = guess.columns[candidate.column];
@@ -73,7 +73,7 @@ void take_guessed(LoopTable& loop, const ColumnGuess& guess, LoopColumns wanted,
     }
 }
 
-/// A table's columns as a file would spell them, in SI.
+/// Columns of a table in the form of a file, in SI.
 RawTable raw_table_of(const Table& table) {
     RawTable raw;
     for (const auto& column : table.columns) raw.columns.push_back({column.name, column.unit, column.values, {}});
@@ -133,7 +133,7 @@ LoopTable read_loop_table(const std::string& path, LoopColumns wanted, const Cho
     try {
         require_loop_columns(loop.table, path, wanted);
     } catch (const FormatError&) {
-        (void)mapping_from(guess, chosen, wanted);  // says what is wrong with which column, and what to type
+        (void)mapping_from(guess, chosen, wanted);  // reports the column, its problem and the option
         throw;
     }
     return loop;

@@ -17,7 +17,7 @@ using Words = std::set<std::string, std::less<>>;
 
 constexpr double sure = 0.95, phrase = 0.85, symbol = 0.7;
 
-/// Words of a name in lower case without accents: letters and digits between anything else.
+/// Words of a name in lower case without accents: letters and digits separated by other characters.
 std::vector<std::string> words_of(std::string_view name) {
     std::vector<std::string> words(1);
     for (const char c : folded(name)) {
@@ -29,7 +29,7 @@ std::vector<std::string> words_of(std::string_view name) {
     return words;
 }
 
-/// What a column of a force, a length or a time may be next to the loop's own.
+/// Other quantities with a unit of force, length or time next to those of a loop.
 const Words& other_quantities() {
     static const Words words{"std", "stdev", "sd", "sem", "sigma", "error", "err", "uncertainty", "noise", "setpoint",
                              "target", "rate", "speed", "velocity", "slope", "max", "min", "temperature", "temp",
@@ -46,7 +46,7 @@ const Words& other_quantities() {
     return words;
 }
 
-/// Bodies whose radius is none of the contact's.
+/// Bodies whose radius is not that of the contact.
 const Words& other_bodies() {
     static const Words words{"sphere", "lens",   "tip",      "probe", "bead",   "curvature", "kugel",
                              "linse",  "spitze", "lentille", "bille", "pointe", "esfera",    "lente",
@@ -64,7 +64,7 @@ bool holds_any(const std::vector<std::string>& words, const Words& known) {
            std::any_of(words.begin(), words.end(), [&](const auto& word) { return known.contains(word); });
 }
 
-/// The name as a whole, or a word in it, among those of `role`.
+/// The whole name, or a word in it, among those of `role`.
 NamedRole by_words(const std::string& name, const std::vector<std::string>& words, const char* role,
                    const std::vector<std::string>& names, const std::vector<std::string>& known) {
     const auto plain = fmt::format("{}", fmt::join(words, " "));
@@ -128,7 +128,7 @@ NamedRole named_gap(const std::string& name) {
     static const std::vector<std::string> gaps{"gap",      "separation", "clearance",   "spalt",     "abstand", "ecart",
                                                "entrefer", "separacion", "separazione", "separacao", "spleet"};
     const auto words = words_of(name);
-    // a French écart is a gap alone, and a deviation beside other words
+    // the French écart is a gap if alone, and a deviation with other words
     if (holds_any(words, other_quantities())) return {};
     return by_words(name, words, "the gap between the bodies", {}, gaps);
 }

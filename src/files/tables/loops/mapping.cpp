@@ -35,7 +35,7 @@ TableOptions parse_file(bytes::TomlReader reader) {
     return options;
 }
 
-/// A unit that `key` names.
+/// A unit in `key`.
 Unit unit_of(const bytes::TomlReader& reader, const char* key, const std::string& unit) {
     try {
         return parse_unit(unit);
@@ -139,7 +139,7 @@ Mapping read_mapping(const std::string& path) {
         for (const auto& name : results.keys()) mapping.results.push_back(parse_result(results, name));
     });
     reader.finish();
-    // only now: a misspelt [constants] is the mistake, not the expressions that miss its names
+    // only now: a misspelt [constants] is the error, not the expressions with its names
     reader.table("table", [&](const bytes::TomlReader& results) {
         for (const auto& result : mapping.results) {
             try {

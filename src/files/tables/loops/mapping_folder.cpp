@@ -40,7 +40,7 @@ std::vector<std::string> mapping_names(const std::string& folder) {
 }
 
 std::string mapping_path(const std::string& name, const std::string& folder) {
-    // a link that leads nowhere, or a name that is too long, is for whoever opens it to refuse
+    // a broken link, or a name that is too long, is refused on opening
     std::error_code failure;
     if (fs::symlink_status(name, failure).type() != fs::file_type::not_found) return name;
     const auto names = mapping_names(folder);

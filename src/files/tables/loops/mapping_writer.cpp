@@ -46,7 +46,7 @@ std::string constants_section(const std::vector<MappedConstant>& constants) {
         if (!std::isfinite(constant.value))
             throw InvalidArgument(
                 fmt::format("constant '{}' is {}, expected a finite number", constant.name, constant.value));
-        const bool spring = constant.dimension == dimension::stiffness;  // J/m2 would say the same
+        const bool spring = constant.dimension == dimension::stiffness;  // J/m2 would be equivalent
         text += fmt::format("{} = \"{} {}\"\n", constant.name, constant.value,
                             spring ? "N/m" : si_unit(constant.dimension));
     }

@@ -25,7 +25,7 @@ std::string rich_text(const pugi::xml_node& node) {
     return text;
 }
 
-/// Path of a relation's target within the archive.
+/// Path of the target of a relation in the archive.
 std::string member_of(const std::string& target) { return target.starts_with('/') ? target.substr(1) : "xl/" + target; }
 
 std::map<std::string, std::string> relations(const bytes::Archive& archive, const bytes::Source& source) {
@@ -63,7 +63,8 @@ std::vector<std::string> shared_strings(const bytes::Archive& archive, const byt
     return strings;
 }
 
-/// Whether a number format shows dates or times: it names years, days, hours or seconds outside quotes and brackets.
+/// Whether a number format is one of dates or times: it contains years, days, hours or seconds outside quotes and
+/// brackets.
 bool is_date_format(std::string_view code) {
     bool quoted = false, bracketed = false;
     for (std::size_t i = 0; i < code.size(); ++i) {
@@ -78,7 +79,7 @@ bool is_date_format(std::string_view code) {
     return false;
 }
 
-/// Per style of cells whether its number format shows dates or times. Source: ECMA-376 part 1, 18.8.30.
+/// For each style of cells, whether its number format is one of dates or times. Source: ECMA-376 part 1, 18.8.30.
 std::vector<bool> date_styles(const bytes::Archive& archive, const bytes::Source& source) {
     std::vector<bool> dates;
     const std::string member = "xl/styles.xml";
@@ -109,7 +110,7 @@ bool parse_reference(std::string_view text, std::size_t& row, std::size_t& colum
     return true;
 }
 
-/// What the cells of a workbook refer to.
+/// Shared data referenced by the cells of a workbook.
 struct Shared {
     explicit Shared(const bytes::Source& from) : source(from), archive(from) {
         const auto book = parsed_member(archive, "xl/workbook.xml", source);

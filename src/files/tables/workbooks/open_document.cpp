@@ -54,7 +54,7 @@ std::string text_of_cell(const pugi::xml_node& cell) {
     return text;
 }
 
-/// The cells of a row, each where it stands; empty ones at the end may be repeated to the edge of the sheet.
+/// The cells of a row with their column; empty ones at the end may be repeated to the edge of the sheet.
 std::vector<std::pair<std::size_t, std::string>> cells_of(const pugi::xml_node& row) {
     std::vector<std::pair<std::size_t, std::string>> cells;
     std::size_t column = 0;
@@ -69,7 +69,7 @@ std::vector<std::pair<std::size_t, std::string>> cells_of(const pugi::xml_node& 
     return cells;
 }
 
-/// Whether the style of a table says that the table is not displayed.
+/// Whether a table is hidden by its style.
 bool is_hidden(const pugi::xml_document& document, std::string_view style) {
     for (const auto& node : local_child(document.document_element(), "automatic-styles").children())
         if (attribute(node, "name") == style)
@@ -77,7 +77,7 @@ bool is_hidden(const pugi::xml_document& document, std::string_view style) {
     return false;
 }
 
-/// A spreadsheet's document, parsed once.
+/// The document of a spreadsheet, parsed once.
 struct OpenDocument {
     explicit OpenDocument(const bytes::Source& from) : source(from) {
         const bytes::Archive archive(from);
@@ -100,7 +100,7 @@ struct OpenDocument {
     std::vector<Sheet> sheets;
 };
 
-/// Puts the rows below a node, which may be groups of rows, and returns the row after them.
+/// Adds the rows below a node, which may be groups of rows, and returns the row after them.
 std::size_t add_rows(const pugi::xml_node& parent, std::size_t row, SheetRows& rows, std::size_t& bytes,
                      const Sheet& sheet, const bytes::Source& source) {
     for (const auto& node : parent.children()) {

@@ -20,14 +20,14 @@
 namespace setae::tables {
 namespace {
 
-/// A number of a cell; cells hold points whatever the language of the program that wrote them.
+/// A number of a cell; cells have decimal points in every locale of the program.
 bool is_number(const std::string& cell) {
     double value = undefined;
     return bytes::parse_cell(cell, '.', value) && !std::isnan(value);
 }
 
-/// Cells of text that spell numbers with a decimal comma become such with a point, column by column: where one of the
-/// column's cells decides that its comma does not group thousands.
+/// Converts cells of text with numbers and decimal commas to points, column by column, if one of the cells of the
+/// column shows that its comma is no thousands separator.
 void read_decimal_commas(SheetRows& rows) {
     const Dialect comma{.separator = '\t', .decimal_point = ',', .grouped = true};
     struct Found {
@@ -51,7 +51,7 @@ void read_decimal_commas(SheetRows& rows) {
         }
 }
 
-/// Refuses a sheet of formulas whose results were never stored: programs other than a spreadsheet write such.
+/// Refuses a sheet of formulas without stored results, as written by programs other than spreadsheets.
 void require_results(const SheetRows& rows, const Sheet& sheet, const bytes::Source& source) {
     std::size_t numbers = 0, formulas = 0;
     std::string first;
@@ -76,14 +76,14 @@ SheetRows rows_of_sheet(const Workbook& book, const Sheet& sheet, const bytes::S
     return rows;
 }
 
-/// Where the table of a sheet stands.
+/// Place of the table of a sheet.
 struct Place {
     std::vector<std::size_t> columns;  ///< with numbers, or with words among them
     std::vector<bool> text;
     std::size_t first_row = 0;
 };
 
-/// Cells of a column that hold anything.
+/// Nonempty cells of a column.
 struct Tally {
     std::size_t cells = 0, numbers = 0;
 };
@@ -109,7 +109,7 @@ std::optional<Place> find_table(const SheetRows& rows) {
         place.first_row = row;
         if (2 * filled > numeric.size()) break;
     }
-    // every column from the first to the last that the row of names or the numbers fill
+    // every column from the first to the last one filled by the row of names or the numbers
     for (const auto& [column, tally] : tallies) {
         const bool number = std::find(numeric.begin(), numeric.end(), column) != numeric.end();
         std::size_t words = 0, numbers = 0;
@@ -120,14 +120,14 @@ std::optional<Place> find_table(const SheetRows& rows) {
                                 ? rows.end()
                                 : std::prev(rows.lower_bound(place.first_row));
         const bool named = header != rows.end() && header->second.contains(column);
-        if (!number && !named) continue;  // remarks next to the table
+        if (!number && !named) continue;  // comments next to the table
         place.columns.push_back(column);
         place.text.push_back(!number && words > numbers);
     }
     return place;
 }
 
-/// Cells above the table as lines of tab-separated text, as a text file would have them.
+/// Cells above the table as lines of tab-separated text, in the form of a text file.
 std::vector<std::string> lines_above(const SheetRows& rows, const Place& place, const std::string& sheet) {
     std::vector<std::string> lines{fmt::format("sheet: {}", sheet)};
     for (const auto& [row, cells] : rows) {
@@ -196,12 +196,12 @@ std::string without_table(const SheetRows& rows, const Sheet& sheet) {
 
 namespace {
 
-/// What an error says after the file's name.
+/// Message of an error after the name of the file.
 std::string without_file(const std::string& what, const bytes::Source& source) {
     return what.starts_with(source.name + ": ") ? what.substr(source.name.size() + 2) : what;
 }
 
-/// A sheet's table, or why there is none.
+/// The table of a sheet, or why there is none.
 struct SheetTable {
     std::string sheet;
     std::optional<RawTable> table;
@@ -228,7 +228,7 @@ bool is_loop(const RawTable& table) {
     return has("force") && (has("displacement") || has("contact_radius"));
 }
 
-/// Whether the first column of a table counts its rows, as pandas writes its index without a name above it.
+/// Whether the first column of a table counts its rows, as the index of pandas without a name.
 bool counts_rows(const SheetRows& rows, const Place& place, std::size_t column) {
     double expected = undefined;
     for (auto row = rows.lower_bound(place.first_row); row != rows.end(); ++row) {
@@ -242,8 +242,8 @@ bool counts_rows(const SheetRows& rows, const Place& place, std::size_t column) 
     return true;
 }
 
-/// The rows of a table's numeric columns between tabs; above them what the sheet says there, whole rows but for the two
-/// that may be names and units.
+/// The rows of the numeric columns of a table with tabs; above them the cells of the sheet there, whole rows except for
+/// the two with possible names and units.
 std::string text_of(const SheetRows& rows, const Place& place) {
     std::vector<std::size_t> numeric;
     for (std::size_t k = 0; k < place.columns.size(); ++k)

@@ -45,7 +45,7 @@ WorkbookKind workbook_kind(const bytes::Source& source) {
 
 namespace {
 
-/// Sheets in their order, those that are not shown after the others.
+/// Sheets in their order, hidden ones after the others.
 void hidden_last(std::vector<Sheet>& sheets) {
     std::stable_partition(sheets.begin(), sheets.end(), [](const Sheet& sheet) { return !sheet.hidden; });
 }

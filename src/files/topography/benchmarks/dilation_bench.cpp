@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: GPL-3.0-or-later Dilation next to the bare vectorised maximum over every point of the tip,
-// both in one run.
+// SPDX-License-Identifier: GPL-3.0-or-later Dilation compared with the plain vectorised maximum over every point of the
+// tip, both in one run.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -40,14 +40,14 @@ HeightMap rough_map(Index nx, Index ny, double pixel, double rms, double rolloff
     return map;
 }
 
-// 1024² of an AFM map, 1 nm pixels, under a ball of 20 nm: 41² pixels
+// 1024² of an AFM map, 1 nm pixels, with a sphere of 20 nm: 41² pixels
 const HeightMap& map() {
     static const HeightMap made = rough_map(1024, 1024, 1e-9, 10e-9, 300e-9);
     return made;
 }
 const Tip ball = SphereTip{20e-9};
 
-// a stylus strip of 40000 × 400 pixels of 12.5 nm; a 5 µm ball reaches 160 pixels over 0.41 µm
+// a stylus strip of 40000 × 400 pixels of 12.5 nm; a sphere of 5 µm reaches 160 pixels over 0.41 µm
 const HeightMap& strip() {
     static const HeightMap made = rough_map(40000, 400, 12.5e-9, 60e-9, 2e-6);
     return made;
@@ -55,7 +55,7 @@ const HeightMap& strip() {
 const Tip stylus = SphereTip{5e-6};
 constexpr double strip_range = 0.4042e-6;
 
-/// max over all points of the tip's table, a row of results at a time: the yardstick.
+/// max over all points of the table of the tip, one row of results at a time: the reference time.
 void bare_maximum(const ArrayView2D& heights, const TipImage& tip, Array2D& result) {
     const Index ny = heights.cols();
     for (Index i = tip.centre_x; i + tip.centre_x < heights.rows(); ++i) {
@@ -99,7 +99,7 @@ struct Line {
 
 Line scan_points() { return {Array1D::LinSpaced(5000, 0.0, 499.9e-6), Array1D::Constant(5000, 200 * 12.5e-9)}; }
 
-/// 5000 windows of a disc of 160 pixels radius, a horizontal maximum each.
+/// 5000 windows of a disc of 160 pixels radius, one horizontal maximum each.
 void bare_maximum_5000_points(benchmark::State& state) {
     const auto& heights = strip().heights;
     const auto tip = tip_image(stylus, 12.5e-9, 12.5e-9, 160 * 12.5e-9);
@@ -134,7 +134,7 @@ void dilated_at_5000_points(benchmark::State& state) {
 }
 BENCHMARK(dilated_at_5000_points)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
 
-/// The same with the set-up done: a strip read on several lines.
+/// 5000 readings after set-up: a strip read on several lines.
 void readings_5000_points(benchmark::State& state) {
     const auto line = scan_points();
     const Dilator dilator(strip(), stylus, {.threads = {1}, .height_range = strip_range});

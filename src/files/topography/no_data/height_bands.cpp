@@ -7,8 +7,8 @@
 namespace setae::topography {
 namespace {
 
-constexpr Index lines_of_band = 512;             ///< in memory: pieces of a row that fill a page
-constexpr std::size_t bytes_of_band = 64 << 20;  ///< of a map that is read for it
+constexpr Index lines_of_band = 512;             ///< in memory: parts of a row that fill a page
+constexpr std::size_t bytes_of_band = 64 << 20;  ///< for a map that is read for this purpose
 
 HeightBands by_lines(Index nx, Index ny, Index together,
                      std::function<void(const std::function<void(std::size_t, const HeightBand&)>&)> for_each) {

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 
-/// A number between 0 and 1 that looks like chance. Source: Steele, Lea, Flood, OOPSLA 2014, splitmix64.
+/// A pseudorandom number between 0 and 1. Source: Steele, Lea, Flood, OOPSLA 2014, splitmix64.
 double scattered(std::uint64_t number) {
     number = (number + 1) * 0x9e3779b97f4a7c15u;
     number = (number ^ (number >> 30)) * 0xbf58476d1ce4e5b9u;
@@ -45,7 +45,7 @@ struct Range {
     double least = unbounded, greatest = -unbounded;
 };
 
-/// The range widened by heights; NaN is skipped. In lanes, so it vectorises.
+/// The range widened by heights; NaN is skipped. In lanes, for vectorisation.
 void widen(Range& range, const double* heights, Index n) {
     constexpr Index lanes = 8;
     std::array<double, lanes> least, greatest;

@@ -15,15 +15,15 @@
 namespace setae::topography {
 namespace {
 
-constexpr std::size_t min_levels = 8;                                       ///< different values of what are heights
+constexpr std::size_t min_levels = 8;                                       ///< different values of real heights
 constexpr double isolated_at = 8.0;                                         ///< spreads from the median
 constexpr double far_at = 20.0, single_far_at = 100.0, absurd_at = 1000.0;  ///< largest distances of the others
-constexpr double gap_share = 0.25;  ///< of the distance from the median that no height of others is in
+constexpr double gap_share = 0.25;  ///< of the distance from the median, without other heights
 constexpr double jump_steps = 8.0, beside_steps = 5.0;
 constexpr double irregular_at = 0.5;  ///< scatter of lengths over their mean
 constexpr double largest_share = 0.5;
 
-/// A value in a sample, and how often it is there.
+/// A value in a sample, and its frequency.
 struct SampleLevel {
     double value;
     std::size_t count;
@@ -39,7 +39,7 @@ std::vector<SampleLevel> levels_of(std::vector<double> sorted) {
     return levels;
 }
 
-/// Values that the sample holds far more often than others.
+/// Values that are much more frequent in the sample than others.
 std::vector<double> dominant_values(const std::vector<SampleLevel>& levels) {
     constexpr std::size_t max_marks = 4, fewest = 8, times = 10, min_among_unequal = 5;
     if (levels.size() < min_levels + max_marks) return {};
@@ -54,7 +54,7 @@ std::vector<double> dominant_values(const std::vector<SampleLevel>& levels) {
     return values;
 }
 
-/// How the heights lie that have none of some values.
+/// Distribution of the heights without some values.
 struct Others {
     double median = 0.0, spread = 0.0;
     double step = 0.0;  ///< usual one between neighbours along scan lines
@@ -87,7 +87,7 @@ std::optional<Others> others_in(const HeightSample& sample, const std::vector<do
     return others;
 }
 
-/// Whether lengths along scan lines are as chance makes them, and enough of them to tell; or few single points.
+/// Whether lengths along scan lines are random, with enough of them to decide; or few single points.
 bool irregular(const ValueFacts& facts, double share) {
     constexpr Index min_runs = 6;
     constexpr double single_points = 2.0, share_of_single_points = 0.05;
@@ -99,7 +99,7 @@ bool irregular(const ValueFacts& facts, double share) {
     return scatter(facts.runs) || scatter(facts.gaps);
 }
 
-/// What is known of a value when it is judged.
+/// Data on a value for the decision.
 struct Evidence {
     double value, distance, reach, share;
     bool isolated, dominant, usual_mark;
@@ -122,12 +122,12 @@ bool is_no_height(const Evidence& e) {
 bool is_suspect(const Evidence& e) {
     if (e.isolated && e.facts.count >= 3) return true;
     if (e.distance >= (e.facts.count > 1 || e.usual_mark ? far_at : single_far_at) * e.reach) return true;
-    // a plateau is reached by heights near its own
+    // a plateau has heights near its own next to it
     const double beside = std::hypot(e.facts.beside.mean() - e.value, e.facts.beside.standard_deviation());
     return e.dominant && e.within && (e.facts.steps == 0 || beside >= 0.5 * e.others.spread);
 }
 
-/// The extremes of what is left that lie so far out that they are looked at.
+/// The extremes of the remaining heights that are far enough out to be tested.
 std::vector<double> far_extremes(double least, double greatest, const Others& others) {
     std::vector<double> found;
     for (const double end : {least, greatest})
@@ -157,7 +157,7 @@ NoDataReport search(const HeightBands& bands, const NoDataHints& hints) {
         if (!without) return report;
         others = without;
         all = facts_of(bands, values, others->median, jump_steps * others->step);
-        // a tail of single heights is no mark
+        // a tail of single heights is no marker
         const bool single = std::all_of(further.begin(), further.end(), [&](double v) {
             const auto at = static_cast<std::size_t>(std::find(values.begin(), values.end(), v) - values.begin());
             return all.values[at].count < 2;

@@ -9,12 +9,12 @@
 namespace setae::topography {
 namespace {
 
-/// A height as its file has it: "-9999 µm".
+/// A height as in its file: "-9999 µm".
 std::string told(double height, const std::string& unit) {
     return fmt::format("{:.7g} {}", height / unit_factor(unit, dimension::length), unit);
 }
 
-/// The same with as many digits as it takes to be this number again.
+/// A height with as many digits as needed to restore the number.
 std::string exactly_told(double height, const std::string& unit) {
     const double factor = unit_factor(unit, dimension::length), number = height / factor;
     for (int digits = 7; digits < 17; ++digits) {

@@ -14,7 +14,7 @@ constexpr double single_precision = 1e-7;
 
 bool is_near(double number, double wanted) { return std::abs(number - wanted) <= single_precision * wanted; }
 
-/// Nothing but nines to seven digits.
+/// Only nines, to seven digits.
 bool is_nines(double number) {
     constexpr std::size_t fewest = 3;
     const auto text = fmt::format("{:.6e}", number);

@@ -10,10 +10,10 @@ namespace {
 
 constexpr double no_bound = std::numeric_limits<double>::infinity();
 
-/// Where a scan line is within a run of a value or between two runs.
+/// Position of a scan line within a run of a value or between two runs.
 struct LineState {
     bool inside = false;
-    Index begin = 0;  ///< of the run or of what lies between runs
+    Index begin = 0;  ///< of the run or of the gap between runs
 };
 
 class BandFacts {
@@ -37,7 +37,7 @@ private:
         return std::find(values_.begin(), values_.end(), height) != values_.end();
     }
 
-    /// Counts, and the range of what has none of the values.
+    /// Counts, and the range of heights without any of the values.
     void take_others(const HeightBand& band, Index nx) {
         for (Index x = 0; x < nx; ++x)
             for (Index j = 0; j < band.lines; ++j) {
