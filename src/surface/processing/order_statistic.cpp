@@ -12,7 +12,7 @@ namespace setae::processing {
 
 Sample::Sample(const ComputedRows& values) {
     constexpr Index size = 8192, few = 8 * size,
-                    scattering = 2'654'435'761;  // equal steps may meet the same columns of a map
+                    scattering = 2'654'435'761;  // equal steps could coincide with columns of a map
     const Index n = values.rows * values.columns;
     if (n < few) return;
     for (Index k = 0; k < size; ++k) {
@@ -80,7 +80,7 @@ std::optional<double> QuantileSearch::at(Index rank) {
         return *place;
     }
     rank -= std::ssize(between_);
-    // bounds that agree count the same numbers
+    // equal bounds count the same numbers
     if (bounds_.low < bounds_.high && rank < at_high_) return bounds_.high;
     return {};
 }

@@ -26,11 +26,11 @@ using topography::Profile;
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-/// Where the points of a measurement lie: rows along x, columns along y; a line is one column.
+/// Positions of the points of a measurement: rows along x, columns along y; a line is one column.
 struct Places {
     Index rows, columns;
     std::array<double, 2> step;  ///< pixel size
-    const double* positions;     ///< of polylines, else null
+    const double* positions;     ///< of polylines, otherwise null
     const double* heights;
     bool line;
     std::string label;
@@ -67,7 +67,7 @@ struct Limits {
     [[nodiscard]] bool hold(double value) const { return value >= lower && value <= upper; }
 };
 
-/// `slack` widens a range of positions, so that a point on its end is not lost to rounding.
+/// `slack` widens a range of positions, so a point on its end is not lost by rounding.
 Limits limits_of(const Range& range, const char* what, double slack) {
     const Limits limits{range.from.value_or(-unlimited), range.to.value_or(unlimited)};
     if (!(limits.lower <= limits.upper))
@@ -78,7 +78,7 @@ Limits limits_of(const Range& range, const char* what, double slack) {
 
 constexpr double rounding_of_positions = 1e-9;  // of a pixel
 
-/// Chooses the points of one outline.
+/// Selects the points of one outline.
 struct Chooser {
     const Places& places;
     Mask& mask;
@@ -120,7 +120,7 @@ struct Chooser {
         });
     }
 
-    /// Row by row between the crossings of its x with the polygon's sides.
+    /// Row by row between the crossings of its x with the sides of the polygon.
     void operator()(const Polygon& polygon) const {
         require_map("a polygon");
         const auto corners = polygon.corners.size();
@@ -166,12 +166,12 @@ struct Chooser {
     }
 };
 
-/// Chosen points and those within `by` rows and columns of one.
+/// Selected points and those within `by` rows and columns of one.
 Mask grown(const Mask& mask, Index by) {
     if (by < 0) throw InvalidArgument(fmt::format("grow {} pixels; expected a number >= 0", by));
     if (by == 0) return mask;
     const auto along = [by](Index count, auto&& source, auto&& target) {
-        Index left = 0;  // how many places the last chosen one still reaches
+        Index left = 0;  // remaining reach of the last selected point
         for (Index k = 0; k < count; ++k) {
             if (source(k)) left = by + 1;
             if (left > 0) {
@@ -216,7 +216,7 @@ Mask mask_at(const Region& region, const Places& places, parallel::Threads threa
     return mask;
 }
 
-/// A polyline without the points that a mask chooses.
+/// A polyline without the selected points of a mask.
 void leave_out(Profile& profile, const Mask& chosen) {
     Index kept = 0;
     const bool errors = profile.standard_error.size() > 0;

@@ -27,7 +27,7 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
     }
 }
 
-/// The first word, which `text` then begins after.
+/// The first word, which is removed from `text`.
 std::string_view take_word(std::string_view& text) {
     text = trimmed(text);
     const auto end = std::min(text.find_first_of(" \t\r\n"), text.size());

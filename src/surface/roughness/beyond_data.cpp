@@ -18,7 +18,7 @@ namespace {
 
 using spectra::Density, spectra::Nodes, spectra::Spectrum;
 
-/// Nodes of a curve inside its band that hold something.
+/// Nodes of a curve inside its band with nonzero values.
 struct NodeList {
     std::vector<double> q, density;
 
@@ -38,7 +38,7 @@ NodeList nodes_of(const Spectrum& curve) {
     return list;
 }
 
-/// Means over ten bins a decade: of one mode alone the logarithm would lie too low.
+/// Means over ten bins per decade: the logarithm of a single mode would be too low.
 NodeList averaged(const NodeList& modes) {
     struct Sums {
         double log_q = 0.0, density = 0.0, count = 0.0;
@@ -73,18 +73,18 @@ Line line_at(const NodeList& nodes, double end) {
     return line_through(x, y);
 }
 
-/// C_iso over C1D/q of a power law C_iso ∝ q^p; 0 where lines do not fall, p >= −1: of such waves they hold nothing.
+/// C_iso over C1D/q of a power law C_iso ∝ q^p; 0 for p >= −1: the spectrum of lines does not determine such waves.
 double abel_factor(double p) {
     return p < -1.0 ? 2.0 * std::sqrt(pi) * std::exp(log_gamma(-0.5 * p) - log_gamma(0.5 * (-p - 1.0))) : 0.0;
 }
 
-/// How C_iso continues from an end.
+/// Extrapolation of C_iso from an end.
 struct PowerLaw {
     double exponent = 0.0, standard_error = 0.0;
     double level = 0.0;  ///< of the curve at the end
     bool of_lines = false;
 
-    /// C_iso at the end, were this its exponent.
+    /// C_iso at the end for this exponent.
     [[nodiscard]] double isotropic_level(double end, double p) const {
         return of_lines ? level * abel_factor(p) / end : level;
     }

@@ -34,8 +34,8 @@ public:
         moments_.fifth += weight * (upper.fifth - lower.fifth);
     }
 
-    /// From one wavevector to another within a piece. K rises like a root after either end of the band, which s = from
-    /// + (to − from) t² makes smooth.
+    /// From one wavevector to another within a piece. K behaves like a root above either end of the band; s = from +
+    /// (to − from) t² makes it smooth.
     void add_finite(const LinePiece& piece, double from, double to) {
         using Rule = boost::math::quadrature::gauss<double, 10>;
         constexpr double widest = 1.6;  // a fifth of a decade
@@ -57,7 +57,7 @@ public:
         });
     }
 
-    /// Of C1D that falls to zero at the end of a piece.
+    /// For C1D that drops to zero at the end of a piece.
     void add_drop(const LinePiece& last) {
         const double s = last.right, level = last.level * std::pow(s / last.left, last.exponent);
         const auto lower = antiderivatives(band_.lower, s), upper = antiderivatives(std::min(s, band_.upper), s);

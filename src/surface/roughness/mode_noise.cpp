@@ -22,7 +22,7 @@ namespace {
 constexpr std::size_t decade_count = no_decades.size();
 using PerDecade = std::array<double, decade_count>;
 
-/// Of a mode's cell, ∫ d(ln q) over what lies in each decade, as a share of ln 10.
+/// ∫ d(ln q) over the parts of the cell of a mode in each decade, as a share of ln 10.
 PerDecade shares_of_decades(const ModePart& part) {
     PerDecade shares{};
     double lower = std::pow(10.0, first_decade);
@@ -33,7 +33,7 @@ PerDecade shares_of_decades(const ModePart& part) {
     return shares;
 }
 
-/// Mean and variance of ln G. Neighbouring modes have the same shape, mostly.
+/// Mean and variance of ln G. Neighbouring modes usually have the same shape.
 class Logarithm {
 public:
     void take(double shape) {
@@ -49,10 +49,10 @@ private:
     double shape_ = 0.0, mean_ = 0.0, variance_ = 0.0;
 };
 
-/// One mode, or a narrow band of modes, whose noise is drawn as one number.
+/// One mode, or a narrow band of modes, with noise from one random number.
 struct Drawn {
     std::uint64_t index = 0;  ///< of the first mode
-    double shape = 0.0;       ///< of the gamma number G that all it adds is multiplied with
+    double shape = 0.0;       ///< of the gamma number G that multiplies all its contributions
     Contribution adds;
     PerDecade shares{};
     /// The mean of ln G over the modes of a band: mean + slope (G − 1) + deviation · normal.
@@ -100,13 +100,13 @@ private:
     Logarithm logarithm_;
 };
 
-/// What the replicas of a spectrum have in common.
+/// Common data of the replicas of a spectrum.
 struct Noise {
     std::vector<Drawn> drawn;
-    DecadeMeans measured = no_decades;  ///< decade means of the spectrum itself
+    DecadeMeans measured = no_decades;  ///< decade means of the spectrum
 };
 
-/// Collects modes in order: single ones as they come, those of a band until the band ends.
+/// Collects modes in order: single ones directly, those of a band until the band ends.
 class DrawnModes {
 public:
     /// first: of each group of modes; see spectra::narrow_groups().

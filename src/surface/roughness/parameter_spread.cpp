@@ -70,7 +70,8 @@ double ParameterSpread::standard_error(const Function& f) const {
 VarianceTerm ParameterSpread::variance_term(const Function& f) const {
     VarianceTerm result{covariance(f, f)};
     if (!has_jackknife()) return result;
-    const auto between = jackknife_estimate(undefined, without_each(f));  // its value does not enter the freedom
+    const auto between = jackknife_estimate(undefined, without_each(f));  // the degrees of freedom do not depend on its
+                                                                          // value
     if (!between.degrees_of_freedom) return result;
     std::vector<VarianceTerm> terms{{between.variance(), *between.degrees_of_freedom}};
     for (const auto* moved : {&sources, &single_bins})
@@ -120,7 +121,7 @@ std::string ParameterSpread::method(const std::string& scale) const {
 Estimate ParameterSpread::estimate(double value, const Function& f, double least) const {
     Estimate result{value, standard_error(f)};
     if (replicas.size() > 1 && !has_jackknife()) result.seed = seed;
-    // one that does not exceed the bound has no logarithm: NaN goes through to the interval and is refused there
+    // a value not above the bound has no logarithm: NaN propagates to the interval and is refused there
     const auto log_excess = variance_term([&](const SpectralParameters& p) { return std::log(f(p) - least); });
     const bool on_ln = log_excess.variance > 0.0 && std::isfinite(log_excess.variance) && value > least;
     const auto known = on_ln ? log_excess : variance_term(f);

@@ -15,7 +15,7 @@
 namespace setae::roughness {
 namespace {
 
-/// Sums over one block of map lines, added up in block order afterwards.
+/// Sums over one block of map lines, added in block order afterwards.
 struct Sums {
     double h = 0.0, h2 = 0.0, dx2 = 0.0, dy2 = 0.0, laplacian2 = 0.0;
     double points = 0.0, dx_points = 0.0, dy_points = 0.0, laplacian_points = 0.0;
@@ -38,8 +38,8 @@ struct Sums {
     }
 };
 
-/// Row i of a map, or of a band of its lines, with its neighbours (null beyond an open border) and what their
-/// differences are scaled by. Sums run over the points begin … end − 1; those next to them are looked at.
+/// Row i of a map, or of a band of its lines, with its neighbours (null beyond an open border) and the scales of their
+/// differences. Sums run over the points begin … end − 1; those next to them are also read.
 struct Neighbourhood {
     const double* previous;
     const double* row;
@@ -60,13 +60,13 @@ struct LineSums {
     double* points;
 };
 
-/// Sum and number of terms. Unchecked, a NaN spoils the sum, which the caller notices; checked, it drops out.
+/// Sum and number of terms. Unchecked, a NaN makes the sum NaN, which the caller detects; checked, it is left out.
 struct Sum {
     double sum = 0.0;
     double count = 0.0;
 };
 
-/// Σ term(j), first <= j < last, in independent lanes, so it vectorises without reassociation.
+/// Σ term(j), first <= j < last, in independent lanes, for vectorisation without reassociation.
 template <bool checked, class Term>
 Sum sum_of(Index first, Index last, Term term) {
     constexpr Index lanes = 8;
@@ -92,7 +92,7 @@ Sum sum_of(Index first, Index last, Term term) {
 
 double square(double x) { return x * x; }
 
-/// Sums over one row; `lines` is left alone.
+/// Sums over one row, except `lines`.
 template <bool checked>
 Sums row_sums(const Neighbourhood& at) {
     Sums sums;
@@ -144,7 +144,7 @@ void add_to_lines(const Neighbourhood& at, bool has_undefined, const LineSums& l
         for (Index j = 0; j < count; ++j) lines.points[j] += 1.0;
 }
 
-/// A row, quickly where all of it and its neighbours is defined.
+/// A row, with a faster method if it and its neighbours are all defined.
 Sums add_row(const Neighbourhood& at, const LineSums& lines) {
     const auto quick = row_sums<false>(at);
     const bool undefined_near = !quick.defined();
@@ -163,14 +163,14 @@ double variance(double sum, double sum2, double count) {
     throw UndefinedDataError("no height is defined, so that there is no rms height");
 }
 
-/// Scan lines of a map that are looked at together with those next to them.
+/// Scan lines of a map that are processed together with adjacent ones.
 struct ScanLines {
     const ArrayView2D& heights;  ///< (nx, lines)
     Index begin, end;            ///< the lines summed over
     bool periodic;               ///< along both directions: the band is the whole map
 };
 
-/// Sums over a map, gathered band by band.
+/// Sums over a map, accumulated band by band.
 struct MapSums {
     std::array<double, 2> pixel{};
     Sums sums = {};
@@ -241,7 +241,7 @@ RealSpaceParameters real_space_parameters(const topography::TiledMap& map, Index
                                           parallel::Threads threads) {
     MapSums sums{map.pixel_size()};
     if (map.periodic) {
-        const Array2D whole = map.lines(0, map.ny);  // differences wrap round
+        const Array2D whole = map.lines(0, map.ny);  // differences wrap
         sums.add({whole, 0, map.ny, true}, threads);
         return sums.result();
     }

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int block_count = 16;
 
-/// Raw power sums of slopes; polylines weight each by its step, so that collinear points change nothing.
+/// Raw power sums of slopes; polylines weight each by its step, so collinear points change nothing.
 struct PowerSums {
     std::array<double, 5> s{};
 
@@ -87,7 +87,7 @@ constexpr int histogram_bins = 40;
 constexpr double histogram_range = 5.0;  // in rms
 constexpr double bin_width = 2.0 * histogram_range / histogram_bins;
 
-/// How many slopes lie in which bin about their mean, in units of their rms.
+/// Number of slopes per bin about their mean, in units of their rms.
 struct Histogram {
     double mean, rms;
     std::array<Index, histogram_bins> counts{};
@@ -104,7 +104,8 @@ struct Slopes {
     std::array<Index, histogram_bins> counts{};
 };
 
-/// Power sums of a map's slopes over the cells [i, end_i) × [j, end_j), along x, y and both diagonals side by side.
+/// Power sums of the slopes of a map over the cells [i, end_i) × [j, end_j), along x, y and both diagonals
+/// simultaneously.
 std::array<PowerSums, 4> tile_sums(const topography::HeightMap& map, Index begin_i, Index end_i, Index begin_j,
                                    Index end_j) {
     const auto [dx, dy] = map.pixel_size();
@@ -133,7 +134,7 @@ std::array<PowerSums, 4> tile_sums(const topography::HeightMap& map, Index begin
     return result;
 }
 
-/// Along x, y and both diagonals, in blocks that are tiles of a 4 × 4 partition: neighbours in both directions stay
+/// Along x, y and both diagonals, in blocks that are tiles of a 4 × 4 partition: neighbours in both directions remain
 /// together.
 std::array<Blocks, 4> blocks_of(const topography::HeightMap& map, parallel::Threads threads) {
     constexpr Index tiles = 4;
@@ -176,7 +177,7 @@ Slopes slopes_of(const topography::HeightMap& map, parallel::Threads threads) {
     return slopes;
 }
 
-/// Of n stretches along a line: step(i) and rise(i), each slope weighed by its step.
+/// For n segments along a line: step(i) and rise(i), each slope weighted by its step.
 template <class Step, class Rise>
 Slopes slopes_along_line(Index n, Step step, Rise rise) {
     Blocks blocks{};
@@ -220,7 +221,7 @@ double chi_squared_p_value(double chi2, int degrees_of_freedom) {
     return chi_squared_exceedance(chi2, degrees_of_freedom);
 }
 
-/// The direction with the strongest evidence, corrected for having looked at all of them (Bonferroni).
+/// The direction with the strongest evidence, corrected for multiple tests (Bonferroni).
 double gaussian_p_value(const std::vector<DirectionalSlope>& directions) {
     double smallest = 1.0;
     for (const auto& d : directions) {
@@ -231,8 +232,8 @@ double gaussian_p_value(const std::vector<DirectionalSlope>& directions) {
     return std::min(1.0, smallest * static_cast<double>(directions.size()));
 }
 
-/// Perpendicular directions with the same step, so that resolution does not mimic anisotropy: the diagonals always, x
-/// and y where pixels are square.
+/// Perpendicular directions with equal steps, so resolution does not mimic anisotropy: the diagonals always, x and y if
+/// pixels are square.
 std::vector<std::pair<DirectionalSlope, DirectionalSlope>> comparable(const std::vector<DirectionalSlope>& d) {
     std::vector<std::pair<DirectionalSlope, DirectionalSlope>> pairs{{d[2], d[3]}};
     if (std::abs(d[2].angle - 0.25 * pi) < 0.01) pairs.emplace_back(d[0], d[1]);

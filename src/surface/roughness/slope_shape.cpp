@@ -18,8 +18,8 @@ namespace {
 constexpr double classes_per_decade = 40.0, lowest_decade = -6.0, highest_decade = 4.0;
 constexpr auto class_count = static_cast<std::size_t>((highest_decade - lowest_decade) * classes_per_decade);
 
-/// The class of a positive number without its logarithm: the leading bits of a double name an interval that holds one
-/// border between classes at most.
+/// The class of a positive number without its logarithm: the leading bits of a double give an interval with at most one
+/// border between classes.
 class ClassOf {
 public:
     ClassOf() {
@@ -34,7 +34,7 @@ public:
         if (!(square >= smallest)) return 0;
         if (!(square < largest)) return class_count - 1;
         const auto& step = steps_[(std::bit_cast<std::uint64_t>(square) >> shift) - first_bits];
-        return step.classes[square >= step.border ? 1 : 0];  // an index, as no branch could be foreseen
+        return step.classes[square >= step.border ? 1 : 0];  // an index, because a branch would be unpredictable
     }
 
 private:
@@ -55,7 +55,7 @@ private:
 };
 
 struct Classes {
-    /// Count and sum of squares in one register, so that both are added at once.
+    /// Count and sum of squares in one register, added simultaneously.
     using Sum [[gnu::vector_size(2 * sizeof(double))]] = double;
     std::array<Sum, class_count> of_class{};
 
@@ -83,7 +83,7 @@ SlopeShape slope_shape(const topography::HeightMap& map, double rms_slope, paral
     std::vector<Classes> parts(static_cast<std::size_t>((rows + together - 1) / together));
     parallel::for_each_index(parts.size(), threads, [&](std::size_t part) {
         const Index first = static_cast<Index>(part) * together;
-        std::array<Classes, 4> of_triangle;  // neighbours are alike: four tables, so no sum waits for the last
+        std::array<Classes, 4> of_triangle;  // neighbours are similar: four tables, so no sum waits for the last
         const auto square = [](double x) { return x * x; };
         for (Index i = first; i < std::min(rows, first + together); ++i) {
             const double *lower = map.heights.data() + i * ny, *upper = map.heights.data() + (i + 1) % nx * ny;

@@ -20,13 +20,13 @@
 namespace setae::roughness {
 namespace {
 
-/// C = level · (q/left)^exponent between two wavevectors; or, where `mode` is not 0, the cell of the mode at that
-/// wavevector, its integrand constant at what it is there.
+/// C = level · (q/left)^exponent between two wavevectors; or, if `mode` is not 0, the cell of the mode at that
+/// wavevector, with the constant integrand of the mode.
 struct Piece {
     double left, right, level, exponent, mode = 0.0;
 };
 
-/// Cells of modes: each reaches half way to its neighbours, the outer ones to the ends of the band.
+/// Cells of modes: each extends half way to its neighbours, the outer ones to the ends of the band.
 std::vector<Piece> cells(const std::vector<double>& q, const std::vector<double>& c, const Band& band) {
     std::vector<Piece> result;
     result.reserve(q.size());
@@ -58,8 +58,8 @@ Usable usable_nodes(const spectra::Spectrum& curve) {
     return found;
 }
 
-/// Exponent of C1D over the last third of a decade, at most −1.01: the lines of a surface have less power the shorter
-/// the wave.
+/// Exponent of C1D over the last third of a decade, at most −1.01: the power of lines on a surface decreases with
+/// wavelength.
 double last_exponent(const Usable& nodes) {
     constexpr double part = 2.15, flattest = -1.01;
     const double last = nodes.q.back();
@@ -73,7 +73,7 @@ double last_exponent(const Usable& nodes) {
     return std::min(flattest, line_through(x, y).slope);
 }
 
-/// Power laws between nodes, the outer ones to the ends of the band where these lie beyond.
+/// Power laws between nodes, the outer ones up to the ends of the band if these are beyond.
 std::vector<LinePiece> power_laws(const Usable& nodes, const Band& band) {
     const auto& [q, c] = nodes;
     std::vector<LinePiece> result;
@@ -86,7 +86,7 @@ std::vector<LinePiece> power_laws(const Usable& nodes, const Band& band) {
     return result;
 }
 
-/// C1D as power laws from below the band to where the surface's waves end.
+/// C1D as power laws from below the band to the end of the waves of the surface.
 std::vector<LinePiece> line_pieces(const spectra::Spectrum& curve) {
     const auto nodes = usable_nodes(curve);
     auto result = power_laws(nodes, curve.band);
@@ -111,7 +111,7 @@ std::vector<Piece> pieces(const spectra::Spectrum& curve) {
     return result;
 }
 
-/// ∫ q^order C dq over one piece, without cancellation where order + exponent is near −1.
+/// ∫ q^order C dq over one piece, without cancellation if order + exponent is near −1.
 double integral(const Piece& piece, double order) {
     if (piece.mode > 0.0) return piece.level * std::pow(piece.mode, order) * (piece.right - piece.left);
     const double s = piece.exponent + order + 1.0;
@@ -121,7 +121,7 @@ double integral(const Piece& piece, double order) {
     return piece.level * std::pow(piece.left, order + 1.0) * growth;
 }
 
-/// The same weighted with 1/√(1 − (q/q_s)²): q = q_s sin t takes the singularity at q_s away.
+/// The integral weighted with 1/√(1 − (q/q_s)²): q = q_s sin t removes the singularity at q_s.
 double weighted_integral(const Piece& piece, double order, double q_s) {
     const double t0 = std::asin(std::min(1.0, piece.left / q_s)), t1 = std::asin(std::min(1.0, piece.right / q_s));
     if (piece.mode > 0.0) return piece.level * std::pow(piece.mode, order) * q_s * (t1 - t0);
@@ -201,19 +201,19 @@ Array1D values_at(const spectra::Spectrum& curve, const ArrayView1D& wavevector)
 
 namespace {
 
-/// Whether the waves of a curve of lines can be told from those it holds of shorter ones: not of single modes.
+/// Whether the waves of a curve of lines can be separated from contributions of shorter ones: not for single modes.
 bool can_be_cut(const spectra::Spectrum& curve) {
     return curve.kind == spectra::Density::C1D && curve.nodes != spectra::Nodes::modes;
 }
 
-/// Where scatter makes C1D rise, no isotropic surface has it and a moment may come out negative.
+/// If C1D rises by scatter, no isotropic surface has it and a moment may be negative.
 SpectralParameters parameters_of(const CutMoments& moments) {
     const auto root = [](double square) { return std::sqrt(std::max(0.0, square)); };
     return {root(moments.first / (2.0 * pi)), root(moments.third / (2.0 * pi)), root(moments.fifth / (8.0 * pi)),
             std::max(0.0, moments.second / (8.0 * pi))};
 }
 
-/// Values that scatter lets fall, as ones that rise to the last.
+/// Values that decrease by scatter, made increasing to the last.
 void make_rising(Array1D& values) {
     const Index n = values.size();
     for (Index i = 1; i < n; ++i) values[i] = std::min(values[n - 1], std::max(values[i - 1], values[i]));

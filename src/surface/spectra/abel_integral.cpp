@@ -45,7 +45,7 @@ double AbelIntegral::operator()(double q_x) const {
 double AbelIntegral::near_piece(Index i, double q_x) const {
     const double lower = std::max(nodes_[i], q_x), upper = nodes_[i + 1];
     if (!(lower < upper)) return 0.0;
-    // in v the integrand is analytic up to ± i q_x, and a piece of 2 % is at most a fifth of that wide
+    // in v the integrand is analytic up to ± i q_x, and the width of a piece of 2 % is at most a fifth of that
     if (upper < 1.02 * lower) return gauss<4>(i, q_x, lower, upper);
     if (upper < 1.2 * lower) return gauss<10>(i, q_x, lower, upper);
     // half a decade at most for the long rule

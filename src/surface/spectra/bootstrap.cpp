@@ -13,7 +13,7 @@
 namespace setae::spectra {
 namespace {
 
-/// Members among which to draw, all or those of each instrument; members without data in any bin are no draw.
+/// Members to draw from, all or those of each instrument, without members that have no data in any bin.
 std::vector<std::vector<std::size_t>> strata(const BinnedSpectra& spectra, bool by_instrument) {
     std::map<std::string, std::vector<std::size_t>> groups;
     for (std::size_t i = 0; i < spectra.instruments.size(); ++i)

@@ -47,7 +47,7 @@ BinRange occupied_bins(std::span<const MeasuredSpectrum> spectra, const LogGrid&
     return {first, grid.bin_of(greatest) - first + 1};
 }
 
-/// A value of a spectrum, and the bin that it is in.
+/// A value of a spectrum, and its bin.
 struct BinnedMode {
     Index mode, bin;
 };
@@ -65,7 +65,7 @@ std::vector<std::vector<BinnedMode>> binned_modes(std::span<const MeasuredSpectr
     return modes;
 }
 
-/// Σ_ij |ρ_ij|²/m² of m neighbouring modes: the variance of their mean over that of one.
+/// Σ_ij |ρ_ij|²/m² of m neighbouring modes: ratio of the variance of their mean to that of one.
 double variance_of_mean(const MeasuredSpectrum& spectrum, double modes) {
     if (spectrum.window != name(Window::hann)) return 1.0 / modes;
     constexpr double next = 4.0 / 9.0, next_but_one = 1.0 / 36.0;  // |ρ|² under a Hann window
@@ -85,7 +85,7 @@ void fill_bins(std::span<const MeasuredSpectrum> spectra, const std::vector<std:
             result.C1D(i, bin) +=
                 spectrum.density[k] * std::pow(spectrum.wavevector[k] / result.wavevector[bin], -slopes[bin]);
             const double relative = spectrum.standard_error[k] / spectrum.density[k];
-            // a single line's periodogram is distributed exponentially: its deviation is its mean
+            // the periodogram of a single line has an exponential distribution: its deviation is its mean
             result.relative_variance(i, bin) += std::isfinite(relative) ? relative * relative : 1.0;
             modes(i, bin) += 1.0;
         }
@@ -99,7 +99,7 @@ void fill_bins(std::span<const MeasuredSpectrum> spectra, const std::vector<std:
         }
 }
 
-/// dlnC/dlnq in every bin: a line through the logarithms of the bins within half a decade that hold data.
+/// dlnC/dlnq in every bin: a line through the logarithms of the bins with data within half a decade.
 Array1D local_slopes(const BinnedSpectra& binned) {
     const Array1D mean = bin_means(binned, Weighting::equal, all_members(binned));
     const Index bins = mean.size(), reach = std::max(1, binned.grid.bins_per_decade / 2);
@@ -150,7 +150,7 @@ double standard_error(const BinnedSpectra& binned, Index bin, Weighting weightin
     return std::sqrt(n / (n - 1.0) * sum) / weights.sum();
 }
 
-/// Whether one measurement has values on both sides: then an empty bin is only finer than the spacing of its modes.
+/// Whether one measurement has values on both sides: then an empty bin is narrower than the spacing of its modes.
 bool spanned(const BinnedSpectra& binned, double below, double above) {
     for (Index i = 0; i < binned.C1D.rows(); ++i) {
         const auto has_value = !binned.C1D.row(i).transpose().isNaN();
@@ -185,7 +185,7 @@ Decades whole_decades(const CombinedSpectrum& spectrum) {
     return {static_cast<Index>(std::ceil(first / n)), static_cast<Index>(std::floor(last / n))};
 }
 
-/// The most of what was counted in any bin of a decade.
+/// Maximum of a count in the bins of a decade.
 double max_in_decade(Index decade, const CombinedSpectrum& spectrum, const Array1D& counts) {
     const auto& grid = spectrum.grid;
     const Index n = grid.bins_per_decade;
@@ -196,7 +196,7 @@ double max_in_decade(Index decade, const CombinedSpectrum& spectrum, const Array
     return most;
 }
 
-/// Whole decades in which no bin has two instruments, where there are two at all.
+/// Warns of whole decades without a bin with two instruments, if there are at least two instruments.
 void add_single_instrument_alerts(const BinnedSpectra& binned, CombinedSpectrum& spectrum) {
     const auto& instruments = binned.instruments;
     if (std::adjacent_find(instruments.begin(), instruments.end(), std::not_equal_to<>()) == instruments.end()) return;
@@ -212,7 +212,7 @@ void add_single_instrument_alerts(const BinnedSpectra& binned, CombinedSpectrum&
                  "measure this decade with a second instrument"});
 }
 
-/// Whole decades in which no bin has two measurements, where there are two at all.
+/// Warns of whole decades without a bin with two measurements, if there are at least two measurements.
 void add_single_measurement_alerts(const BinnedSpectra& binned, CombinedSpectrum& spectrum) {
     if (binned.C1D.rows() < 2) return;
     const auto decades = whole_decades(spectrum);
@@ -248,8 +248,8 @@ std::map<std::string, LogMean> log_means(const BinnedSpectra& binned, Index bin)
     return means;
 }
 
-/// Pairs of instruments whose means differ by more than three standard errors in at least half of two or more shared
-/// bins.
+/// Warns of pairs of instruments whose means differ by more than three standard errors in at least half of two or more
+/// shared bins.
 void add_disagreement_alerts(const BinnedSpectra& binned, CombinedSpectrum& spectrum) {
     struct Comparison {
         int shared = 0, apart = 0;

@@ -19,12 +19,12 @@ namespace {
 
 using Sparse = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-/// Values and slopes of ln C1D over ln q at the wavevectors, as linear functions of the logarithms given.
+/// Values and slopes of ln C1D over ln q at the wavevectors, as linear functions of the given logarithms.
 struct LocalFits {
     Sparse value, slope;
 };
 
-/// The parabola around each point. half_width 0: through the point itself.
+/// The parabola around each point. half_width 0: through the point.
 LocalFits local_fits(const Array1D& x, const Array1D& relative_error, double half_width) {
     const Index n = x.size();
     std::vector<Eigen::Triplet<double>> values, slopes;
@@ -38,7 +38,7 @@ LocalFits local_fits(const Array1D& x, const Array1D& relative_error, double hal
         }
         const Index count = last - first + 1;
         const double reach = 1.01 * std::max({half_width, x[i] - x[first], x[last] - x[i]});
-        // at the ends of noisy data a line: the slope of a parabola at its end is all noise
+        // at the ends of noisy data a line: the slope of a parabola at its end is dominated by noise
         const bool straight = half_width > 0.0 && (i - first < 2 || last - i < 2);
         Eigen::MatrixXd design(count, straight ? 2 : 3);
         Eigen::VectorXd weight(count);
@@ -64,7 +64,7 @@ LocalFits local_fits(const Array1D& x, const Array1D& relative_error, double hal
     return fits;
 }
 
-/// A cubic between two points and how it and its slope depend on values and slopes at its ends, at t in 0 … 1.
+/// A cubic between two points and the dependence of value and slope on those at its ends, at t in 0 … 1.
 struct Hermite {
     double values[4], slopes[4];  ///< factors of left value, left slope, right value, right slope
 };
@@ -75,7 +75,7 @@ Hermite hermite(double t, double width) {
             {-6.0 * t * u / width, u * (1.0 - 3.0 * t), 6.0 * t * u / width, t * (3.0 * t - 2.0)}};
 }
 
-/// ∫_0^θ (sin/sin θ)^α: what a power law beyond the last wavevector adds.
+/// ∫_0^θ (sin/sin θ)^α: contribution of a power law beyond the last wavevector.
 double tail_integral(double sine, double alpha) {
     return 0.5 * boost::math::beta(0.5 * (alpha + 1.0), 0.5, std::min(1.0, sine * sine)) * std::pow(sine, -alpha);
 }
@@ -155,7 +155,7 @@ IsotropicFromLines isotropic_from_lines(const ArrayView1D& wavevector, const Arr
     const bool known = standard_error.size() > 0;
     const Array1D relative = known ? Array1D(standard_error / C1D) : Array1D::Ones(n);
     const double largest = relative.maxCoeff();
-    // a point without error would alone decide
+    // a point without error would determine the fit alone
     const auto fits = local_fits(x, largest > 0.0 ? relative.max(0.01 * largest).eval() : Array1D::Ones(n).eval(),
                                  0.5 * options.smoothing * std::log(10.0));
     const Eigen::VectorXd data = C1D.log().matrix(), y = fits.value * data, s = fits.slope * data;

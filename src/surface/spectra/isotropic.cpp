@@ -15,7 +15,7 @@
 namespace setae::spectra {
 namespace {
 
-/// Writes line i of the map, less its mean, times the window.
+/// Writes line i of the map, minus its mean, times the window.
 using LineLoader = std::function<void(Index, double*)>;
 
 LineLoader product_loader(const ArrayView2D& heights, double mean, Window window) {
@@ -49,7 +49,7 @@ LineLoader radial_loader(const ArrayView2D& heights, const std::array<double, 2>
     };
 }
 
-/// Mean height, or zero where no trend is removed. Finds undefined heights on the way.
+/// Mean height, or zero if no trend is removed. Detects undefined heights.
 double mean_to_remove(const topography::HeightMap& map, const SpectrumOptions& options) {
     const Index rows = map.heights.rows(), block = fourier::lines_per_block;
     Array1D sums = Array1D::Zero(rows);
@@ -64,7 +64,7 @@ double mean_to_remove(const topography::HeightMap& map, const SpectrumOptions& o
                                                     : pairwise_sum(sums) / static_cast<double>(map.heights.size());
 }
 
-/// Hands the half spectrum of the detrended, windowed map to `consume`.
+/// Passes the half spectrum of the detrended, windowed map to `consume`.
 void transform(const topography::HeightMap& map, Window window, const SpectrumOptions& options,
                const fourier::BlockConsumer& consume) {
     if (options.trend == topography::Trend::tilt || options.trend == topography::Trend::parabola) {
@@ -86,7 +86,7 @@ double spectral_factor(const topography::HeightMap& map) {
     return pixel[0] * pixel[0] * pixel[1] * pixel[1] / (map.size[0] * map.size[1]);
 }
 
-/// What a bin collects.
+/// Sums of a bin.
 struct BinSums {
     Array1D power, wavevector, count;
     explicit BinSums(Index bins) : power(Array1D::Zero(bins)), wavevector(power), count(power) {}

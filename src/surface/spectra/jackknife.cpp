@@ -15,7 +15,7 @@
 namespace setae::spectra {
 namespace {
 
-using Stratum = std::vector<std::size_t>;  ///< measurements, each as often as it takes part
+using Stratum = std::vector<std::size_t>;  ///< measurements, each with its multiplicity
 
 std::vector<Stratum> strata(const BinnedSpectra& spectra, const Multiplicity& multiplicity) {
     std::map<std::string, Stratum> by_instrument;
@@ -43,8 +43,7 @@ JackknifeSpectra jackknife(const BinnedSpectra& spectra, Weighting weighting, co
     if (taking_part.size() != spectra.instruments.size())
         throw InvalidArgument(fmt::format("a multiplicity of {} measurements for {}; expected one each",
                                           taking_part.size(), spectra.instruments.size()));
-    // the bins and the shape of lost ones are those of all measurements, so that every combination speaks of the same
-    // band
+    // the bins and the shape of missing ones are those of all measurements, so every combination covers the same band
     const Array1D all = bin_means(spectra, weighting, all_members(spectra));
     const auto filled = filled_bins(all);
     const Array1D full = all(filled);

@@ -9,7 +9,7 @@
 namespace setae::spectra {
 namespace {
 
-/// Modes whose coherence is looked at: of each group of like wavevectors the middle one.
+/// Modes with computed coherence: the middle one of each group of similar wavevectors.
 std::vector<Index> looked_at(Index count) {
     constexpr Index by_themselves = 128;
     constexpr double ratio = 1.1547819846894583;  // 10^(1/16)
@@ -19,7 +19,7 @@ std::vector<Index> looked_at(Index count) {
     return modes;
 }
 
-/// Values at modes 1 … count, linear between those known and constant beyond them.
+/// Values at modes 1 … count, linear between the known ones and constant beyond them.
 Array1D between(const std::vector<Index>& modes, const Array1D& values, Index count) {
     Array1D result(count);
     std::size_t next = 0;

@@ -22,7 +22,7 @@ Index LogGrid::bin_of(double wavevector) const {
     const double place = std::log10(wavevector) * bins_per_decade, below = std::floor(place);
     const auto bin = static_cast<Index>(below);
     if (std::min(place - below, below + 1.0 - place) > near_an_edge) return bin;
-    // log10 may err by a rounding either way: the edges decide
+    // log10 may have a rounding error in either direction: the edges decide
     if (wavevector < edge(bin) * (1.0 - rounding)) return bin - 1;
     if (wavevector >= edge(bin + 1) * (1.0 - rounding)) return bin + 1;
     return bin;

@@ -30,7 +30,7 @@ double NoiseNumbers::gamma(std::uint64_t index, double shape) const {
                      v = root * root * root;
         if (!(v > 0.0)) continue;
         const double u = numerics::uniform_number({seed_, uniform_}, first + a), x2 = x * x;
-        const bool surely = u < 1.0 - 0.0331 * x2 * x2;  // implies what the logarithms decide
+        const bool surely = u < 1.0 - 0.0331 * x2 * x2;  // implied by the test with logarithms
         if (surely || std::log(u) < 0.5 * x2 + d - d * v + d * std::log(v)) return boost * d * v / shape;
     }
     return boost * d / shape;

@@ -19,7 +19,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Window and polyline, x counted from the first point.
+/// Window and polyline, x relative to the first point.
 struct WindowedPolyline {
     Array1D x;
     Array1D h;
@@ -61,8 +61,8 @@ Array1D slope_changes(const WindowedPolyline& line) {
     return line.slope.tail(inner) - line.slope.head(inner);
 }
 
-/// q*: above it the form with slope changes loses fewer digits. At least a few harmonics away from its poles, at most
-/// as many Gauss points as a few a segment.
+/// q*: above it the form with slope changes loses fewer digits. At least a few harmonics away from its poles, and with
+/// at most a few Gauss points per segment.
 double dividing_wavevector(const WindowedPolyline& line) {
     const auto segments = line.slope.size();
     const double area = (0.5 * (line.h.head(segments).abs() + line.h.tail(segments).abs()) *
@@ -71,7 +71,7 @@ double dividing_wavevector(const WindowedPolyline& line) {
     const double balanced = std::sqrt(slope_changes(line).abs().sum() / area);
     const double lowest = 4.0 * line.highest_harmonic() + 2.0 * line.base;
     const double highest = lowest + 4.0 * static_cast<double>(segments) / line.length;
-    return balanced < highest ? std::max(balanced, lowest) : highest;  // highest too where area is 0
+    return balanced < highest ? std::max(balanced, lowest) : highest;  // also highest if area is 0
 }
 
 /// Six-point Gauss rule on −1 … 1. Source: Abramowitz & Stegun, Table 25.4.
@@ -101,7 +101,7 @@ Eigen::ArrayXcd by_gauss_points(const WindowedPolyline& line, const Array1D& q, 
                                          Eigen::Map<const Array1D>(values.data(), n), q, threads);
 }
 
-/// E_1 and E_2, written so that nothing cancels where the window vanishes at its ends.
+/// E_1 and E_2 in a form without cancellation if the window vanishes at its ends.
 std::array<double, 2> end_factors(const WindowedPolyline& line, double q) {
     const double at_end = std::accumulate(line.cosines.begin(), line.cosines.end(), 0.0);
     std::array<double, 2> factors{at_end / q, at_end / (q * q)};

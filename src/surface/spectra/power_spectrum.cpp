@@ -42,7 +42,7 @@ MeasuredSpectrum empty_spectrum(const Kind& measurement, double length, Window w
     return spectrum;
 }
 
-/// What the lines of a map have together: the sum of |transform|², mode by mode, and how alike they are.
+/// Sums over the lines of a map: |transform|², mode by mode, and their coherence.
 struct LineSums {
     LineSums(Index points, Index lines) : power(Array1D::Zero(points / 2 + 1)), coherence(points, lines) {}
 
@@ -50,7 +50,7 @@ struct LineSums {
     LineCoherence coherence;
 };
 
-/// What is done to every line before its transform.
+/// Preparation of every line before its transform.
 struct LinePreparation {
     Array1D window;
     bool remove_mean = false;
@@ -85,7 +85,7 @@ bool needs_fit(topography::Trend trend) {
     return trend == topography::Trend::tilt || trend == topography::Trend::parabola;
 }
 
-/// C1D, its standard error and count from sums over so many lines of n points.
+/// C1D, its standard error and count from sums over the lines of n points.
 void fill_from_sums(MeasuredSpectrum& spectrum, LineSums& sums, Index n, Index lines, parallel::Threads threads) {
     const Index count = n / 2;
     const double step = spectrum.length / static_cast<double>(n), factor = step * step / spectrum.length;
@@ -98,7 +98,7 @@ void fill_from_sums(MeasuredSpectrum& spectrum, LineSums& sums, Index n, Index l
         lines > 1 ? Array1D(spectrum.density / spectrum.independent_lines.sqrt()) : Array1D::Constant(count, undefined);
 }
 
-/// The same from the lines of a map whose trend other than the mean is gone.
+/// C1D from the lines of a map after removal of a trend other than the mean.
 void fill_from_lines(MeasuredSpectrum& spectrum, const ArrayView2D& heights, Window window,
                      const SpectrumOptions& options) {
     LineSums sums(heights.rows(), heights.cols());
@@ -118,7 +118,7 @@ void require_uniform(const Uniform& measurement, Window window) {
     require_line_window(window);
 }
 
-/// Size of the correction of a contour's straight segments, below `end` [1/m].
+/// Size of the correction for the straight segments of a contour, below `end` [1/m].
 Alert contour_alert(const MeasuredSpectrum& corrected, const Array1D& response, double end) {
     const Array1D q2 = corrected.wavevector.square();
     const Array1D power =
@@ -134,7 +134,7 @@ Alert contour_alert(const MeasuredSpectrum& corrected, const Array1D& response, 
             "trace with finer steps, or choose segments if the polyline itself is the surface"};
 }
 
-/// At chosen wavevectors the band cannot be found: it is that of the modes.
+/// At chosen wavevectors the band cannot be determined: it is that of the modes.
 void take_band_of_modes(MeasuredSpectrum& spectrum, const topography::Profile& profile, SpectrumOptions options) {
     options.wavevectors.reset();
     const auto of_modes = power_spectrum(profile, options);

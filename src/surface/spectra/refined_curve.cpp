@@ -21,7 +21,7 @@ public:
 
     void begin(double q) { nodes_.push_back({q, function_(q)}); }
 
-    /// Nodes from the last one to q; false where the function ends before.
+    /// Nodes from the last one to q; false if the function ends before.
     bool go_to(double q) {
         Node to{q, function_(q)};
         const bool ends = !(to.value > 0.0);
@@ -56,8 +56,8 @@ private:
             const Node middle{q, function_(q)};
             const double between = std::sqrt(from.value) * std::sqrt(to.value),
                          deviation = std::abs(middle.value - between) / between;
-            // a smooth curve deviates by a quarter after each halving, a bent one by half, at a jump by as much as
-            // before
+            // the deviation of a smooth curve decreases to a quarter with each halving, that of a bent one to a half,
+            // at a jump it is constant
             const bool helps_little = deviation > deviation_before / 3.0;
             if (middle.value > 0.0 && deviation > tolerance_ && (round < smooth_rounds || helps_little)) {
                 refine(from, middle, round + 1, deviation);

@@ -23,7 +23,7 @@ using topography::HeightMap;
 using topography::LineScan;
 using topography::Profile;
 
-/// One direction of a measurement: its curvature at a scale, and the scales it has.
+/// One direction of a measurement: its curvature at a scale, and its scales.
 struct Direction {
     CurvatureAtScale curvature;
     double step;
@@ -57,7 +57,7 @@ std::vector<Direction> directions(const Profile& profile, const ReliabilityOptio
              profile.size() / static_cast<double>(profile.positions.size() - 1), profile.size()}};
 }
 
-/// Largest scale at which the curvature passes −1/(2R): found from long stencils down by halving, then bracketed.
+/// Largest scale at which the curvature crosses −1/(2R): found from long stencils down by halving, then bracketed.
 TipCutoff cutoff_along(const Direction& direction, double tip_radius) {
     const double threshold = -0.5 / tip_radius, shortest = 2.0 * direction.step, longest = 0.5 * direction.size;
     const auto excess = [&](double length) {
@@ -139,7 +139,7 @@ TipCutoff cutoff_among(const std::vector<Direction>& all, double tip_radius, std
     if (standard_error) {
         constexpr double two_sided_95 = 1.959963984540054;
         const double reach = two_sided_95 * *standard_error;
-        // a radius below a hundredth of the nominal one is no tip: the normal approximation ends there
+        // a radius below a hundredth of the nominal one is unphysical: the normal approximation ends there
         const double sharp = worst(all, std::max(tip_radius - reach, 0.01 * tip_radius)).value;
         result.interval = Interval{sharp, worst(all, tip_radius + reach).value, 0.95};
     }
@@ -152,7 +152,7 @@ TipCutoff cutoff_of(const Kind& measurement, double tip_radius, std::optional<do
     return cutoff_among(directions(measurement, options, threads), tip_radius, standard_error, options);
 }
 
-/// A map larger than memory and the scan lines of it that are looked at together.
+/// A map larger than memory and its scan lines that are processed together.
 struct TiledLines {
     const topography::TiledMap& map;
     Index lines_together;
@@ -172,7 +172,7 @@ void keep_worse(TipCutoff& worst, const TipCutoff& other) {
     worst.status = other.status;
 }
 
-/// The least curvature of a map is the least of its bands, so its cutoff is that of the worst one.
+/// The minimum curvature of a map is the minimum over its bands, so its cutoff is that of the worst one.
 TipCutoff cutoff_of(const TiledLines& tiled, double tip_radius, std::optional<double> standard_error,
                     const ReliabilityOptions& options, parallel::Threads threads) {
     const auto& map = tiled.map;

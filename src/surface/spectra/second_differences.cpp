@@ -14,7 +14,7 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// The p-quantile of the defined values, p = 0 the smallest; NaN of none.
+/// The p-quantile of the defined values, p = 0 the smallest; NaN if there is none.
 double quantile(std::vector<double> values, double percentile) {
     std::erase_if(values, [](double value) { return std::isnan(value); });
     return values.empty() ? undefined : lower_quantile(std::move(values), percentile);
@@ -26,7 +26,7 @@ struct Reach {
     double fraction;
 
     explicit Reach(double steps) : whole(static_cast<Index>(std::floor(steps))), fraction(steps - std::floor(steps)) {
-        // a fraction of rounding only must not touch the next point, which may be undefined or missing
+        // a fraction from rounding must not touch the next point, which may be undefined or missing
         constexpr double rounding = 1e-9;
         if (fraction > 1.0 - rounding) ++whole;
         if (fraction < rounding || fraction > 1.0 - rounding) fraction = 0.0;
@@ -34,7 +34,7 @@ struct Reach {
     [[nodiscard]] Index outer() const { return whole + (fraction > 0.0 ? 1 : 0); }
 };
 
-/// Heights the stencils of neighbouring points need; entry j belongs to point j.
+/// Heights for the stencils of neighbouring points; entry j belongs to point j.
 struct StencilRows {
     const double *left_outer, *left, *centre, *right, *right_outer;
 };
@@ -44,7 +44,7 @@ double second_difference(const StencilRows& rows, double fraction, Index j) {
            2.0 * rows.centre[j];
 }
 
-/// Smallest second difference of n neighbouring points; undefined ones compare false and drop out.
+/// Smallest second difference of n neighbouring points; undefined ones compare false and are left out.
 double smallest(const StencilRows& rows, double fraction, Index n) {
     double least = infinite;
     for (Index j = 0; j < n; ++j) {
@@ -67,7 +67,7 @@ void visit_along_x(const CurvatureGrid& grid, const Reach& reach, Index first, I
     }
 }
 
-/// The same along the second index.
+/// Calls visit(rows, n) for all stencils along the second index.
 template <class Visit>
 void visit_along_y(const CurvatureGrid& grid, const Reach& reach, Index first, Index last, const Visit& visit) {
     const Index n = grid.heights.cols(), outer = reach.outer();
@@ -131,7 +131,7 @@ CurvatureAtScale curvature_of_profile(const topography::Profile& profile, double
         };
         std::vector<double> values;
         for (const double offset : {-half, 0.0, half}) {
-            Index left = 0, middle = 0, right = 0;  // segments that hold the stencil's points
+            Index left = 0, middle = 0, right = 0;  // segments of the points of the stencil
             for (Index k = 0; k < n; ++k) {
                 const double centre = x[k] + offset;
                 if (centre - half < x[0] || centre + half > x[n - 1]) continue;

@@ -18,8 +18,8 @@ namespace {
 using Complex = std::complex<double>;
 
 constexpr Index largest_group_count = 32, node_count = 24;
-constexpr double steepest = 4.9;     // a steeper spectrum's low end would scatter without bound
-constexpr double flat_below = 0.02;  // of Q: the power law's divergence at p = 0 ends here
+constexpr double steepest = 4.9;     // the low end of a steeper spectrum would scatter without bound
+constexpr double flat_below = 0.02;  // of Q: the divergence of the power law at p = 0 ends here
 
 double sinc(double x) { return std::abs(x) < 1e-4 ? 1.0 - x * x / 6.0 : std::sin(x) / x; }
 
@@ -53,7 +53,7 @@ double scattering(const Array1D& steps, double q, double p) {
     for (Index k = 0; k < steps.size(); ++k) {
         part[k] = steps[k] * sampled_part(q, p, steps[k]);
         along += part[k] * std::polar(1.0, 0.5 * difference * steps[k]);
-        // ⟨e^{iδd}⟩ − 1 over iδ, free of cancellation
+        // ⟨e^{iδd}⟩ − 1 over iδ, without cancellation
         turn += steps[k] * sinc(0.5 * difference * steps[k]) * std::polar(1.0, 0.5 * difference * steps[k]);
     }
     const Complex common = along / turn;
@@ -125,7 +125,7 @@ double SegmentResponse::fitted_exponent(const ArrayView1D& wavevectors, const Ar
     if (used.size() < 3) return exponent;
     const Array1D q = wavevectors(used), C = segment_spectrum(used);
     const Array1D x = q.log() - q.log().mean();
-    // R depends weakly on n: three rounds settle it far below the scatter of C
+    // R depends weakly on n: three rounds converge far below the scatter of C
     for (int round = 0; round < 3; ++round) {
         const Array1D y = (C / at(q, exponent)).log();
         exponent = std::clamp(-(x * y).sum() / x.square().sum(), 0.0, steepest);

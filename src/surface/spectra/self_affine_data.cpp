@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the fit of a self-affine surface sees of combined spectra and of single measurements.
+// Data of the fit of a self-affine surface, from combined spectra and from single measurements.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -20,8 +20,8 @@
 namespace setae::spectra {
 namespace {
 
-/// n · (SE/C)² of every bin: the relative variance of one measurement, with those of the two bins on either side where
-/// few share one.
+/// n · (SE/C)² of every bin: the relative variance of one measurement, with those of the two bins on either side if few
+/// share one.
 Array1D relative_variances(const CombinedSpectrum& spectrum) {
     const Index bins = spectrum.wavevector.size();
     Array1D result = Array1D::Constant(bins, undefined);
@@ -39,7 +39,7 @@ Array1D relative_variances(const CombinedSpectrum& spectrum) {
     return result;
 }
 
-/// Modes of one measurement in groups: each by itself up to 16, then about 32 a decade.
+/// Modes of one measurement in groups: single ones up to 16, then about 32 per decade.
 struct ModeGroup {
     Index first, last;  ///< of the spectrum's wavevectors
 };
@@ -64,7 +64,7 @@ std::vector<ModeGroup> groups_of(const MeasuredSpectrum& spectrum, double q_max)
     return groups;
 }
 
-/// Expectation of modes: what the window mixes in of their neighbours, and what sampling folds back.
+/// Expectation of modes: mixing of neighbours by the window, and aliasing by sampling.
 class ModeExpectation {
 public:
     ModeExpectation(const MeasuredSpectrum& spectrum, std::vector<ModeGroup> groups)
@@ -72,7 +72,7 @@ public:
           wavevector_(spectrum.wavevector),
           fundamental_(2.0 * pi / spectrum.length),
           hann_(spectrum.window == "hann") {
-        // modes up to n/2 of a scan; others' Nyquist wavevector is not known
+        // modes up to n/2 of a scan; the Nyquist wavevector of others is unknown
         const Index modes = wavevector_.size();
         if (std::abs(wavevector_[modes - 1] / (static_cast<double>(modes) * fundamental_) - 1.0) < 1e-6 && modes >= 4)
             sampling_ = 2.0 * wavevector_[modes - 1];
@@ -98,7 +98,7 @@ private:
     static constexpr int aliases = 4;
 
     [[nodiscard]] double mode(const SelfAffineLines& lines, const spectra::SelfAffine& model, double q) const {
-        // |1 at k, −½ next to it|² of Hann, scaled to keep the mean square; below the first mode C1D stays at half of
+        // |1 at k, −½ next to it|² of Hann, scaled to keep the mean square; below the first mode C1D is that at half of
         // it
         double sum = hann_ ? (2.0 / 3.0) * (lines(q) + 0.25 * (lines(std::max(q - fundamental_, 0.5 * fundamental_)) +
                                                                lines(q + fundamental_)))
@@ -142,8 +142,7 @@ SelfAffineFit fit_self_affine(const CombinedSpectrum& spectrum, const SelfAffine
 
 namespace {
 
-/// Modes of one measurement up to q_max in groups, and what they are expected to be; empty if none is in its reliable
-/// band.
+/// Modes of one measurement up to q_max in groups, and their expectation; empty if none is in its reliable band.
 std::optional<FittedValues> values_up_to(double q_max, const MeasuredSpectrum& spectrum) {
     auto groups = groups_of(spectrum, q_max);
     if (groups.empty()) return std::nullopt;
@@ -155,7 +154,7 @@ std::optional<FittedValues> values_up_to(double q_max, const MeasuredSpectrum& s
         const auto modes = static_cast<double>(last - first + 1);
         data.wavevector[g] = 0.5 * (spectrum.wavevector[first] + spectrum.wavevector[last]);
         data.values[g] = spectrum.density.segment(first, last - first + 1).mean();
-        // ∫ρ² dy of lines through a self-affine surface is about 2.5/q
+        // ∫ρ² dy of lines on a self-affine surface is about 2.5/q
         const double lines = std::clamp(data.wavevector[g] * spectrum.count[first] * spectrum.pitch / 2.5, 1.0,
                                         std::max(1.0, spectrum.count[first]));
         data.freedom[g] = data.values[g] > 0.0 ? own * modes * lines : 0.0;
@@ -166,8 +165,7 @@ std::optional<FittedValues> values_up_to(double q_max, const MeasuredSpectrum& s
 }
 
 std::optional<FittedValues> values_of(const MeasuredSpectrum& spectrum, const SelfAffineFitOptions& options) {
-    // whether sampling folds shorter waves back or the instrument averages them away shows above that; who asks for
-    // more gets aliases
+    // aliasing by sampling and averaging by the instrument are visible above that; a larger range includes aliases
     return values_up_to(options.range ? spectrum.band.upper : undistorted(spectrum).band.upper, spectrum);
 }
 
@@ -184,7 +182,7 @@ public:
         ++count_;
     }
 
-    /// An alert where the values depart from the model by more than chance and more than a quarter.
+    /// Warns if the values differ from the model by more than chance and more than a quarter.
     void report(SelfAffineFit& fit, const char* side) const {
         if (count_ < 2) return;
         constexpr double errors = 4.0, least = 0.22314355131420976;  // ln 1.25
@@ -207,8 +205,8 @@ private:
     int count_ = 0;
 };
 
-/// Looks at values of the reliable bands that the fit did not see: up to half of the highest wavevector, where aliases
-/// are still few, and from the third mode on, which detrending leaves alone.
+/// Tests values of the reliable bands outside the fit: up to half of the highest wavevector, where aliases are still
+/// few, and from the third mode on, unaffected by detrending.
 void look_beyond(SelfAffineFit& fit, std::span<const MeasuredSpectrum> spectra) {
     constexpr double highest = 0.5, first_mode = 2.5;
     Departure above, below;
@@ -230,7 +228,7 @@ void look_beyond(SelfAffineFit& fit, std::span<const MeasuredSpectrum> spectra) 
     below.report(fit, "below");
 }
 
-/// The combined spectrum of what of the measurements is undistorted, where every bin of it has a scatter.
+/// The combined spectrum of the undistorted parts of the measurements, if every bin of it has a scatter.
 std::optional<CombinedSpectrum> combined_with_scatter(std::span<const MeasuredSpectrum> spectra) {
     std::vector<MeasuredSpectrum> parts;
     for (const auto& spectrum : spectra) {
@@ -267,7 +265,7 @@ SelfAffineFit fit_of_all(std::span<const MeasuredSpectrum> spectra, const SelfAf
 
 SelfAffineFit fit_self_affine(std::span<const MeasuredSpectrum> spectra, const SelfAffineFitOptions& options) {
     auto fit = fit_of_all(spectra, options);
-    // a range of one's own, or a spectrum taken to end, leaves values out on purpose
+    // a given range, or a fitted end of the spectrum, excludes values deliberately
     if (!options.range && !options.short_cutoff) look_beyond(fit, spectra);
     return fit;
 }

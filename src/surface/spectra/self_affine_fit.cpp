@@ -21,7 +21,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Places of the four parameters: ln amplitude, H, ln λ_r, ln λ_s.
+/// Indices of the four parameters: ln amplitude, H, ln λ_r, ln λ_s.
 enum Place : Index { amplitude, hurst, rolloff, cutoff, places };
 constexpr const char* names[] = {"ln amplitude", "H", "ln rolloff_wavelength", "ln shortest_wavelength"};
 
@@ -30,7 +30,7 @@ using Parameters = Eigen::Vector4d;
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 constexpr double smallest_hurst = 0.01, largest_hurst = 1.45;
 
-/// Values in use of all data, side by side, and the model that meets them.
+/// Used values of all data in sequence, and their model.
 class Problem {
 public:
     Problem(std::span<const FittedValues> data, const SelfAffineFitOptions& options) : data_(data) {
@@ -98,7 +98,7 @@ public:
         return (freedom_ * (r - 1.0 - r.log())).sum();
     }
 
-    /// Inside the domain of the model, the scales no farther from the data than the data can tell.
+    /// Limited to the domain of the model, with scales no farther from the data than they determine.
     [[nodiscard]] Parameters clamped(Parameters p) const {
         p[hurst] = std::clamp(p[hurst], smallest_hurst, largest_hurst);
         p[rolloff] = std::clamp(p[rolloff], shortest_rolloff(), longest_rolloff());
@@ -108,7 +108,7 @@ public:
     }
     [[nodiscard]] double shortest_rolloff() const { return std::log(2.0 * pi / range_.upper); }
     [[nodiscard]] double longest_rolloff() const { return std::log(2.0 * pi / range_.lower * 1e3); }
-    /// A thousandth beyond the last value, so that differences stay inside.
+    /// A thousandth beyond the last value, so differences remain inside.
     [[nodiscard]] double longest_cutoff() const { return std::log(2.0 * pi / (1.001 * range_.upper)); }
     [[nodiscard]] double shortest_cutoff() const { return std::log(2.0 * pi / range_.upper * 1e-3); }
 
@@ -154,7 +154,7 @@ struct Optimum {
     bool converged = false;
 };
 
-/// Levenberg–Marquardt on the gamma likelihood: Fisher's information for its curvature.
+/// Levenberg–Marquardt on the gamma likelihood, with Fisher's information as curvature.
 Optimum minimised(const Problem& problem, Parameters start, const std::vector<Index>& free) {
     Optimum best{problem.clamped(start), unbounded, 0, false};
     Array1D expected = problem.expected(best.at);
@@ -233,8 +233,8 @@ Optimum best_of_starts(const Problem& problem) {
     return best;
 }
 
-/// Where the loss with one parameter held has risen by `rise`, from the optimum towards `end`; infinite with its sign
-/// where it never has.
+/// Position where the loss with one fixed parameter has increased by `rise`, from the optimum towards `end`; infinite
+/// with its sign if it never does.
 double profile_end(const Problem& problem, const Optimum& best, Index place, double end, double rise) {
     std::vector<Index> free;
     for (const Index p : problem.fitted())
@@ -299,7 +299,7 @@ Alert not_seen(bool longest, const Interval& interval) {
             "measure with a sharper instrument, or fit without a short cutoff"};
 }
 
-/// Parameters that ended where they are not let go further. Scales at the far ends are not seen: see not_seen().
+/// Warns of parameters at their bounds. Scales at the far ends are not determined: see not_seen().
 void add_bound_alerts(SelfAffineFit& fit, const Problem& problem, const Parameters& at) {
     constexpr double near = 1e-6;
     const auto add = [&](double value, double bound, std::string what) {
@@ -350,7 +350,7 @@ SelfAffineFit fit_self_affine(std::span<const FittedValues> data, const SelfAffi
     fit.status = best.converged ? FitStatus::converged : FitStatus::not_converged;
     const double dispersion = std::max(1.0, fit.chi_squared / fit.degrees_of_freedom);
 
-    // scales whose interval is open take no part in the covariance
+    // scales with an open interval are not part of the covariance
     const double quantile = normal_quantile(0.5 + 0.5 * options.level), rise = 0.5 * quantile * quantile * dispersion;
     std::vector<Index> known{amplitude, hurst};
     const auto scale = [&](Index place, const char* name, const char* symbol, ScaleStatus& status) {
@@ -432,7 +432,7 @@ Spectrum model_spectrum(const SelfAffineFit& fit, const ArrayView1D& wavevector)
     const auto value = [&](const spectra::SelfAffine& model, double q) {
         return q < model.short_wavevector ? spectra::profile_power_spectrum(model, Array1D::Constant(1, q))[0] : 0.0;
     };
-    // the model with one of the covariance's parameters moved
+    // the model with one parameter of the covariance changed
     const auto moved = [&](Index parameter, double step) {
         auto model = fit.model;
         const auto& name = fit.parameters[static_cast<std::size_t>(parameter)];

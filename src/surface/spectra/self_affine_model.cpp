@@ -8,7 +8,7 @@ namespace setae::spectra {
 
 SelfAffineLines::SelfAffineLines(const spectra::SelfAffine& model, double lowest, double highest)
     : end_(model.short_wavevector), first_(std::log(lowest)) {
-    constexpr double close_to_end = 1.0 - 1e-9;  // there C1D goes as √(q_s² − q²)
+    constexpr double close_to_end = 1.0 - 1e-9;  // there C1D is proportional to √(q_s² − q²)
     constexpr double nodes_per_decade = 40.0;
     const double last = std::log(std::min(highest, close_to_end * end_));
     const auto count =

@@ -105,8 +105,8 @@ SpectralDensity profile_density(const SpectralDensity& C_iso, const Band& band) 
                                           C_iso(band.lower), band.lower));
     const AbelIntegral integral(surface.nodes, surface.values);
     const double cutoff = surface.nodes[n - 1], at_cutoff = surface.values[n - 1] * cutoff / pi;
-    // what is tabulated is C1D without the root it falls to zero with at the cutoff; below a thousandth of the band's
-    // begin it is constant to 1e-6
+    // tabulated is C1D without the root with which it goes to zero at the cutoff; below a thousandth of the begin of
+    // the band it is constant to 1e-6
     const auto rootless = [&](double q) {
         const double share = std::sqrt((1.0 - q / cutoff) * (1.0 + q / cutoff));
         return share > 1e-4 ? integral(q) / share : at_cutoff;

@@ -12,7 +12,7 @@
 namespace setae::spectra {
 namespace {
 
-/// C1D must exceed what is taken off as noise so many times: N is known to about 20 %, which then moves C1D by 10 %.
+/// C1D must exceed the subtracted noise by this factor: N has an error of about 20 %, which then changes C1D by 10 %.
 constexpr double min_signal = 2.0;
 
 /// Mean over neighbouring modes, within a fifth of the wavevector and at least eight on either side.

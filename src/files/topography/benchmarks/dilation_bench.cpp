@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: GPL-3.0-or-later Dilation compared with the plain vectorised maximum over every point of the
-// tip, both in one run.
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Dilation compared with the plain vectorised maximum over every point of the tip, both in one run.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>

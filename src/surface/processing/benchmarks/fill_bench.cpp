@@ -36,7 +36,7 @@ topography::HeightMap with_small_holes(Index n) {
     return map;
 }
 
-/// Copies, for every filling is timed with one.
+/// Copies, because every filling is timed with one.
 void copy_1024(benchmark::State& state) {
     const auto map = with_small_holes(1024);
     Array2D other(1024, 1024);

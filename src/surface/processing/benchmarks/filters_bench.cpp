@@ -16,7 +16,7 @@ topography::HeightMap map_of(Index n, bool periodic = false) {
 
 parallel::Threads threads_of(const benchmark::State& state) { return {static_cast<int>(state.range(1))}; }
 
-/// The yardsticks: heights copied once; a filter by transforms, there and back.
+/// Reference times: heights copied once; a filter by forward and inverse transform.
 void copy(benchmark::State& state) {
     const auto map = map_of(state.range(0));
     Array2D other(map.heights.rows(), map.heights.cols());

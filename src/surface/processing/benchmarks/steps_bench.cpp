@@ -23,7 +23,7 @@ topography::HeightMap map_of(Index n) {
     return map;
 }
 
-/// What a step cannot be faster than: the array read twice and written once.
+/// Minimum time of a step: the array read twice and written once.
 void array_read_twice(benchmark::State& state) {
     auto map = map_of(state.range(0));
     for (auto _ : state) {

@@ -32,11 +32,11 @@ struct Field {
     [[nodiscard]] double at(Index i, Index j) const { return heights[i * columns + j]; }
 };
 
-/// Points from one on each side, cut off on both sides alike where the field ends.
+/// Points on each side, reduced equally on both sides at the ends of the field.
 Index narrowed(Index reach, Index place, Index count) { return std::min({reach, place, count - 1 - place}); }
 
-/// Median of h − h(i, j) over the defined points around (i, j), the tilt taken off; NaN if there is none. Points that
-/// `left_out` marks do not count, and with `symmetric` nor do those that lie opposite to them.
+/// Median of h − h(i, j) over the defined points around (i, j), minus the tilt; NaN if there is none. Points marked in
+/// `left_out` are excluded, and with `symmetric` also the points opposite to them.
 double local_median(const Field& field, const Tilt& tilt, Index i, Index j, Index reach_i, Index reach_j,
                     const Mask* left_out, bool symmetric) {
     std::array<double, (2 * largest_reach + 1) * (2 * largest_reach + 1)> values;
@@ -54,7 +54,7 @@ double local_median(const Field& field, const Tilt& tilt, Index i, Index j, Inde
     return n > 0 ? median({values.data(), static_cast<std::size_t>(n)}) : undefined;
 }
 
-/// Median of the differences of each height to the one so many places further; 0 if there is none.
+/// Median of the differences of each height to the one at this distance; 0 if there is none.
 double median_rise(const Field& field, Index down, Index along, parallel::Threads threads) {
     const auto rise = [=](Index i, Index j) { return field.at(i + down, j + along) - field.at(i, j); };
     const ComputedRows rises{field.rows - down, field.columns - along,
@@ -69,7 +69,7 @@ Tilt median_tilt(const Field& field, parallel::Threads threads) {
     return {median_rise(field, 1, 0, threads), median_rise(field, 0, 1, threads)};
 }
 
-/// Whether all heights of a stretch of rows around row i are defined.
+/// Whether all heights of a range of rows around row i are defined.
 bool defined_around(const Field& field, Index i, Index reach_i, Index first, Index count) {
     double sum = 0.0;
     for (Index a = i - reach_i; a <= i + reach_i; ++a)
@@ -77,7 +77,7 @@ bool defined_around(const Field& field, Index i, Index reach_i, Index first, Ind
     return std::isfinite(sum);
 }
 
-/// r: heights minus the median of their surroundings; NaN where either is undefined.
+/// r: heights minus the median of their surroundings; NaN if either is undefined.
 struct Differences {
     const Field& field;
     Tilt tilt;
@@ -88,7 +88,7 @@ struct Differences {
                              nullptr, false);
     }
 
-    /// Those of row i.
+    /// Differences of row i.
     void load(Index i, double* r) const {
         constexpr Index together = medians_together, stretch = 16 * together;
         const Index reach_i = narrowed(reach, i, field.rows);
@@ -108,7 +108,7 @@ struct Differences {
     }
 
 private:
-    /// Whether all heights around are defined, so it is done.
+    /// Computes several medians if all heights around are defined; otherwise false.
     bool load_several(Index i, Index reach_i, Index j, Index count, double* r) const {
         if (!defined_around(field, i, reach_i, j - reach, count + 2 * reach)) return false;
         find_local_medians(field.heights + i * field.columns + j, field.columns, tilt, {reach_i, reach},
@@ -118,8 +118,8 @@ private:
     }
 };
 
-/// Whether a third of the points around (i, j) lie at its own height, to within `width`: the edge of a step, the corner
-/// of an island.
+/// Whether a third of the points around (i, j) have its height, to within `width`: the edge of a step, the corner of an
+/// island.
 bool has_company(const Field& field, const Tilt& tilt, Index i, Index j, Index reach, double width) {
     const Index reach_i = narrowed(reach, i, field.rows), reach_j = narrowed(reach, j, field.columns);
     Index around = 0, level = 0;
@@ -134,11 +134,11 @@ bool has_company(const Field& field, const Tilt& tilt, Index i, Index j, Index r
     return 3 * level >= around;
 }
 
-/// Marks the candidates with |r| > threshold, the largest first: a point counts only if it stands out of those around
-/// it that are no spikes (and of none that lies opposite to one: the median on a slope stays).
+/// Marks the candidates with |r| > threshold, the largest first: a point is a spike only if it differs from the points
+/// around it that are no spikes (also without their opposite points, which keeps the median on a slope).
 void mark_spikes(const Differences& differences, std::vector<Outlier> candidates, Spikes& spikes) {
     const auto& [field, tilt, reach] = differences;
-    // where surroundings agree to the last bit, what differs by rounding alone is no spike
+    // if surroundings are equal to the last bit, a difference by rounding is no spike
     constexpr double rounding = 1e-14;
     const auto stands_out = [&, heights = field.heights](double difference, Index point) {
         return std::fabs(difference) > std::max(spikes.threshold, rounding * std::fabs(heights[point]));
@@ -188,7 +188,7 @@ Spikes spikes_of(const Field& field, const SpikeOptions& options, const topograp
 Field field_of(const HeightMap& map) { return {map.heights.data(), map.heights.rows(), map.heights.cols()}; }
 Field field_of(const LineScan& scan) { return {scan.heights.data(), 1, scan.heights.size()}; }
 
-/// Median of the points around a spike that are none, from as far as it takes to find some.
+/// Median of the points around a spike that are none, from the smallest sufficient distance.
 double replacement(const Field& field, Index i, Index j, Index reach, const Mask& spikes) {
     for (; reach <= largest_reach; ++reach) {
         const double rise = local_median(field, {}, i, j, narrowed(reach, i, field.rows),
@@ -209,7 +209,7 @@ std::vector<NewHeight> heights_without(const Spikes& spikes, const Despike& step
     return changes;
 }
 
-/// The mask of a line as Mask has it: (n, 1).
+/// The mask of a line in the form of Mask: (n, 1).
 Spikes as_line(Spikes spikes) {
     spikes.mask.resize(spikes.mask.size(), 1);
     return spikes;

@@ -18,12 +18,12 @@ namespace {
 using topography::HeightMap;
 using topography::LineScan;
 
-/// Wider bands cost more than a multigrid solution.
+/// Wider bands take longer than a multigrid solution.
 constexpr Index widest_band = 40;
-/// Patches solved by one task: many are of a few points.
+/// Patches solved by one task: many have a few points.
 constexpr std::size_t patches_per_task = 32;
 
-/// Banded Cholesky of the patch's equations, row by row.
+/// Banded Cholesky factorisation of the equations of the patch, row by row.
 Array1D solve_by_band(const PatchGraph& graph, const PatchBoundary& boundary, const Couplings& couplings) {
     const Index n = graph.points, band = graph.bandwidth;
     Array2D factor = Array2D::Zero(n, band + 1);  // column band − (a − b) of row a: entry (a, b)

@@ -8,7 +8,7 @@
 namespace setae::processing {
 namespace {
 
-/// Whether any of some heights is undefined: their sum tells, for nothing makes a number of NaN again.
+/// Whether any of some heights is undefined, by their sum: NaN propagates.
 bool any_undefined(const double* heights, Index count) {
     double sums[4] = {0.0, 0.0, 0.0, 0.0};
     Index j = 0;

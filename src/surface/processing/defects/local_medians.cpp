@@ -11,11 +11,11 @@
 namespace setae::processing {
 namespace {
 
-/// So many numbers as one: a register of a processor.
+/// As many numbers as fit into a register of the processor.
 template <int width>
 struct Lanes {
     using Values [[gnu::vector_size(width * sizeof(double))]] = double;
-    /// The same at any address; a copy by bytes would go through memory in halves.
+    /// The same vector at any address; a copy of bytes would go through memory in halves.
     using Unaligned [[gnu::vector_size(width * sizeof(double)), gnu::aligned(alignof(double)), gnu::may_alias]] =
         double;
 
@@ -30,7 +30,7 @@ template <int width>
     high.values = a > b ? a : b;
 }
 
-/// Of `size` numbers the smallest and the largest one go, the others move to the front.
+/// Removes the smallest and the largest of `size` numbers; the others move to the front.
 template <int width>
 [[gnu::always_inline]] inline void drop_ends(Lanes<width>* kept, std::size_t size) {
 #pragma GCC unroll 16
@@ -42,8 +42,8 @@ template <int width>
     kept[0] = kept[size - 2];
 }
 
-/// How many of `all` numbers, an even number, are kept at once: the smallest and the largest one of more than half of
-/// them are not in the middle.
+/// Number of values kept at once, of `all` numbers, an even number: the smallest and the largest one of more than half
+/// of them are not in the middle.
 constexpr std::size_t largest_of(std::size_t all) { return all / 2 + 2; }
 
 /// The difference of heights to the point (a, b) places further.
@@ -61,7 +61,7 @@ template <int width>
     *reinterpret_cast<typename Lanes<width>::Unaligned*>(median) = 0.5 * (kept[0].values + kept[1].values);
 }
 
-/// The default, reach 2: everything the loops count is known beforehand, and all numbers stay in registers.
+/// The default, reach 2: all loop counts are known at compile time, and all numbers remain in registers.
 template <int width>
 struct SquareOfDefault {
     static constexpr Index reach = 2, side = 2 * reach + 1;

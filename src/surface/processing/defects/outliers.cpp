@@ -20,7 +20,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// The standard deviation of normal numbers whose absolute values have this quantile.
 double deviation_of(double quantile, double probability) { return quantile / normal_quantile(0.5 + 0.5 * probability); }
 
-/// What a pass over all numbers finds.
+/// Result of a pass over all numbers.
 struct Pass {
     QuantileSearch magnitudes;
     Index zeros = 0;
@@ -60,7 +60,7 @@ Pass look_at_all(const ComputedRows& differences, const Bounds& bounds, double b
     return all;
 }
 
-/// Numbers beyond a bound alone.
+/// Only numbers beyond a bound.
 std::vector<Outlier> all_beyond(const ComputedRows& differences, double bound, parallel::Threads threads) {
     return look_at_all(differences, {infinity, infinity}, bound, threads).beyond;
 }

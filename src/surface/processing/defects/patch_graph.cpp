@@ -13,8 +13,7 @@ struct Interval {
     Index first, last;
 };
 
-/// Where a patch lies along one direction, given which places it takes: its first place, and whether it goes all the
-/// way round.
+/// Range of a patch along one direction from its occupied places: its first place, and whether it extends all around.
 struct Stretch {
     Index origin, length;
     bool wraps;

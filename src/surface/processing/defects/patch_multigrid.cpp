@@ -17,7 +17,7 @@ constexpr int max_steps = 400;
 constexpr Index coarsest_points = 16;
 constexpr int coarsest_sweeps = 8;
 
-/// For every fine place along a direction: the coarse place it lies in and the next one, with their shares.
+/// For every fine place along a direction: its coarse place and the next one, with their shares.
 struct Steps {
     std::vector<Index> own, other;
     std::vector<double> own_share, other_share;
@@ -42,8 +42,8 @@ struct Steps {
     }
 };
 
-/// One grid: −sum of couplings to neighbours, diagonal the sum of all with the leaks; couplings 0 if a point is none of
-/// the unknowns.
+/// One grid: −sum of couplings to neighbours, diagonal the sum of all with the leaks; couplings are 0 unless both
+/// points are unknowns.
 struct Level {
     Index nx, ny;
     std::array<bool, 2> wraps;
@@ -51,7 +51,7 @@ struct Level {
     Couplings nominal;
     Array2D to_x, to_y;  ///< coupling with the next point along x, y (the last one's: across the wrap)
     Array2D leak_x, leak_y;
-    Array2D inverse;  ///< 1/diagonal, 0 for no unknown
+    Array2D inverse;  ///< 1/diagonal, 0 for other points
     Array2D value, right, rest;
 
     Level(Index rows, Index columns, const PatchBox& box, const Couplings& couplings)
@@ -68,7 +68,7 @@ struct Level {
         inverse = (diagonal > 0.0).select(1.0 / diagonal, 0.0);
     }
 
-    /// Sum of couplings times neighbours' values.
+    /// Sum of couplings times values of the neighbours.
     [[nodiscard]] double neighbours(const Array2D& field, Index i, Index j) const {
         double sum = 0.0;
         if (i + 1 < nx) sum += to_x(i, j) * field(i + 1, j);
@@ -81,7 +81,7 @@ struct Level {
         else if (wraps[1]) sum += to_y(i, ny - 1) * field(i, ny - 1);
         return sum;
     }
-    /// The same away from the box's sides.
+    /// Sum for points away from the sides of the box.
     [[nodiscard]] double inner_neighbours(const double* at, const double* x, const double* y) const {
         return (x[0] * at[ny] + x[-ny] * at[-ny]) + (y[0] * at[1] + y[-1] * at[-1]);
     }
@@ -100,7 +100,7 @@ struct Level {
                 for (Index m = 0; m < count; ++m) relax(i, begin + 2 * (backwards ? count - 1 - m : m));
                 continue;
             }
-            // inner points of one colour do not see each other, so their order is free
+            // inner points of one colour are independent, so their order is arbitrary
             const bool left = begin == 0, right_side = (ny - 1 - begin) % 2 == 0 && ny > 1;
             if (left && !backwards) relax(i, 0);
             if (right_side && backwards) relax(i, ny - 1);
@@ -113,7 +113,7 @@ struct Level {
         }
     }
 
-    /// product = A field, if unknown.
+    /// product = A field, 0 for other points.
     void multiply(const Array2D& field, Array2D& product) const {
         for (Index i = 0; i < nx; ++i)
             for (Index j = 0; j < ny; ++j) {
@@ -190,7 +190,7 @@ public:
     }
 
 private:
-    /// Visits every unknown with the coarse ones it takes part in.
+    /// Visits every unknown with its coarse unknowns.
     template <class Visit>
     void transfer(std::size_t number, const Visit& visit, Array2D& fine, Array2D& coarse) {
         const Level& level = levels_[number];
@@ -227,7 +227,7 @@ private:
                 const Index next_i = x.own[extent((i + 1) % fine.nx)], next_j = y.own[extent((j + 1) % fine.ny)];
                 if (next_i != ci) coarse.to_x(ci, cj) += (halve_x ? 0.5 : 1.0) * fine.to_x(i, j);
                 if (next_j != cj) coarse.to_y(ci, cj) += (halve_y ? 0.5 : 1.0) * fine.to_y(i, j);
-                // the coarse point lies half a step further from the border
+                // the coarse point is half a step further from the border
                 coarse.leak_x(ci, cj) +=
                     halve_x ? fine.leak_x(i, j) / (1.0 + 0.5 * fine.leak_x(i, j) / fine.nominal.x) : fine.leak_x(i, j);
                 coarse.leak_y(ci, cj) +=
@@ -258,7 +258,7 @@ Array1D solve_by_multigrid(const PatchGraph& graph, const PatchBoundary& boundar
     Array2D solution = Array2D::Zero(finest.nx, finest.ny), direction, image(finest.nx, finest.ny);
     double before = 0.0;
     for (int step = 0;; ++step) {
-        // the finest grid's right-hand side is the residual of the solution so far
+        // the right-hand side of the finest grid is the residual of the current solution
         grids.cycle();
         const double gain = product(finest.right, finest.value);
         if (finest.value.abs().maxCoeff() <= converged * boundary.range || gain == 0.0) break;

@@ -22,7 +22,7 @@ using numerics::for_each_row;
 using topography::HeightMap;
 using topography::Mask;
 
-constexpr std::uint8_t beside = 1;  // stands out enough to belong to a scar
+constexpr std::uint8_t beside = 1;  // differs enough to belong to a scar
 constexpr std::uint8_t scar = 2;
 
 void require_domain(const RemoveScars& step) {
@@ -70,18 +70,18 @@ double rms_difference(const RowsOfHeights& map, parallel::Threads threads) {
     return all.count > 0.0 ? std::sqrt(all.squares / all.count) : 0.0;
 }
 
-/// Marks the runs of one row along y that stand out of the points that end them; sign −1 looks at valleys. Whether
-/// there are some.
+/// Marks the runs of one row along y that differ from the points at both ends; sign −1 for valleys. Returns whether
+/// there are any.
 bool mark_row(const double* heights, Index n, Index width, double low, double high, double sign, std::uint8_t* marks) {
     bool marked = false;
     for (Index start = 0; start + 2 < n; ++start) {
         if (!(sign * (heights[start + 1] - heights[start]) >= low)) continue;
         const double before = sign * heights[start];
         double least = sign * heights[start + 1], base_of_run = undefined;
-        Index run = 0;  // the longest one that stands out
+        Index run = 0;  // the longest significant one
         for (Index k = 1; k <= width && start + k + 1 < n; ++k) {
             least = std::min(least, sign * heights[start + k]);
-            if (!(sign * heights[start + k] - before >= low)) break;  // the run has come down, or is undefined
+            if (!(sign * heights[start + k] - before >= low)) break;  // the run ends, or is undefined
             const double behind = sign * heights[start + k + 1], base = std::max(before, behind);
             if (std::isnan(behind) || !(least - base >= low)) continue;
             run = k;
@@ -94,7 +94,7 @@ bool mark_row(const double* heights, Index n, Index width, double low, double hi
     return marked;
 }
 
-/// Marks of a map, and which rows have some.
+/// Marks of a map, and the rows with marks.
 struct Marks {
     Mask points;
     std::vector<std::uint8_t> in_row;
@@ -114,7 +114,7 @@ void spread_along_x(Marks& marks) {
     for (Index i = points.rows() - 1; i > 0; --i) join(i, i - 1);
 }
 
-/// Keeps runs of scars along x that are long enough, as 1; everything else becomes 0.
+/// Keeps sufficiently long runs of scars along x, as 1; everything else becomes 0.
 void keep_long(Marks& marks, Index length) {
     auto& points = marks.points;
     std::vector<Index> run(static_cast<std::size_t>(points.cols()), 0);
@@ -141,7 +141,7 @@ std::vector<double> signs_of(ScarSign sign) {
     return {sign == ScarSign::positive ? 1.0 : -1.0};
 }
 
-/// Marks of each sign, of points that stand out in their rows.
+/// Marks of each sign, for points that differ within their rows.
 std::vector<Marks> marks_of_rows(const RemoveScars& step, const RowsOfHeights& map, double difference,
                                  parallel::Threads threads) {
     const auto signs = signs_of(step.sign);
@@ -158,7 +158,7 @@ std::vector<Marks> marks_of_rows(const RemoveScars& step, const RowsOfHeights& m
     return marks;
 }
 
-/// New heights of one row's scars, from the nearest points before and after that are none.
+/// New heights for the scars of one row, from the nearest points before and after without scar.
 void fill_row(double* heights, const std::uint8_t* marks, Index n, ScarReplacement replacement) {
     for (Index j = 0; j < n; ++j) {
         if (!marks[j]) continue;

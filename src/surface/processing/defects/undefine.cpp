@@ -17,7 +17,7 @@
 namespace setae::processing {
 namespace {
 
-/// Makes heights undefined; how many.
+/// Sets heights undefined and returns their number.
 Index undefine_heights(const Undefine& step, double* heights, Index n) {
     constexpr double unlimited = std::numeric_limits<double>::infinity(), single_precision = 1e-7;
     const double above = step.above.value_or(unlimited), below = step.below.value_or(-unlimited);

@@ -39,7 +39,7 @@ void require_valid(const FourierCut& band, const topography::Metadata& metadata)
                         name, *band.shortest, *band.longest));
 }
 
-/// Whether a mode of 1/wavelength squared stays.
+/// Whether a mode of 1/wavelength squared is kept.
 class Passband {
 public:
     explicit Passband(const FourierCut& band) : band_(band) {}

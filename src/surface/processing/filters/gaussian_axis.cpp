@@ -7,7 +7,7 @@
 namespace setae::processing {
 namespace {
 
-/// Where a Gaussian ends, in its own deviations.
+/// Truncation of a Gaussian, in its deviations.
 const double reach = 4.0 * std::sqrt(2.0);
 /// Narrower Gaussians [pixels] are summed directly.
 constexpr double widest_direct = 3.0;
@@ -35,7 +35,7 @@ void tabulate_direct(GaussianAxis& axis, double deviation, Index orders) {
 struct CoarseGrid {
     double origin = 0.0, step = 0.0;  ///< [points]
     Index number = 0;
-    Index half = 0;  ///< coarse points that a Gaussian reaches to either side
+    Index half = 0;  ///< coarse points within a Gaussian on either side
 };
 
 CoarseGrid coarse_grid(const GaussianAxis& axis, double deviation) {
@@ -53,7 +53,7 @@ CoarseGrid coarse_grid(const GaussianAxis& axis, double deviation) {
     return grid;
 }
 
-/// Weights of the coarse points that point i gathers from.
+/// Weights of the coarse points used by point i.
 void tabulate_gather(GaussianAxis& axis, const CoarseGrid& grid, double deviation, Index orders, Index i) {
     const double place = (static_cast<double>(i) - grid.origin) / grid.step;  // in coarse steps
     const auto below = static_cast<Index>(std::floor(place));
@@ -70,7 +70,7 @@ void tabulate_gather(GaussianAxis& axis, const CoarseGrid& grid, double deviatio
     }
 }
 
-/// Weights with which point i shares itself among coarse points.
+/// Weights for the distribution of point i to coarse points.
 void tabulate_shares(GaussianAxis& axis, const CoarseGrid& grid, double deviation, Index orders, Index i) {
     const double place = (static_cast<double>(i) - grid.origin) / grid.step;
     const auto first = static_cast<Index>(std::ceil(place)) - grid.half;

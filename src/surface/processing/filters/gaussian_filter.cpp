@@ -24,8 +24,7 @@ void require_valid(const GaussianFilter& filter, const topography::Metadata& met
 
 Regression kind_of(Kept keep) { return keep == Kept::long_waves ? Regression::value : Regression::residual; }
 
-/// The heights instead of which the filter's come: undefined ones are marked first, for regression gives a value there
-/// too.
+/// The original heights: undefined ones are marked first, because regression also gives a value there.
 void filter_in_place(Eigen::Ref<Array2D> heights, const Neighbourhood& near, Kept keep, parallel::Threads threads) {
     const auto undefined_points = (heights.isNaN()).count();
     if (undefined_points == 0 || keep == Kept::short_waves) {

@@ -14,7 +14,7 @@ namespace {
 
 constexpr Index regression_columns_per_block = 128;
 constexpr std::size_t max_terms = 6;
-/// A pivot below this share of its diagonal: the points near lie on a curve on which the polynomial vanishes.
+/// A pivot below this share of its diagonal: the nearby points are on a curve on which the polynomial vanishes.
 constexpr double smallest_pivot = 1e-9;
 
 struct Census {
@@ -38,7 +38,7 @@ Census census(const ArrayView2D& heights) {
     return {defined > 0 ? sum / static_cast<double>(defined) : 0.0, defined == heights.size()};
 }
 
-/// Sums of the Gaussian itself: of a complete map they are products of those of a line each way.
+/// Sums of the Gaussian: for a complete map they are products of those along both directions.
 Array2D sums_of_one(const GaussianAxis& axis, Index orders) {
     const GaussianAxis alone(1, 0.0, false, orders);
     const auto one = [](Index, Index, Index count, double* values) { std::fill(values, values + count, 1.0); };
@@ -48,7 +48,7 @@ Array2D sums_of_one(const GaussianAxis& axis, Index orders) {
     return sums;
 }
 
-/// The weights about the points of a line of a complete map, as far as a fitted line needs them.
+/// The weights around the points of a line of a complete map, as needed for a fitted line.
 struct Levers {
     Array1D inverse;  ///< 1/sum of weights
     Array1D mean;     ///< of the coordinate
@@ -63,7 +63,7 @@ struct Levers {
     }
 };
 
-/// Weighted least squares of a polynomial about a reference, valued at a point.
+/// Weighted least squares of a polynomial about a reference, evaluated at a point.
 class LocalFit {
 public:
     LocalFit(Index order, Index max_x, Index max_y)
@@ -94,7 +94,7 @@ private:
         return exponent == 0 ? 1.0 : exponent == 1 ? base : base * base;
     }
 
-    /// Cholesky; a term that the points near cannot tell from those before it is left out.
+    /// Cholesky factorisation; a term that nearby points cannot distinguish from earlier ones is left out.
     std::array<double, max_terms> solve(const double* weight, const double* height, Index stride) const {
         const std::size_t count = terms_.size();
         std::array<std::array<double, max_terms>, max_terms> factor;
@@ -151,7 +151,7 @@ struct Smoothing {
         ones_y = sums_of_one(along_y, 2 * order);
     }
 
-    /// Moments of the heights, those about which the fit turns to numbers.
+    /// Moments of the heights, from which the fit is computed.
     MomentField height_moments(parallel::Threads threads) const {
         const auto load = [this](Index i, Index first, Index count, double* values) {
             const double* row = heights.data() + i * heights.outerStride() + first;
@@ -182,8 +182,7 @@ struct Smoothing {
 
 namespace {
 
-/// Means (order 0) and planes (order 1) of a complete map: weights are products, and along x and y they do not
-/// correlate.
+/// Means (order 0) and planes (order 1) of a complete map: weights are products, and uncorrelated along x and y.
 void fit_planes(const Smoothing& smoothing, const MomentField& moments, Regression kind, Eigen::Ref<Array2D> result,
                 parallel::Threads threads) {
     const Index nx = smoothing.along_x.points, ny = smoothing.along_y.points;

@@ -114,7 +114,7 @@ void MomentField::gather_columns(const LoadValues& load, parallel::Threads threa
         for (Index l = 0; l <= std::min(max_y_, total_ - m); ++l)
             partial_[extent(m)].push_back(l == 0 && !rows_axis.direct ? std::move(shared_[extent(m)])
                                                                       : Array2D(rows_axis.coarse, ny));
-    // coarse points beyond either end, so that outputs gather without asking
+    // coarse points beyond either end, so that outputs need no checks
     const Index margin = axis.taps;
     const auto reduce = [&](const double* row, Index n, Array1D& coarse) {
         coarse.setZero(axis.coarse + 2 * margin);

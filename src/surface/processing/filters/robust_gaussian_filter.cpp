@@ -24,7 +24,7 @@ void require_valid(const RobustGaussianFilter& filter, const topography::Metadat
                         topography::label(metadata), filter.order));
 }
 
-/// @returns how often the weights were found.
+/// @returns the number of updates of the weights.
 int filter_robustly(Eigen::Ref<Array2D> heights, const Neighbourhood& near, Kept keep, parallel::Threads threads) {
     Array2D smooth(heights.rows(), heights.cols()), weights;
     RobustScale scale;
@@ -36,7 +36,7 @@ int filter_robustly(Eigen::Ref<Array2D> heights, const Neighbourhood& near, Kept
     return scale.updates();
 }
 
-/// In place; returns how often the weights were found.
+/// In place; returns the number of updates of the weights.
 int filter_robustly(topography::HeightMap& map, const RobustGaussianFilter& filter, parallel::Threads threads) {
     require_valid(filter, map.metadata);
     const auto pixel = map.pixel_size();

@@ -27,7 +27,7 @@ SmoothingSpline::SmoothingSpline(const ArrayView1D& weights, const SplineStiffne
     determined_ = (weights > 0.0).count() >= (lines_are_free ? 2 : 1) && (points_ > 2 || (weights > 0.0).all());
     if (!determined_) return;
     triangle_.setZero(points_, band_);
-    // rows wait for the last of their places, so that only the triangle's rows before it take part
+    // rows wait for the last of their places, so only earlier rows of the triangle are involved
     std::vector<std::vector<std::vector<Term>>> waiting(extent(points_));
     const auto put = [&](std::vector<Term> row) {
         Index last = 0;

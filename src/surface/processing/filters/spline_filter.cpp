@@ -34,7 +34,7 @@ SplineStiffness stiffness(const SplineFilter& filter, double pixel_size) {
     return {filter.tension * alpha * alpha, (1.0 - filter.tension) * std::pow(alpha, 4.0)};
 }
 
-/// Smooths lines, with the factorisation of complete lines without weights kept.
+/// Smooths lines; the factorisation for complete lines without weights is kept.
 class LineSmoother {
 public:
     LineSmoother(Index points, const SplineStiffness& stiff, bool periodic)
@@ -59,7 +59,7 @@ private:
     SmoothingSpline complete_;
 };
 
-/// Every line along x with the weights given, then every line along y.
+/// Every line along x with the given weights, then every line along y.
 Array2D smooth_map(const Array2D& heights, const Array2D& factors, const std::array<SplineStiffness, 2>& stiff,
                    bool periodic, parallel::Threads threads) {
     Array2D smooth = heights;
@@ -74,7 +74,7 @@ Array2D smooth_map(const Array2D& heights, const Array2D& factors, const std::ar
                 if (factors.size() > 0) weights = factors.middleCols(first, count).transpose();
                 for (Index j = 0; j < count; ++j)
                     smoother.smooth(&lines(j, 0), factors.size() > 0 ? &weights(j, 0) : nullptr, nx);
-                // what the first pass made of undefined points must not pass for data in the second
+                // values from the first pass at undefined points must not be used as data in the second
                 smooth.middleCols(first, count) =
                     heights.middleCols(first, count)
                         .isNaN()
@@ -103,7 +103,7 @@ int filter_in_place(Eigen::Ref<Array2D> heights, const SplineFilter& filter,
     return scale.updates();
 }
 
-/// In place; returns how often the weights were found.
+/// In place; returns the number of updates of the weights.
 int filter_in_place(topography::HeightMap& map, const SplineFilter& filter, parallel::Threads threads) {
     const auto pixel = map.pixel_size();
     require_valid(filter, std::max(pixel[0], pixel[1]), map.metadata);

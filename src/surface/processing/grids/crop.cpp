@@ -22,7 +22,7 @@ struct Window {
     Index first = 0, count = 0;
 };
 
-/// What a step says of one direction.
+/// Request of a step for one direction.
 struct Request {
     const char* direction;
     std::optional<double> from, to;

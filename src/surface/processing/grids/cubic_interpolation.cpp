@@ -24,8 +24,7 @@ struct Hermite {
           slope_derivative{(1.0 - t) * (1.0 - 3.0 * t), t * (3.0 * t - 2.0)} {}
 };
 
-/// Whether the upper point counts: it does not where the place is the lower one itself and its slope is that point's
-/// own.
+/// Whether the upper point is used: not if the place is the lower point and only its slope is needed.
 bool both_count(const GridPlace& place) { return place.fraction > 0.0; }
 
 }  // namespace

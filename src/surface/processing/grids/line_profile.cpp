@@ -15,13 +15,13 @@ namespace {
 
 using topography::HeightMap;
 
-/// A position in pixels, on a grid point where it is one but for rounding.
+/// A position in pixels, exactly on a grid point if it differs only by rounding.
 double in_pixels(double position, double pixel) {
     const double place = position / pixel, nearest = std::round(place);
     return std::abs(place - nearest) < 1e-9 * std::max(1.0, std::abs(nearest)) ? nearest : place;
 }
 
-/// A point of the grid itself, its index brought into the map where that is periodic; −1 where it is none.
+/// Index of a point of the grid, wrapped for a periodic map; −1 if it is outside.
 Index grid_index(double place, Index n, bool periodic) {
     if (place != std::round(place)) return -1;
     const auto index = static_cast<Index>(place);
@@ -44,7 +44,7 @@ private:
     LinearInterpolator between_;
 };
 
-/// Distance of points along a direction that steps from one grid line to the next.
+/// Distance of points along a direction that steps from grid line to grid line.
 double pixel_along(const HeightMap& map, double cosine, double sine) {
     const auto pixel = map.pixel_size();
     return 1.0 / std::hypot(cosine / pixel[0], sine / pixel[1]);

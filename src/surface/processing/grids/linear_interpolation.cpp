@@ -9,7 +9,7 @@ namespace {
 
 constexpr double linear_outside = std::numeric_limits<double>::quiet_NaN();
 
-/// Weight times height; a height of weight zero is not asked.
+/// Weight times height; a height with weight zero is ignored.
 double share(double weight, double height) { return weight == 0.0 ? 0.0 : weight * height; }
 
 }  // namespace

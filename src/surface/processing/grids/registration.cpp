@@ -22,15 +22,15 @@ namespace {
 using topography::HeightMap;
 using Spectrum = Eigen::Array<fourier::Complex, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// Points of the finer search; more cost time without telling more.
+/// Points of the finer search; more would need more time without a gain.
 constexpr Index max_points = 262144;
 constexpr int max_steps = 40;
-/// Common points without which a shift is not looked at.
+/// Minimum number of common points of a shift.
 constexpr Index min_points = 16;
 constexpr std::size_t max_peaks = 8;
-/// A shift settled to this share of a pixel.
+/// Convergence of a shift in pixels.
 constexpr double settled_shift = 1e-5;
-/// Standard deviation [pixels] of the Gaussian that keeps noise of single pixels out of the phase correlation.
+/// Standard deviation [pixels] of the Gaussian that removes noise of single pixels from the phase correlation.
 constexpr double blur = 1.0;
 
 void require_alike(const HeightMap& fixed, const HeightMap& moved) {
@@ -57,7 +57,7 @@ Array1D window(Index n, bool periodic) {
                            .cos();
 }
 
-/// Half spectrum of a map minus its plane, windowed, on a grid it may not fill.
+/// Half spectrum of a map minus its plane, windowed, padded to the grid.
 Spectrum spectrum_of(const HeightMap& map, Index nx, Index ny, parallel::Threads threads) {
     const Array1D along_x = window(map.heights.rows(), map.periodic),
                   along_y = window(map.heights.cols(), map.periodic);
@@ -120,10 +120,10 @@ std::vector<PixelShift> phase_peaks(const HeightMap& fixed, const HeightMap& mov
     return peaks;
 }
 
-/// fixed(x) − moved(x + d) − plane over the common points: what Gauss and Newton need. The plane, for each map has lost
-/// that of its own area.
+/// fixed(x) − moved(x + d) − plane over the common points: input of Gauss–Newton. The plane is needed because each map
+/// was levelled over its own area.
 struct Comparison {
-    double square = 0.0;                             ///< mean of the squares, the best plane taken off
+    double square = 0.0;                             ///< mean of the squares after subtraction of the best plane
     double agreement = 0.0;                          ///< 1 − square/variance of the fixed heights
     Eigen::Vector2d step = Eigen::Vector2d::Zero();  ///< [pixels]
     Index points = 0;
@@ -177,7 +177,7 @@ struct Refined {
 Refined refined(const HeightMap& fixed, const HeightMap& moved, const BicubicInterpolator& height, PixelShift shift) {
     Comparison here = compare(fixed, moved, height, shift);
     for (int step = 0; step < max_steps && here.points >= min_points && here.step.allFinite(); ++step) {
-        // no step beyond half a pixel: the slopes tell nothing of what lies further off
+        // no step beyond half a pixel: slopes are valid only nearby
         const double length = here.step.norm();
         Eigen::Vector2d next = length > 0.5 ? Eigen::Vector2d(here.step * (0.5 / length)) : here.step;
         Comparison there;

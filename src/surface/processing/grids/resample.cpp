@@ -50,7 +50,7 @@ Index point_count(double count, double old_count, const topography::Metadata& me
     return static_cast<Index>(count);
 }
 
-/// `asked`: number of points, or 0 for the grid's pixel size. Open: from the first to the last of the old points.
+/// `asked`: number of points, or 0 for the pixel size of the grid. Open: from the first to the last of the old points.
 Points points_of(const Resample& grid, Index asked, Index old_count, double size, bool open,
                  const topography::Metadata& metadata) {
     const double old_step = size / static_cast<double>(old_count);
@@ -72,7 +72,7 @@ Points points_of(const Resample& grid, Index asked, Index old_count, double size
     return points;
 }
 
-/// What old pixels give to new ones along a direction: overlaps in old pixels.
+/// Contribution of old pixels to new ones along a direction: overlaps in old pixels.
 struct Overlaps {
     std::vector<Index> first;
     std::vector<std::vector<double>> shares;

@@ -16,7 +16,7 @@ namespace {
 
 using topography::HeightMap;
 
-/// Angles closer than this to a whole quarter are one [rad].
+/// Angles closer than this to a multiple of 90° are treated as exact [rad].
 constexpr double forgiven_angle = 1e-12;
 
 HeightMap quarter_turned(HeightMap map, long quarters) {
@@ -36,12 +36,12 @@ struct Sides {
     double x, y;
 };
 
-/// The largest rectangle along the axes, with the same centre, within a turned rectangle.
+/// The largest rectangle along the axes, with the same centre, within a rotated rectangle.
 Sides inscribed(const Sides& sides, double angle) {
     const double sine = std::abs(std::sin(angle)), cosine = std::abs(std::cos(angle));
     const double longer = std::max(sides.x, sides.y), shorter = std::min(sides.x, sides.y);
     if (shorter <= 2.0 * sine * cosine * longer || std::abs(sine - cosine) < 1e-10) {
-        // two corners touch the longer sides, the others lie on the line between them
+        // two corners touch the longer sides, the others are on the line between them
         const double half = 0.5 * shorter;
         return sides.x > sides.y ? Sides{half / sine, half / cosine} : Sides{half / cosine, half / sine};
     }
@@ -49,7 +49,7 @@ Sides inscribed(const Sides& sides, double angle) {
     return {(sides.x * cosine - sides.y * sine) / double_cosine, (sides.y * cosine - sides.x * sine) / double_cosine};
 }
 
-/// First and number of n points a step apart that lie within `side` about their middle.
+/// First and number of n points a step apart within `side` about their middle.
 struct PointRange {
     Index first, count;
 };
@@ -87,7 +87,7 @@ HeightMap rotated(HeightMap map, const Rotate& rotation, parallel::Threads threa
     const double quarters = rotation.angle / (0.5 * std::numbers::pi);
     if (std::abs(quarters - std::round(quarters)) < forgiven_angle)
         return quarter_turned(std::move(map), std::lround(std::fmod(std::round(quarters), 4.0)));
-    map.periodic = false;  // what lies beyond a side is not the other side turned
+    map.periodic = false;  // beyond a side the map is not its rotated continuation
     const auto pixel = map.pixel_size();
     const Index nx = map.heights.rows(), ny = map.heights.cols();
     PointRange rows{0, nx}, columns{0, ny};

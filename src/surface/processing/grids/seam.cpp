@@ -81,7 +81,7 @@ double taper(HeightMap& map, double share) {
     const auto x = window_of(map.heights.rows(), share), y = window_of(map.heights.cols(), share);
     const double mean = mean_of_defined(map.heights);
     for (Index i = 0; i < x.size(); ++i) {
-        const Array1D window = x[i] * y;  // heights stay as they were where it is 1
+        const Array1D window = x[i] * y;  // heights are unchanged where it is 1
         map.heights.row(i) = map.heights.row(i) * window.transpose() + mean * (1.0 - window.transpose());
     }
     const auto whole = static_cast<double>((x == 1.0).count()) * static_cast<double>((y == 1.0).count());

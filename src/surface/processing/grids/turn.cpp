@@ -25,7 +25,7 @@ void flip_y(HeightMap& map) { map.heights.rowwise().reverseInPlace(); }
 
 void flip(LineScan& scan) { scan.heights.reverseInPlace(); }
 
-/// Positions mirrored about the middle, so that first and last stay where they are.
+/// Positions mirrored about the middle, which keeps their range.
 void flip(Profile& profile) {
     const double ends = profile.positions[0] + profile.positions[profile.positions.size() - 1];
     profile.positions = Array1D(ends - profile.positions.reverse());

@@ -21,8 +21,7 @@ using numerics::for_each_row;
 using topography::HeightMap;
 using topography::Mask;
 
-/// Mean or median of the points of a line that count, or of their differences to the line before; NaN if there are
-/// none.
+/// Mean or median of the used points of a line, or of their differences to the previous line; NaN if there are none.
 double level_of(LineBand& band, Index line, RowAlignment method, std::vector<double>& values) {
     values.clear();
     const double* const heights = band.line(line);
@@ -39,7 +38,7 @@ double level_of(LineBand& band, Index line, RowAlignment method, std::vector<dou
     return origin + Eigen::Map<const Array1D>(values.data(), static_cast<Index>(values.size())).mean();
 }
 
-/// What every line is moved by before their mean is given back; lines without points that count move with a neighbour.
+/// Shift of every line before the mean is restored; lines without used points move with a neighbour.
 Array1D shifts_of(const AlignRows& step, HeightMap& map, const Mask& chosen, parallel::Threads threads) {
     const Index lines = line_count(map.heights, step.direction);
     const bool differences = step.method == RowAlignment::median_of_differences;
@@ -67,7 +66,7 @@ Array1D shifts_of(const AlignRows& step, HeightMap& map, const Mask& chosen, par
     return levels;
 }
 
-/// Moves every line by its shift.
+/// Shifts every line.
 void move_lines(const Array1D& shifts, Direction direction, HeightMap& map, parallel::Threads threads) {
     for_each_row(map.heights.rows(), map.heights.cols(), threads, [&](Index i) {
         if (direction == Direction::x) map.heights.row(i) -= shifts.transpose();
@@ -75,8 +74,8 @@ void move_lines(const Array1D& shifts, Direction direction, HeightMap& map, para
     });
 }
 
-/// Subtracts every line's polynomial but for the mean height of all of them; those means. Lines with too few points
-/// become undefined.
+/// Subtracts the polynomial of every line except for the mean height of all; returns those means. Lines with too few
+/// points become undefined.
 Array1D remove_polynomials(const AlignRows& step, HeightMap& map, const Mask& chosen, parallel::Threads threads) {
     const LinePolynomial polynomial(step.degree, points_on_line(map.heights, step.direction));
     Array1D means = Array1D::Constant(line_count(map.heights, step.direction), undefined);

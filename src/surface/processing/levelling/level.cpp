@@ -26,7 +26,7 @@ void end_periodicity(HeightMap& map) { map.periodic = false; }
 void end_periodicity(LineScan& scan) { scan.periodic = false; }
 void end_periodicity(Profile&) {}
 
-/// What was removed, in words of heights, slopes and radii.
+/// Subtracted polynomial in terms of heights, slopes and radii.
 std::vector<Quantity> removed(const PolynomialSurface& polynomial, bool map) {
     std::vector<Quantity> numbers{recorded("removed_height", "z0", polynomial.mean_height(), "m")};
     const auto slope = polynomial.mean_slope(), curvature = polynomial.mean_curvature();
@@ -55,7 +55,7 @@ Processed level(std::string_view name, const PolynomialDegrees& degrees, const R
     return {std::move(measurement), std::move(record)};
 }
 
-/// A map whose every line has lost its own polynomial; how many lines had too few points.
+/// Subtracts the polynomial of every line; returns the number of lines with too few points.
 Index level_lines(const LevelLines& step, HeightMap& map, parallel::Threads threads) {
     const LinePolynomial polynomial(step.degree, points_on_line(map.heights, step.direction));
     const auto chosen = step.region.everything() ? Mask() : mask_of(step.region, map, threads);

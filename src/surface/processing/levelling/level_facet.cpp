@@ -24,11 +24,11 @@ using topography::Profile;
 
 using Slope = std::array<double, 2>;
 
-constexpr double sharpness = 20.0;  // Gwyddion's constant
+constexpr double sharpness = 20.0;  // constant of Gwyddion
 constexpr double settled_facet = 1e-6;
 constexpr int max_iterations = 100;
 
-/// Σ w, Σ w v and, with it, Σ |v − b|² over facets.
+/// Σ w, Σ w v and Σ |v − b|² over facets.
 struct FacetSums {
     double weight = 0.0, x = 0.0, y = 0.0, squares = 0.0;
 
@@ -45,7 +45,7 @@ struct FacetSums {
     }
 };
 
-/// Facets of a map: cells of four points; visit(area, vx, vy) for those whose points all count.
+/// Facets of a map: cells of four points; visit(area, vx, vy) for those with all points used.
 struct MapFacets {
     const HeightMap& map;
     const Mask& chosen;
@@ -137,7 +137,7 @@ Dominant dominant_slope(const Facets& facets, const topography::Metadata& metada
     return found;
 }
 
-/// Subtracts the plane of that slope through height 0 at the centre.
+/// Subtracts the plane with that slope through height 0 at the centre.
 void level_by(const Slope& slope, HeightMap& map, parallel::Threads threads) {
     topography::PolynomialSurface plane{Array2D::Zero(2, 2), {}, {}};
     const auto [nx, ny] = map.shape();

@@ -17,7 +17,7 @@ using numerics::product_in_legendre;
 using numerics::solved_normal_equations;
 using topography::highest_degree;
 
-/// Normal equations from Σ P_k over the points that count.
+/// Normal equations from Σ P_k over the used points.
 Array2D gram_of(const Array1D& sums, Index degree) {
     Array2D gram(degree + 1, degree + 1);
     for (Index a = 0; a <= degree; ++a)

@@ -6,7 +6,7 @@
 namespace setae::processing {
 namespace {
 
-constexpr Index lines_per_band = 16;  // two cache lines of each row where lines run along x
+constexpr Index lines_per_band = 16;  // two cache lines of each row if lines run along x
 
 /// Calls copy(offset in the map, offset in the band) for every point of the lines [first, last).
 template <class Copy>

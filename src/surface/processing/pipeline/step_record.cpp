@@ -29,7 +29,7 @@ struct Spread {
     }
 };
 
-/// Σ term(h) over defined heights, in lanes so it vectorises.
+/// Σ term(h) over defined heights, in lanes for vectorisation.
 template <class Term>
 double sum_of(const double* heights, Index n, Term term) {
     constexpr Index lanes = 4;
@@ -75,7 +75,7 @@ Spread spread_of(const topography::LineScan& scan, parallel::Threads) {
     return spread_of(scan.heights.data(), scan.heights.size());
 }
 
-/// Integrals over segments whose both ends are defined, about their mean.
+/// Integrals over segments with both ends defined, about their mean.
 Spread spread_of(const topography::Profile& profile, parallel::Threads) {
     Spread all;
     for (Index i = 0; i + 1 < profile.heights.size(); ++i) {

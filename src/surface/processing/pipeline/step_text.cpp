@@ -13,11 +13,10 @@
 namespace setae::processing {
 namespace {
 
-/// Words of a line, separated by blanks that stand outside quotes, single or double; \ within double ones stands before
-/// " and \.
+/// Words of a line, separated by blanks outside quotes, single or double; \ escapes " and \ in double quotes.
 std::vector<std::string> words_of(std::string_view line) {
     std::vector<std::string> words;
-    char quote = '\0';  // the one that is open
+    char quote = '\0';  // the open quote
     bool in_word = false;
     for (std::size_t i = 0; i < line.size(); ++i) {
         const char c = line[i];

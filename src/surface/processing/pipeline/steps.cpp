@@ -14,7 +14,7 @@
 namespace setae::processing {
 namespace {
 
-/// What each step of `Step` does, in its order.
+/// Description of each step of `Step`, in order.
 constexpr std::array sentences{
     "The mean height is subtracted.",
     "The plane that fits best is subtracted, for lines the straight line.",
@@ -54,7 +54,7 @@ void for_each_step(const Body& body) {
     for_each_step(body, std::make_index_sequence<std::variant_size_v<Step>>{});
 }
 
-/// A step that names another file.
+/// A step with another file.
 template <class S>
 concept NamesFile = requires(const S& step) { step.file; };
 
@@ -84,7 +84,7 @@ std::string name(const Step& step) {
 
 namespace {
 
-/// The step that removes a trend, by the trend's name; others as they are.
+/// The step that removes a trend, by the name of the trend; other names are unchanged.
 std::string_view step_of_trend(std::string_view name) {
     if (name == "mean") return step_name(LevelMean{});
     if (name == "tilt") return step_name(LevelPlane{});

@@ -9,14 +9,14 @@
 namespace setae::processing {
 namespace {
 
-/// A filter's longest and shortest waves that pass, over its cutoff.
+/// Longest and shortest waves that pass a filter, over its cutoff.
 struct Reach {
     double long_waves, short_waves;
 };
 
 constexpr Reach gaussian{11.8, 1.0 / 2.77}, second_order{4.1, 0.475}, spline{3.76, 1.0 / 3.76},
     tense_spline{14.1, 1.0 / 14.1};
-constexpr double interpolated_end = 0.35;  ///< of q times the step, where averages and straight lines keep 99 %
+constexpr double interpolated_end = 0.35;  ///< of q times the step, at which averages and straight lines keep 99 %
 
 class Visitor {
 public:

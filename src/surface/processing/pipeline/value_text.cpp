@@ -24,7 +24,7 @@ std::string length_text(double length) {
     std::string shortest = fmt::format("{} m", length);
     for (const auto unit : units) {
         const double factor = unit_factor(unit, dimension::length);
-        // the quotient may miss the number by a rounding that a shorter one hides
+        // the quotient may differ from the number by a rounding that a shorter one hides
         for (const double value : {length / factor, std::stod(fmt::format("{:.15g}", length / factor))}) {
             const auto text = fmt::format("{} {}", value, unit);
             const bool plain = text.find('e') == std::string::npos;

@@ -10,7 +10,7 @@ namespace setae::diagnostics {
 namespace {
 
 topography::Measurement map_of(Index n) {
-    // waves longer than a pixel with some noise, as a surface has
+    // waves longer than a pixel with some noise, similar to a surface
     topography::HeightMap map{1e-10 * Array2D::Random(n, n), {1e-5, 1e-5}};
     for (Index i = 0; i < n; ++i)
         for (Index j = 0; j < n; ++j)
@@ -19,7 +19,7 @@ topography::Measurement map_of(Index n) {
     return map;
 }
 
-/// The yardstick: C1D alone.
+/// Reference time: only C1D.
 void spectrum_alone(benchmark::State& state) {
     const auto map = map_of(state.range(0));
     spectra::SpectrumOptions options;

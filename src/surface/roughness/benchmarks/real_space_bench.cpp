@@ -12,7 +12,7 @@ const topography::HeightMap& map_4096() {
     return map;
 }
 
-/// The yardstick: every height read once.
+/// Reference time: every height read once.
 void read_once(benchmark::State& state) {
     const auto& heights = map_4096().heights;
     for (auto _ : state) benchmark::DoNotOptimize(heights.sum());

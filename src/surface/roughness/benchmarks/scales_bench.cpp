@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sizes 8192 and 16384 (2 GiB a map, 7 GiB in all) where SETAE_LARGE_BENCHMARKS is set.
+// Sizes 8192 and 16384 (2 GiB per map, 7 GiB in all) with SETAE_LARGE_BENCHMARKS set.
 #include <cstdlib>
 
 #include <benchmark/benchmark.h>
@@ -22,7 +22,7 @@ AutocorrelationOptions threads(const benchmark::State& state) {
     return {.threads = {static_cast<int>(state.range(1))}};
 }
 
-/// The yardstick: every height read once.
+/// Reference time: every height read once.
 void read_once(benchmark::State& state) {
     const auto& map = map_of(state.range(0));
     for (auto _ : state) benchmark::DoNotOptimize(map.heights.sum());

@@ -11,7 +11,7 @@
 namespace setae::texture {
 namespace {
 
-/// Waves of many lengths, so that neighbours are alike as on measured surfaces.
+/// Waves of many lengths, so neighbours are similar as on measured surfaces.
 const topography::HeightMap& rough_map() {
     static const topography::HeightMap map = [] {
         topography::HeightMap made{Array2D::Zero(2048, 2048), {1e-4, 1e-4}};
@@ -29,7 +29,7 @@ const topography::HeightMap& rough_map() {
     return map;
 }
 
-/// Neighbours that know nothing of each other: every triangle reaches over many heights.
+/// Independent neighbours: every triangle spans many heights.
 const topography::HeightMap& white_map() {
     static const topography::HeightMap map{Array2D::Random(2048, 2048), {1e-4, 1e-4}};
     return map;
@@ -41,7 +41,7 @@ Array1D heights_of(const topography::HeightMap& map) {
 
 parallel::Threads threads_of(const benchmark::State& state) { return {static_cast<int>(state.range(0))}; }
 
-/// The yardstick: every height read once.
+/// Reference time: every height read once.
 void read_once(benchmark::State& state) {
     const auto& heights = rough_map().heights;
     for (auto _ : state) benchmark::DoNotOptimize(heights.sum());

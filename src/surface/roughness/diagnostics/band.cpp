@@ -33,7 +33,7 @@ Slope fitted_slope(const Array1D& mode, const Array1D& power, const Array1D& fre
     return {best, 1.0 / std::sqrt((freedom * (mode.log() - mean).square()).sum())};
 }
 
-/// The upper end of a measurement's band where nothing but its steps limits it [1/m].
+/// The upper end of the band of a measurement limited only by its steps [1/m].
 double upper_without_instrument(const topography::Measurement& measurement) {
     if (const auto* map = std::get_if<topography::HeightMap>(&measurement)) {
         auto bands = topography::tiled(*map);  // no copy of the heights
@@ -67,18 +67,18 @@ Found tip_cutoff(const topography::Measurement& measurement, parallel::Threads t
 
 Found low_wavevector_gap(const Evidence& evidence, const DiagnosisOptions& options) {
     const auto& map = evidence.heights;
-    constexpr Index first = 2, last = 8, all_modes_needed = 32;  // detrending takes most of the first mode
+    constexpr Index first = 2, last = 8, all_modes_needed = 32;  // detrending removes most of the first mode
     if (map.periodic || map.heights.rows() / 2 < all_modes_needed) return {};
     const auto& spectrum = *evidence.scan_spectrum;
     const Index count = last - first + 1;
     const Array1D mode = Array1D::LinSpaced(count, static_cast<double>(first), static_cast<double>(last)),
                   power = spectrum.density.segment(first - 1, count);
     if (!(power.minCoeff() > 0.0)) return {};
-    // lines of a map are alike over about half a wavelength
+    // lines of a map are correlated over about half a wavelength
     const Array1D lines =
         (2.0 * mode * map.size[1] / map.size[0]).max(1.0).min(static_cast<double>(map.heights.cols()));
     const auto slope = fitted_slope(mode, power, spectra::share_under_hann * lines, true);
-    // C1D steeper than 1/q: rms height depends on the longest waves and grows with the size of the scan
+    // C1D steeper than 1/q: the rms height depends on the longest waves and grows with the size of the scan
     const double certain = normal_quantile(1.0 - options.false_alarm);
     if (!(slope.exponent - certain * slope.standard_error > 1.0)) return {};
     const double growth = std::pow(10.0, 0.5 * (slope.exponent - 1.0)),

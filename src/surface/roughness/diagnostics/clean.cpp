@@ -12,13 +12,13 @@ namespace {
 
 using processing::NewHeight;
 
-/// The least number of points along x and in all that spikes and spectra are looked for in.
+/// Minimum number of points along x and in total for the search for spikes and for spectra.
 constexpr Index min_points = 16;
 
-/// Undefined points become the straight line between the defined ones next to them along x, and beyond the last of them
-/// its height. Lines without a defined point become 0.
+/// Undefined points are interpolated linearly between the defined ones next to them along x, and constant beyond the
+/// last of them. Lines without a defined point become 0.
 void fill_along_lines(Array2D& heights, parallel::Threads threads) {
-    constexpr Index together = 16;  // lines lie across memory: those on one cache line are looked at by one thread
+    constexpr Index together = 16;  // lines are not contiguous: those on one cache line are processed by one thread
     const Index n = heights.rows(), blocks = (heights.cols() + together - 1) / together;
     const auto fill_line = [&](Index j) {
         Index before = -1;
@@ -42,8 +42,8 @@ void fill_along_lines(Array2D& heights, parallel::Threads threads) {
     });
 }
 
-/// Chosen points become the straight line along y between those next to them that are not chosen; at a border the
-/// height of the last one.
+/// Selected points are interpolated linearly along y between those next to them that are not selected; constant at a
+/// border.
 void bridge_lines(Array2D& heights, const topography::Mask& chosen) {
     const Index ny = heights.cols();
     for (Index i = 0; i < heights.rows(); ++i) {
@@ -81,7 +81,7 @@ void exchange(Array2D& heights, std::vector<NewHeight>& others) {
     for (auto& [point, height] : others) std::swap(heights.data()[point], height);
 }
 
-/// Where a spike lies on a scar, the heights have lost what stood there.
+/// If a spike is on a scar, its height was removed with the scar.
 void recall_scars(std::vector<NewHeight>& at_spikes, const Evidence& evidence) {
     const Index ny = evidence.heights.heights.cols();
     Array1D row(ny);
@@ -96,7 +96,7 @@ void recall_scars(std::vector<NewHeight>& at_spikes, const Evidence& evidence) {
     }
 }
 
-/// What does not lower the slopes when it is taken out belongs to the surface, such as steps and grains.
+/// Spikes whose removal does not lower the slopes belong to the surface, such as steps and grains.
 void take_out_spikes(Evidence& evidence, parallel::Threads threads) {
     auto spikes = found_spikes(evidence, threads);
     if (spikes.count == 0) return;

@@ -26,7 +26,7 @@ void add(std::vector<Finding>& findings, std::vector<Finding> more) {
     for (auto& finding : more) findings.push_back(std::move(finding));
 }
 
-/// Each calls something else; those that may run at the same time do.
+/// Runs tasks, simultaneously if possible.
 void side_by_side(const std::vector<std::function<void()>>& tasks, parallel::Threads threads) {
     parallel::for_each_index(tasks.size(), threads, [&](std::size_t i) { tasks[i](); });
 }
@@ -64,14 +64,14 @@ std::vector<Finding> diagnosed(Evidence evidence, const topography::Measurement&
     return findings;
 }
 
-/// A map or line scan, which `measurement` holds: to make another measurement of it would copy its heights.
+/// A map or line scan in `measurement`, passed separately because another measurement would need a copy of its heights.
 template <class Uniform>
 std::vector<Finding> diagnose_kind(const Uniform& uniform, const topography::Measurement& measurement,
                                    const DiagnosisOptions& options) {
     return diagnosed(evidence_of(uniform, options.threads), measurement, options);
 }
 
-/// Heights of a polyline at equal steps, as many as it has points.
+/// Heights of a polyline at equal steps, with the same number of points.
 topography::LineScan at_equal_steps(const Profile& profile) {
     const Index n = profile.positions.size();
     const double step = profile.size() / static_cast<double>(n - 1);
@@ -87,8 +87,8 @@ topography::LineScan at_equal_steps(const Profile& profile) {
     return scan;
 }
 
-/// Polylines: what turns back is found and left out; where points lie at equal steps all tests of lines follow, else
-/// those of form.
+/// Polylines: re-entrant parts are reported and left out; all tests of lines follow if points have equal steps,
+/// otherwise only those of form.
 std::vector<Finding> diagnose_kind(const Profile& profile, const topography::Measurement&,
                                    const DiagnosisOptions& options) {
     std::vector<Finding> findings;
@@ -136,7 +136,7 @@ void check(const DiagnosisOptions& options) {
 
 std::vector<Finding> diagnose(const topography::Measurement& measurement, const DiagnosisOptions& options) {
     check(options);
-    // a polyline that turns back is a finding, no error
+    // a re-entrant polyline is a reported problem, no error
     if (!std::holds_alternative<Profile>(measurement)) topography::validate(measurement);
     return std::visit([&](const auto& kind) { return diagnose_kind(kind, measurement, options); }, measurement);
 }

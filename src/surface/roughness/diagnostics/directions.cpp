@@ -13,7 +13,7 @@
 namespace setae::diagnostics {
 namespace {
 
-/// Variance of a series about its mean and its covariance with itself one place further.
+/// Variance of a series about its mean and its autocovariance at lag 1.
 struct Series {
     double variance = 0.0, neighbour_covariance = 0.0;
     Index count = 0;
@@ -31,7 +31,7 @@ struct MeanSteps {
     Series between_lines, along_lines;
 };
 
-/// Means over x of each scan line; a few lines are gathered side by side, since they lie across memory.
+/// Means over x of each scan line; a few lines are processed together, because they are not contiguous.
 Array1D line_means(const Array2D& h, parallel::Threads threads) {
     constexpr Index together = 16;
     const Index ny = h.cols(), blocks = (ny + together - 1) / together;
@@ -58,7 +58,7 @@ MeanSteps mean_steps(const Array2D& h, parallel::Threads threads) {
             series(of_columns.tail(nx - 1) - of_columns.head(nx - 1))};
 }
 
-/// Of the differences of neighbouring scan lines [m²].
+/// Mean square of the differences of neighbouring scan lines [m²].
 double mean_square_rise(const Array2D& heights, parallel::Threads threads) {
     const Index nx = heights.rows(), ny = heights.cols();
     double sum = 0.0;
@@ -76,12 +76,12 @@ Found line_offsets(const Evidence& evidence, const DiagnosisOptions& options) {
     const auto pixel = map.pixel_size();
     const auto [lines, along] = mean_steps(map.heights, options.threads);
     if (!(lines.variance > 0.0)) return {};
-    // of an isotropic surface: var · averaged length/step² is alike in both directions
+    // for an isotropic surface var · averaged length/step² is equal in both directions
     const double expected =
         along.variance * (map.size[1] / map.size[0]) * (pixel[1] * pixel[1]) / (pixel[0] * pixel[0]);
     const double excess = lines.variance - expected, offset2 = 0.5 * excess;
     const double correlation = lines.neighbour_covariance / lines.variance;
-    // independent offsets of lines give steps that correlate by −½ with the next one; waves along y do not
+    // independent offsets of lines give steps with a correlation of −½ to the next one; waves along y do not
     constexpr double alike = -0.2, large = 2.0;
     const double freedom = 0.5;
     const double chance = expected > 0.0

@@ -25,7 +25,7 @@ HeightMap as_map(const topography::LineScan& scan) {
             scan.metadata};
 }
 
-/// How many heights are defined, and between which they lie.
+/// Number and range of the defined heights.
 void count(Evidence& evidence, parallel::Threads threads) {
     struct Part {
         Index defined = 0;
@@ -52,7 +52,7 @@ void count(Evidence& evidence, parallel::Threads threads) {
     evidence.flat = !(evidence.lowest < evidence.highest);
 }
 
-/// A copy of the map without its tilt, and without the instrument: the bands of its spectra are not asked for.
+/// A copy of the map without its tilt, and without the instrument: the bands of its spectra are not needed.
 void level(Evidence& evidence, parallel::Threads threads) {
     const auto& map = *evidence.map;
     evidence.heights = {Array2D(map.heights.rows(), map.heights.cols()), map.size, map.periodic, map.metadata};

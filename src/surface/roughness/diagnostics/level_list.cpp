@@ -26,7 +26,7 @@ std::vector<Level> joined(const std::vector<Level>& sorted, double range) {
     return levels;
 }
 
-/// Equal neighbours as one.
+/// Joins equal neighbours.
 std::vector<Level> counted(std::vector<double> heights) {
     std::sort(heights.begin(), heights.end());
     std::vector<Level> levels;
@@ -37,7 +37,7 @@ std::vector<Level> counted(std::vector<double> heights) {
     return levels;
 }
 
-/// How many points have each value, without sorting all; empty if there are too many values.
+/// Number of points of each value, without sorting all; empty if there are too many values.
 std::optional<std::vector<Level>> few_values(const Array2D& heights) {
     const auto most = static_cast<std::size_t>(heights.size() / 16);
     std::unordered_map<double, Index> counts;
@@ -68,7 +68,7 @@ std::vector<double> defined_heights(const Array2D& heights, Index defined) {
     return values;
 }
 
-/// The heights that about a share of those between the two extremes lies below and above, from a sample of them.
+/// The heights below and above which about a share of those between the two extremes is found, from a sample.
 std::optional<std::array<double, 2>> outer_bounds(const Evidence& evidence, double share) {
     constexpr Index min_step = 61, enough = Index{1} << 17;
     const auto& heights = evidence.map->heights;
@@ -133,7 +133,7 @@ EndLevels end_levels(const Evidence& evidence, std::size_t needed, parallel::Thr
         high.push_back({evidence.highest, outer.at_highest});
         const double range = evidence.highest - evidence.lowest;
         EndLevels ends{joined(low, range), joined(high, range)};
-        // the innermost one may continue beyond the bound
+        // the innermost one may extend beyond the bound
         if (std::min(ends.lowest.size(), ends.highest.size()) > needed) return ends;
     }
     const auto all = all_levels(evidence);

@@ -13,7 +13,7 @@
 namespace setae::diagnostics {
 namespace {
 
-/// Share of neighbours along x that have the same height.
+/// Share of neighbours along x with equal height.
 double plateau_share(const Array2D& heights, parallel::Threads threads) {
     struct Counts {
         Index same = 0, pairs = 0;
@@ -35,8 +35,8 @@ double plateau_share(const Array2D& heights, parallel::Threads threads) {
     return pairs > 0 ? static_cast<double>(same) / static_cast<double>(pairs) : 0.0;
 }
 
-/// The step all differences of levels are multiples of, or nothing: the median of the smallest quarter of gaps, refined
-/// by all.
+/// The common divisor of all differences of levels, or empty: the median of the smallest quarter of gaps, refined by
+/// all.
 std::optional<double> common_step(const std::vector<Level>& levels) {
     std::vector<double> gaps;
     for (std::size_t k = 1; k < levels.size(); ++k) gaps.push_back(levels[k].height - levels[k - 1].height);
@@ -54,7 +54,7 @@ std::optional<double> common_step(const std::vector<Level>& levels) {
     return (levels.back().height - levels.front().height) / steps;
 }
 
-/// Levels that a last one is compared with.
+/// Number of levels compared with the last one.
 constexpr std::size_t levels_compared = 5;
 
 Found clipped_at(const Evidence& evidence, const std::vector<Level>& levels, bool top) {
@@ -64,7 +64,7 @@ Found clipped_at(const Evidence& evidence, const std::vector<Level>& levels, boo
     for (std::size_t k = 1; k <= levels_compared; ++k)
         beside += static_cast<double>(at(k).count) / static_cast<double>(levels_compared);
     const auto [height, count] = at(0);
-    // tails thin out towards their ends: a last level that holds more than those before it is a limit
+    // tails become thinner towards their ends: a last level with more points than those before it is a limit
     if (count < 5 || static_cast<double>(count) < 3.0 * beside) return {};
     const double share = static_cast<double>(count) / static_cast<double>(evidence.defined);
     const char* end = top ? "highest" : "lowest";
@@ -116,7 +116,7 @@ Found quantised(const Evidence& evidence, const Digitised& digitised) {
     const auto& [step, share] = digitised;
     const double rms = evidence.form.rms_level, error = step / std::sqrt(12.0);
     const double slope = rms_slope_along_x(evidence.heights.heights, evidence.map->pixel_size()[0]);
-    // rounding errors of neighbours are independent where heights differ by more than a step, and equal on plateaus
+    // rounding errors of neighbours are independent if heights differ by more than a step, and equal on plateaus
     return Finding{
         {"QUANTISED", evidence.subject,
          fmt::format("heights are multiples of {} ({:.2g} of the rms height); {:.2g} % of neighbouring points have "

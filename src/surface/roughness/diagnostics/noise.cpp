@@ -24,7 +24,7 @@ Found pixel_noise(const Evidence& evidence, const DiagnosisOptions& options) {
                   power = spectrum.density.segment(first - 1, count);
     if (!(power.minCoeff() > 0.0)) return {};
     const double share = map.periodic ? 1.0 : spectra::share_under_hann;
-    // the surface's own lines are alike over a few pixels; those of the noise are independent
+    // lines of the surface are correlated over a few pixels; those of the noise are independent
     const double cautious = share * std::max(1.0, 0.5 * static_cast<double>(lines));
     const auto floor = white_floor(x, power, share * static_cast<double>(lines), cautious);
     if (!(floor.level > floor.surface_at_end) || !(floor.gain > 0.0) ||

@@ -20,7 +20,7 @@ namespace {
 
 using topography::Measurement;
 
-/// A measurement's spectrum in bins, with the independent values after each.
+/// A spectrum of a measurement in bins, with the number of independent values per bin.
 struct Binned {
     std::string subject;
     spectra::MeasuredSpectrum spectrum;
@@ -35,8 +35,8 @@ Binned binned(const Measurement& measurement, const DiagnosisOptions& options) {
     return {topography::label(topography::metadata(measurement)), spectra::power_spectrum(measurement, settings)};
 }
 
-/// ν of a bin: modes times lines that are independent (alike over half a wavelength) times the share of a mode that is
-/// its own.
+/// ν of a bin: modes times independent lines (correlation over half a wavelength) times the independent share of a
+/// mode.
 double freedom(const spectra::MeasuredSpectrum& spectrum, const spectra::LogGrid& grid, Index bin) {
     double sum = 0.0;
     for (Index k = 0; k < spectrum.wavevector.size(); ++k) {
@@ -115,7 +115,7 @@ void add_findings(std::vector<Finding>& findings, const Binned& a, const Binned&
          {effect("psd_ratio", "", mean, "1", mean * c.mean_error),
           effect("psd_ratio_at_longest", "", ratio(c.lower), "1"),
           effect("psd_ratio_at_shortest", "", ratio(c.upper), "1")}});
-    // one factor at every wavelength of at least a third of a decade is a matter of scale
+    // a constant factor over at least a third of a decade indicates a scale error
     constexpr double constant = 3.0, wide = 0.3, plain = 1.5, level = 2.0;
     constexpr int enough_bins = 4;
     const double factor = std::exp(0.5 * c.mean);

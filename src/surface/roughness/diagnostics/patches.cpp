@@ -11,7 +11,7 @@
 namespace setae::diagnostics {
 namespace {
 
-/// Chosen points j = begin … end − 1 of one line along y.
+/// Selected points j = begin … end − 1 of one line along y.
 struct Run {
     Index begin, end;
     std::int32_t number;
@@ -53,7 +53,7 @@ private:
     std::vector<std::int32_t> parent_{0};
 };
 
-/// Joins the runs of two neighbouring lines that touch; `reach` 1 counts corners too.
+/// Joins the runs of two neighbouring lines that touch; `reach` 1 also counts corners.
 void join_lines(const std::vector<Run>& before, const std::vector<Run>& here, Index reach, Union& sets) {
     auto b = before.begin();
     for (const auto& run : here) {
@@ -108,7 +108,7 @@ Patches patches(const topography::Mask& mask, Neighbours neighbours, bool period
             if (inside) here.push_back({begin, j, 0});
             else std::fill(out + begin, out + j, 0);
         }
-        // a run takes over the number of one it touches, so that few numbers must be joined
+        // a run takes the number of one that it touches, so few numbers must be joined
         auto b = before.begin();
         for (auto& run : here) {
             while (b != before.end() && b->end + reach <= run.begin) ++b;

@@ -19,11 +19,11 @@
 namespace setae::diagnostics {
 namespace {
 
-/// Far above what a rough surface shows by itself: rms differences of neighbouring lines.
+/// Far above the usual differences of a rough surface: rms differences of neighbouring lines.
 const processing::RemoveScars striking{.high = 2.0, .low = 2.0};
 
-/// upper_median() of the defined ones of n heights; `room` has as many places. Those between two bounds of a sample are
-/// few; where these miss the median, all are looked at.
+/// upper_median() of the defined ones of n heights; `room` has as many places. Only the few between two bounds of a
+/// sample are used; if these exclude the median, all are used.
 double upper_median_of(const double* heights, Index n, std::vector<double>& room) {
     constexpr Index sample_size = 64, margin = 14;
     const auto keep = [&](double low, double high) {
@@ -58,7 +58,7 @@ double upper_median_of(const double* heights, Index n, std::vector<double>& room
     return *middle;
 }
 
-constexpr Index together = 16;  // lines lie across memory: neighbours are gathered side by side
+constexpr Index together = 16;  // lines are not contiguous: neighbours are processed together
 
 /// Medians of the scan lines.
 Array1D line_medians(const Array2D& heights, parallel::Threads threads) {
@@ -88,7 +88,7 @@ Array1D row_medians(const Array2D& heights, parallel::Threads threads) {
     return medians;
 }
 
-/// Without the median of each scan line, so that lines offset as a whole are no strokes.
+/// Without the median of each scan line, so shifted lines are no strokes.
 topography::Mask strokes_along_x(const Array2D& heights, parallel::Threads threads) {
     const Array1D medians = line_medians(heights, threads);
     const auto aligned = [&](Index first, Index last, double* room) -> const double* {
@@ -100,7 +100,7 @@ topography::Mask strokes_along_x(const Array2D& heights, parallel::Threads threa
     return processing::find_scars(striking, {heights.rows(), heights.cols(), aligned}, threads);
 }
 
-/// The same of the map with rows for columns.
+/// Strokes along y: the same for the transposed map.
 topography::Mask strokes_along_y(const Array2D& heights, parallel::Threads threads) {
     const Array1D medians = row_medians(heights, threads);
     const auto turned = [&](Index first, Index last, double* room) -> const double* {
@@ -120,7 +120,7 @@ std::optional<topography::Mask> scar_points(const topography::HeightMap& map, pa
     auto mask = strokes_along_x(map.heights, threads);
     const Index points = mask.cast<Index>().sum();
     if (points == 0) return {};
-    // ridges of the surface itself lie along y as often
+    // ridges of the surface are as frequent along y
     constexpr Index one_sided = 4;
     if (points <= one_sided * strokes_along_y(map.heights, threads).cast<Index>().sum()) return {};
     return mask;

@@ -13,14 +13,14 @@
 namespace setae::diagnostics {
 namespace {
 
-/// What is removed counts as large where its rms is more than so many times that of what remains: a surface without
-/// roll-off, H = 0.8, shows a tilt of once or twice its remaining rms by chance.
+/// A subtracted form is large if its rms exceeds that of the rest by this factor: a surface without roll-off, H = 0.8,
+/// has by chance a tilt of once or twice its remaining rms.
 constexpr double large_tilt_ratio = 3.0;
 constexpr double large_curvature_ratio = 1.5;
 
 double removed_rms(double before, double after) { return std::sqrt(std::max(0.0, before * before - after * after)); }
 
-/// Rows of a map that are computed when they are looked at, a few at a time; load(i, row).
+/// Rows of a map that are computed on request, a few at a time; load(i, row).
 template <class Load>
 class FewRows {
 public:
@@ -28,7 +28,7 @@ public:
 
     [[nodiscard]] Index rows() const { return rows_; }
     [[nodiscard]] Index columns() const { return kept_.cols(); }
-    /// Row i, until three others are requested.
+    /// Row i, valid until three others are requested.
     [[nodiscard]] const double* row(Index i) {
         auto& holds = held_[static_cast<std::size_t>(i % 3)];
         double* const values = kept_.row(i % 3).data();
@@ -44,8 +44,8 @@ private:
     std::array<Index, 3> held_{-1, -1, -1};
 };
 
-/// Mean of what `difference` makes of a point and those around it, over all points that lie so far inside and where it
-/// is defined; 0 if there is none.
+/// Mean of `difference` of a point and those around it, over all points sufficiently inside and with a defined value; 0
+/// if there is none.
 template <class Rows, class Difference>
 double mean_difference(Rows& rows, Index before_i, Index behind_i, Index before_j, Index behind_j,
                        const Difference& difference) {
@@ -65,7 +65,7 @@ double mean_difference(Rows& rows, Index before_i, Index behind_i, Index before_
     return n > 0 ? sum / static_cast<double>(n) : 0.0;
 }
 
-/// Rise over the size of the best line.
+/// Height of the best line over the whole size.
 template <class Rows>
 double slope_along(Rows& rows, double step, bool along_x) {
     const auto rise = [](const double*, const double* here, const double* next) { return *next - *here; };
@@ -82,7 +82,7 @@ double curvature_along(Rows& rows, double step, bool along_x) {
     return mean_difference(rows, di, di, dj, dj, bend) / (step * step);
 }
 
-/// Of the map, of the level heights, and of these without their parabola.
+/// Rms of the map, of the level heights, and of these without their parabola.
 std::array<double, 3> rms_of_three(const Evidence& evidence, const topography::MapTrend& parabola) {
     const auto &map = evidence.map->heights, &level = evidence.heights.heights;
     Array1D rest(level.cols());
@@ -111,7 +111,7 @@ bool enough_for_parabola(const Evidence& evidence) {
     return heights.rows() >= needed && (evidence.is_line || heights.cols() >= needed) && evidence.defined >= 2 * needed;
 }
 
-/// Curvatures of what a parabola took from the level heights, along x and y [1/m].
+/// Curvatures of the parabola subtracted from the level heights, along x and y [1/m].
 std::array<double, 2> curvatures_of_bowl(const Evidence& evidence) {
     const auto& level = evidence.heights.heights;
     const auto pixel = evidence.map->pixel_size();

@@ -11,10 +11,10 @@
 namespace setae::diagnostics {
 namespace {
 
-/// Means of both spectra over windows of a tenth of their modes: how much one lies above the other.
+/// Means of both spectra over windows of a tenth of their modes: ratio of the two.
 struct Lift {
     double factor = 1.0;      ///< at the shortest wavelengths
-    double wavelength = 0.0;  ///< below which the factor is above 2 [m]; 0 if it never is
+    double wavelength = 0.0;  ///< below which the factor exceeds 2 [m]; 0 if it never does
 };
 
 Lift lift(const spectra::MeasuredSpectrum& with, const spectra::MeasuredSpectrum& without) {
@@ -29,7 +29,7 @@ Lift lift(const spectra::MeasuredSpectrum& with, const spectra::MeasuredSpectrum
     return result;
 }
 
-/// Rms height [m] and rms slope along x of the heights as they are.
+/// Rms height [m] and rms slope along x of the unmodified heights.
 struct Seen {
     double rms, slope;
 };
@@ -39,7 +39,7 @@ Seen seen(const Evidence& evidence) {
     return {rms_height(heights), rms_slope_along_x(heights, evidence.heights.pixel_size()[0])};
 }
 
-/// Puts the spikes back into the heights, or takes them out again.
+/// Restores the spikes in the heights, or removes them again.
 void exchange_spikes(Evidence& evidence) {
     for (auto& [point, height] : evidence.at_spikes) std::swap(evidence.heights.heights.data()[point], height);
 }

@@ -17,7 +17,7 @@ constexpr double min_exponent = 1.05, largest_exponent = 8.0;
 
 constexpr int alias_terms = 6;
 
-/// What aliases beyond the last term add, as an integral.
+/// Contribution of aliases beyond the last term, as an integral.
 double far_aliases(double exponent) { return std::pow(2.0 * alias_terms + 1.0, 1.0 - exponent) / (exponent - 1.0); }
 
 /// Σ_{m >= 1} of both aliases, the far ones as an integral.
@@ -27,7 +27,7 @@ double aliases(double x, double exponent) {
     return sum + far_aliases(exponent);
 }
 
-/// Modes to fit, neighbours of many as one: the means of their places and powers, and how many they are.
+/// Modes for the fit, with groups of neighbours as one: means of their positions and powers, and their number.
 class Modes {
 public:
     Modes(const ArrayView1D& x, const ArrayView1D& all_powers) {
@@ -62,7 +62,7 @@ public:
     Array1D power, number;
 
 private:
-    Array2D logarithms_;  ///< of x, and of 2m − x and 2m + x, a row each
+    Array2D logarithms_;  ///< of x, and of 2m − x and 2m + x, one row each
 };
 
 struct Levels {
@@ -107,7 +107,7 @@ Levels with_floor(const Array1D& s, const Modes& modes) {
 
 template <class Fit>
 double best_exponent(Fit fit) {
-    // coarse steps, then golden section: the loss has one minimum for spectra that fall
+    // coarse steps, then golden section: the loss has one minimum for decreasing spectra
     constexpr int steps = 15;
     double best = min_exponent, loss = fit(best);
     const double width = (largest_exponent - min_exponent) / steps;

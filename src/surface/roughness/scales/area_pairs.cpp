@@ -20,7 +20,7 @@ using fourier::Buffer;
 using fourier::Complex;
 using fourier::lines_per_block;
 
-/// A map about its mean, with sums of squares of its columns over the first rows.
+/// A map minus its mean, with sums of squares of its columns over the first rows.
 class CentredMap {
 public:
     CentredMap(const topography::HeightMap& map, parallel::Threads threads) : heights_(map.heights) {
@@ -62,7 +62,8 @@ public:
         for (Index j = 0; j < columns(); ++j) line[j] = centred(i, j);
     }
 
-    /// For each block of rows, sums over j-columns of the squares in all rows before it; the last row holds the totals.
+    /// For each block of rows, sums over j-columns of the squares in all rows before it; the last row contains the
+    /// totals.
     [[nodiscard]] Array2D squares_before_blocks(parallel::Threads threads) const {
         const Index blocks = block_count(rows());
         Array2D before = Array2D::Zero(blocks + 1, columns());
@@ -90,7 +91,7 @@ private:
     bool whole_ = true;
 };
 
-/// Lengths of transforms and what belongs to them.
+/// Lengths of transforms and their plans.
 struct Plan {
     Index nx, ny, padded_x, padded_y;
     fourier::RealTransform along_y;
@@ -117,7 +118,7 @@ void inverse_column(const Plan& plan, Buffer<double>& spectrum, Buffer<Complex>&
     for (Index k = 0; k <= lags; ++k) column[k] = std::conj(modes[extent(k)]);
 }
 
-/// Of row spectra of heights: those of their correlation, by lag along x.
+/// Converts row spectra of heights to those of their correlation, by lag along x.
 void correlate_columns(const Plan& plan, Index lags, RowSpectra& spectra, parallel::Threads threads) {
     const Index modes = plan.modes();
     parallel::for_each_index(extent(block_count(modes)), threads, [&](std::size_t block) {
@@ -137,7 +138,7 @@ void correlate_columns(const Plan& plan, Index lags, RowSpectra& spectra, parall
     });
 }
 
-/// Of row spectra of weights w, heights g and squares s: `squares` becomes that of ½ Σ w w (h − h)², `weights` that of
+/// For row spectra of weights w, heights g and squares s: `squares` becomes that of ½ Σ w w (h − h)², `weights` that of
 /// Σ w w.
 void correlate_holed_columns(const Plan& plan, Index lags, RowSpectra& weights, RowSpectra& squares,
                              const RowSpectra& heights, parallel::Threads threads) {

@@ -32,7 +32,7 @@ FunctionOfScale result_of(const LinePairs& lines, double step, const topography:
     return result;
 }
 
-/// Pairs of lines of so many points.
+/// Pairs of lines of this many points.
 LinePairs pairs_of(Index points, bool periodic, const topography::Metadata& metadata) {
     if (points < 2)
         throw InvalidArgument(fmt::format("{}: {} points along x form no pair; expected at least 2",

@@ -27,7 +27,7 @@ struct LagSums {
         : x(lags_x), y(lags_y), squares(Array2D::Zero(2 * x + 1, y + 1)), pairs(squares) {}
 };
 
-/// Heights of a band, of the lines that begin pairs and of those that end them.
+/// Heights of a band: lines that begin pairs and lines that end them.
 struct ScanLines {
     Array2D heights;  ///< (nx, lines and overlap), centred; NaN = undefined
     Index lines = 0;  ///< that begin pairs
@@ -154,7 +154,7 @@ FunctionOfScale autocorrelation_of_area(const topography::TiledMap& map, double 
         const double origin = mean_of_defined(band.heights);
         if (std::isnan(origin)) continue;
         any_defined = true;
-        band.heights -= origin;  // each band about its own: differences of heights do not see it
+        band.heights -= origin;  // each band about its own origin, which cancels in differences of heights
         add_band(band, map.periodic, sums, options.threads);
     }
     if (!any_defined)

@@ -15,16 +15,16 @@ namespace {
 
 constexpr std::size_t max_taps = 6;
 
-/// A height that enters a difference, relative to the point the difference belongs to.
+/// A height in a difference, relative to the point of the difference.
 struct Tap {
     Index offset = 0;
     double weight = 0.0;
 };
 
-/// What is added to the height at the point itself, whose weight is minus the sum of all others.
+/// Contributions in addition to the height at the point, whose weight is minus the sum of all others.
 struct Taps {
     std::vector<Tap> others;
-    Index before = 0, after = 0;  ///< points they reach to either side
+    Index before = 0, after = 0;  ///< points used on either side
 };
 
 Taps taps_of(int order, double step) {

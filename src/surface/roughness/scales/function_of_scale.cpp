@@ -57,7 +57,7 @@ double weight_of(const Share& share, const std::vector<Share>& bin, const std::v
     return 1.0 / static_cast<double>(same);
 }
 
-/// Stretches between filled bins that no measurement spans.
+/// Gaps between filled bins that no measurement covers.
 std::vector<Alert> coverage_gaps(const std::vector<Index>& bins, std::span<const FunctionOfScale> cut,
                                  const spectra::LogGrid& grid) {
     std::vector<Alert> alerts;

@@ -16,8 +16,8 @@ namespace {
 using fourier::Buffer;
 using fourier::Complex;
 
-constexpr Index gathered = 16;   ///< lines taken out of a map at a time
-constexpr Index max_parts = 64;  ///< of a sum over lines, whatever the number of threads
+constexpr Index gathered = 16;   ///< lines copied from a map at a time
+constexpr Index max_parts = 64;  ///< of a sum over lines, for any number of threads
 
 }  // namespace
 
@@ -33,7 +33,7 @@ struct LinePairs::Part {
           whole_squares(Array1D::Zero(points)),
           line(extent(padded), 0.0),
           line_modes(extent(modes)) {}
-    /// Room for lines with holes, where there are any.
+    /// Memory for lines with holes, if there are any.
     void make_room_for_holes() {
         if (!weights.empty()) return;
         weights.assign(line.size(), 0.0);
@@ -106,7 +106,7 @@ void LinePairs::add(const ArrayView2D& lines, parallel::Threads threads) {
     for (Index p = 0; p < parts; ++p) sums.emplace_back(points_, padded_, transform_.modes());
     parallel::for_each_index(extent(parts), threads, [&](std::size_t index) {
         auto& part = sums[index];
-        const Index stride = points_ + 8;  // never a power of two apart
+        const Index stride = points_ + 8;  // never a power of two
         Buffer<double> block(extent(gathered * stride));
         const Index first_group = static_cast<Index>(index) * groups_per_part;
         for (Index group = first_group; group < std::min(groups, first_group + groups_per_part); ++group) {

@@ -14,7 +14,7 @@
 namespace setae::scales {
 namespace {
 
-/// The polyline seen from x + offset while x moves to the right.
+/// The polyline at x + offset while x moves to the right.
 class Walker {
 public:
     Walker(const topography::Profile& profile, const Shift& shift, double start) : profile_(profile), shift_(shift) {
@@ -29,7 +29,7 @@ public:
     void pass(double x) {
         while (segment_end() <= x) ++segment_;
     }
-    /// Height on the current segment, above the first height of the polyline.
+    /// Height on the current segment, relative to the first height of the polyline.
     [[nodiscard]] double height(double x) const {
         const auto& X = profile_.positions;
         const auto& H = profile_.heights;
@@ -50,7 +50,7 @@ double value(const std::vector<Walker>& walkers, double x) {
     return sum;
 }
 
-/// ∫ g^k over a piece on which g goes from a to b in a straight line.
+/// ∫ g^k over a piece on which g changes linearly from a to b.
 void add_piece(double a, double b, double length, PieceMoments& sums) {
     const double u = a - sums.origin, v = b - sums.origin;
     sums.length += length;

@@ -23,9 +23,9 @@ namespace {
 
 using fourier::Buffer;
 
-constexpr Index block_rows = 32;  ///< rows whose sums belong together
+constexpr Index block_rows = 32;  ///< rows summed together
 
-/// Differences at one distance: along x or y, or both with what is made of them.
+/// Differences at one distance: along x or y, or both with their combination.
 struct Scale {
     double distance = 0.0;
     double origin = 0.0;
@@ -38,7 +38,7 @@ struct Scale {
     [[nodiscard]] Index end_column() const { return least(&DifferenceRows::end_column); }
     [[nodiscard]] Index columns() const { return std::max<Index>(0, end_column() - first_column()); }
 
-    /// Values of a row: `first` and `second` have room for it; the values stand in what is returned.
+    /// Values of a row, in the returned memory; `first` and `second` are work arrays.
     const double* row(Index i, Buffer<double>& first, Buffer<double>& second) const {
         parts[0]->fill(i, first.data());
         double* values = first.data() + first_column() - parts[0]->first_column;
@@ -62,7 +62,7 @@ private:
     }
 };
 
-/// Heights of a measurement and how differences run through them.
+/// Heights of a measurement and the direction of differences.
 struct Source {
     Field field;
     std::array<double, 2> pixel_size{};

@@ -17,7 +17,7 @@
 namespace setae::scales {
 namespace {
 
-/// Sum of squares left and weight, by level: level p has 2^p times the cells of level 0.
+/// Sum of residual squares and weight, by level: level p has 2^p times the cells of level 0.
 struct LevelSums {
     std::vector<double> residual, weight;
     explicit LevelSums(Index levels) : residual(extent(levels)), weight(extent(levels)) {}
@@ -36,13 +36,13 @@ struct LevelSums {
 /// First point of cell c of m: the smallest i with floor(i m/n) = c.
 Index first_point(Index cell, Index cells, Index points) { return (cell * points + cells - 1) / cells; }
 
-/// Heights in memory that are cut into cells.
+/// Heights in memory that are divided into cells.
 struct Grid {
     const double* heights;
     Index nx, ny;
-    Index stride;                ///< from x to x
+    Index stride;                ///< between neighbours in x
     std::array<Index, 2> cells;  ///< along x and y at level 0
-    bool halves_y;               ///< cells are halved along y too
+    bool halves_y;               ///< cells are also halved along y
     Index levels;
 };
 
@@ -82,7 +82,7 @@ CellMoments moments_of(const Grid& grid, Index x0, Index x1, Index y0, Index y1)
     return cell;
 }
 
-/// Moments of a cell from those of its parts, which are counted on the way.
+/// Moments of a cell from those of its parts, which are added to the sums.
 CellMoments visit(const Grid& grid, Index level, Index cx, Index cy, LevelSums& sums) {
     const Index cells_x = grid.cells[0] << level, cells_y = grid.halves_y ? grid.cells[1] << level : grid.cells[1];
     CellMoments cell;
@@ -142,7 +142,7 @@ FunctionOfScale result_of(const LevelSums& sums, double longest, double reliable
 class Pieces {
 public:
     explicit Pieces(const topography::Profile& profile) : profile_(profile) {}
-    /// Moments of the segments between where the last call ended and `end` [m] from the first point.
+    /// Moments of the segments from the end of the last call to `end` [m] from the first point.
     CellMoments up_to(double end) {
         CellMoments cell;
         const Index last = profile_.positions.size() - 2;
@@ -213,7 +213,7 @@ FunctionOfScale variable_bandwidth_of_lines(const topography::HeightMap& map, co
 }
 
 FunctionOfScale variable_bandwidth_of_area(const topography::HeightMap& map, const VariableBandwidthOptions& options) {
-    constexpr Index split = 3;  // cells of this level are shared out among threads
+    constexpr Index split = 3;  // cells of this level are divided among threads
     const Index nx = map.heights.rows(), ny = map.heights.cols(), fewest = std::max<Index>(2, options.min_points);
     const double shorter = std::min(map.size[0], map.size[1]);
     const std::array<Index, 2> cells{static_cast<Index>(std::lround(map.size[0] / shorter)),

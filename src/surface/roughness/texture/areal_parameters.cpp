@@ -17,10 +17,10 @@
 namespace setae::texture {
 namespace {
 
-/// Fewer independent patches than this tell little of a surface.
+/// Minimum number of independent patches for reliable parameters.
 constexpr double min_patches = 10.0;
 
-/// Standard errors of Gaussian heights from the map's own autocorrelation.
+/// Standard errors of Gaussian heights from the autocorrelation of the map.
 class HeightErrors {
 public:
     HeightErrors(const SpatialParameters& spatial, double area) : areas_(spatial.correlation_areas), area_(area) {}
@@ -31,7 +31,7 @@ public:
     [[nodiscard]] Estimate of_skewness(double value) const { return with(value, std::sqrt(6.0 * areas_[1] / area_)); }
     [[nodiscard]] Estimate of_kurtosis(double value) const { return with(value, std::sqrt(24.0 * areas_[2] / area_)); }
 
-    /// Patches as good as independent ones.
+    /// Equivalent number of independent patches.
     [[nodiscard]] double patches() const { return area_ / areas_[0]; }
 
 private:
@@ -43,7 +43,7 @@ private:
     double area_;
 };
 
-/// What a constant map has instead.
+/// Spatial parameters of a constant map.
 SpatialParameters no_spatial_parameters(const topography::HeightMap& map) {
     SpatialParameters none;
     none.Sal = none.Str = none.Std = none.longest = undefined;
@@ -75,7 +75,7 @@ void add_features(ParameterRows& rows, const FeatureParameters& features) {
     rows.add("S10z", {features.S10z});
 }
 
-/// The alerts that begin with a symbol, and those of all three.
+/// The warnings that begin with a symbol, and those on all three.
 std::vector<Alert> alerts_of(const SpatialParameters& spatial, std::string_view prefix) {
     std::vector<Alert> some;
     for (const auto& alert : spatial.alerts)

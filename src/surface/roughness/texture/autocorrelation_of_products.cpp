@@ -89,7 +89,7 @@ void AutocorrelationOfProducts::find_rows(Index lag) {
     constexpr Index together = 64;
     const Index rows = values_->sums.rows(), all = rows / 2 + 1;
     if (lag < found_) return;
-    // lags −1, −2, … lie at the end; beyond the middle they meet those that increase
+    // lags −1, −2, … are at the end; beyond the middle they meet the positive ones
     const Index end = std::min(all, (lag / together + 1) * together);
     make_rows(found_, end);
     const Index first = std::max(end, rows - end + 1), last = std::max(end, rows - std::max<Index>(found_, 1) + 1);

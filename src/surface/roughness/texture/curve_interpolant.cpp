@@ -11,7 +11,7 @@ namespace {
 
 constexpr double largest_step = 1.0 / 1024.0;
 
-/// Nodes with enough more between those whose ratios differ by more than the largest step.
+/// Nodes with additional ones between those whose ratios differ by more than the largest step.
 std::vector<double> refined(const std::vector<double>& nodes, const CurveSums& sums, double narrowest) {
     std::vector<double> result;
     for (std::size_t k = 0; k + 1 < nodes.size(); ++k) {
@@ -49,7 +49,7 @@ CurveInterpolant::CurveInterpolant(const Elements& elements, parallel::Threads t
                          HeightLocator(Eigen::Map<const Array1D>(heights.data(), static_cast<Index>(heights.size()))),
                          volumes, threads);
     };
-    // the first pass as a rule serves to place nodes alone
+    // the first pass is usually needed only to place nodes
     sums_ = sums_at(nodes_, Volumes::no);
     for (int pass = 1; pass < max_passes; ++pass) {
         auto more = refined(nodes_, sums_, 1e-9 * span);

@@ -9,8 +9,8 @@ namespace {
 double square(double x) { return x * x; }
 double cube(double x) { return x * x * x; }
 
-/// What is summed at a height: a weight, and next to it a moment or volume where volumes are requested. Both lie in one
-/// register, so they are added at once.
+/// Sums at a height: a weight, and next to it a moment or volume if volumes are requested. Both are in one register, so
+/// they are added simultaneously.
 template <Volumes volumes>
 struct Summand {
     using Values [[gnu::vector_size(2 * sizeof(double))]] = double;
@@ -29,8 +29,8 @@ struct Summand<Volumes::no> {
     [[nodiscard]] static double volume() { return 0.0; }
 };
 
-/// The sums of one block; an element is "whole" for all heights up to its lowest corner, which one entry at their
-/// number tells.
+/// The sums of one block; an element is "whole" for all heights up to its lowest corner, which is stored as one entry
+/// at their number.
 template <Volumes volumes>
 class BlockSums {
 public:
@@ -88,7 +88,7 @@ public:
 private:
     void begin(double a, double c, int below_a, double weight, double moment) {
         whole_[static_cast<std::size_t>(below_a)].add(weight, moment);
-        // rarely so: no number waits for one stored just before
+        // rarely true: no number waits for one stored just before
         if (a < lowest_) lowest_ = a;
         if (c > highest_) highest_ = c;
     }
@@ -149,7 +149,7 @@ double share_above(const Segment& s, double height) {
 
 namespace {
 
-/// What one block gives to each interval.
+/// Contributions of one block to each interval.
 class BlockBrackets {
 public:
     BlockBrackets(std::span<const Index> intervals, const double* heights, const std::vector<std::size_t>& from)
@@ -158,7 +158,7 @@ public:
     void operator()(const Triangle& t) {
         for (auto place = first(t.below_a); place < intervals_.size() && intervals_[place] <= t.below_c - 1; ++place) {
             const auto inside =
-                static_cast<int>(intervals_[place]) + 1;  // corners with so many heights below lie in the interval
+                static_cast<int>(intervals_[place]) + 1;  // corners with this many heights below are in the interval
             auto& part = parts[place];
             if (t.below_a == inside || t.below_b == inside || t.below_c == inside) {
                 part.triangles.push_back(t);
@@ -188,7 +188,7 @@ private:
         p.linear += linear;
         p.square += quadratic;
     }
-    /// The first interval that does not end below an element's lowest corner.
+    /// The first interval that does not end below the lowest corner of an element.
     [[nodiscard]] std::size_t first(int below_a) const {
         return from_[static_cast<std::size_t>(std::max(0, below_a - 1))];
     }

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t five = 5;
 
-/// Mean of the five largest of some heights, or of as many as there are.
+/// Mean of the five largest heights, or of all if there are fewer.
 double mean_of_largest(std::vector<double> heights) {
     if (heights.empty()) return undefined;
     std::sort(heights.begin(), heights.end(), std::greater<>());

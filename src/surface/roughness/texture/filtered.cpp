@@ -32,7 +32,7 @@ void require_filters(const MeasurementView& measurement, const Filters& filters,
             "filters");
 }
 
-/// A length without digits that say nothing.
+/// A length without superfluous digits.
 std::string length(double value) {
     const auto text = format_value(value, "m", 6);
     const auto blank = text.find(' ');

@@ -22,7 +22,7 @@ struct MaterialVolumes {
 
 constexpr double central_share = 0.4;
 
-/// Height differences below this share of the whole count as none.
+/// Height differences below this share of the whole are neglected.
 constexpr double rounding = 1e-12;
 
 /// The first p with the smallest H(p) − H(p + 0.4).
@@ -54,7 +54,7 @@ double flattest_start(const CurveInterpolant& curve) {
     return best_place;
 }
 
-/// The straight line that means the core, at ratios 0 and 1.
+/// The straight line of the core, at ratios 0 and 1.
 struct CoreLine {
     double upper = 0.0;
     double lower = 0.0;
@@ -76,7 +76,7 @@ void require_ratio(double ratio) {
         throw InvalidArgument(fmt::format("material ratio is {}; expected 0 … 1", ratio));
 }
 
-/// Volumes above and below heights, which may stand in any order.
+/// Volumes above and below heights, in any order.
 MaterialVolumes volumes_beside(const MeasurementView& measurement, const ArrayView1D& heights, Between between,
                                parallel::Threads threads) {
     MaterialVolumes volumes{Array1D(heights.size()), Array1D(heights.size()), Array1D(heights.size())};

@@ -32,11 +32,11 @@ struct Powers {
 
 constexpr Index block_points = 1 << 15;
 
-/// What is summed: heights for their mean, or all powers.
+/// Summed quantities: heights for their mean, or all powers.
 enum class Summed { first, all };
 
-/// Σ over the points of a series, in lanes that vectorise. Unchecked, a NaN spoils the sum of heights; checked, it
-/// drops out. Both add up defined heights in the same order.
+/// Σ over the points of a series, in lanes that vectorise. Unchecked, a NaN makes the sum of heights NaN; checked, it
+/// is left out. Both add defined heights in the same order.
 template <Summed summed, bool checked>
 Powers powers_of_points(const double* heights, Index n, double origin) {
     constexpr Index lanes = 4;
@@ -129,7 +129,7 @@ HeightParameters parameters_of(const Kind& data, parallel::Threads threads, std:
     const double mean = mean_line ? *mean_line : mean_height();
     const auto sums = powers<Summed::all>(data, mean, threads);
     HeightParameters result;
-    const double rest = mean_line ? 0.0 : sums.first / sums.weight;  // what rounding of the mean leaves
+    const double rest = mean_line ? 0.0 : sums.first / sums.weight;  // remainder from rounding of the mean
     const double variance = sums.second / sums.weight - rest * rest;
     // heights equal up to the rounding of their mean have no shape
     const bool constant = !mean_line && !(sums.highest - sums.lowest > 0.0);

@@ -15,7 +15,7 @@ struct Sums {
     double slope2 = 0.0, excess = 0.0, points = 0.0;
 };
 
-/// Central differences of one row of points; previous and next are the rows next to it.
+/// Central differences of one row of points; previous and next are the adjacent rows.
 Sums central_sums(const double* previous, const double* row, const double* next, Index ny, bool periodic, double dx,
                   double dy) {
     Sums sums;

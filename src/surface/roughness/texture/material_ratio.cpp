@@ -16,7 +16,7 @@ namespace {
 
 constexpr Index grid_intervals = 1024;
 
-/// Heights from end to end; both ends are exact.
+/// Heights over the whole range; both ends are exact.
 Array1D height_grid(double lowest, double highest) {
     Array1D grid = Array1D::LinSpaced(grid_intervals + 1, lowest, highest);
     grid[grid_intervals] = highest;
@@ -30,13 +30,13 @@ Index last_with(const CurveSums& sums, double ratio) {
     return k;
 }
 
-/// Where a falling function of x, at least `target` at lower and below it at upper, passes it.
+/// Crossing of a decreasing function of x with `target`, which it exceeds or equals at lower and not at upper.
 template <class Function>
 double crossing(double lower, double upper, double target, Function function) {
     return numerics::bisected([&](double x) { return function(x) >= target; }, lower, upper).first;
 }
 
-/// Places of the finite heights, so they increase.
+/// Indices of the finite heights in increasing order.
 std::vector<Index> increasing_order(const ArrayView1D& heights) {
     std::vector<Index> order;
     for (Index k = 0; k < heights.size(); ++k)
@@ -45,7 +45,7 @@ std::vector<Index> increasing_order(const ArrayView1D& heights) {
     return order;
 }
 
-/// 1 at −infinity, 0 at infinity, else NaN.
+/// 1 at −infinity, 0 at infinity, otherwise NaN.
 Array1D ratios_at_infinity(const ArrayView1D& heights) {
     return heights.unaryExpr([](double h) { return std::isinf(h) ? (h < 0.0 ? 1.0 : 0.0) : undefined; });
 }

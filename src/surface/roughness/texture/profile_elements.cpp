@@ -42,7 +42,7 @@ std::vector<Part> parts_between_crossings(const Points& points, double mean_line
     return parts;
 }
 
-/// Parts that do not count are joined to the one before; neighbours of one sign become one.
+/// Parts below the thresholds are joined to the previous one; neighbours of one sign become one.
 std::vector<Part> significant(const std::vector<Part>& parts, double height, double length) {
     std::vector<Part> kept;
     for (const auto& part : parts) {

@@ -42,7 +42,7 @@ Points points_of(const MeasurementView& line) {
 
 namespace {
 
-/// The part of a polyline between two positions, cut between points.
+/// The part of a polyline between two positions, divided between points.
 Profile cut(const Profile& profile, double begin, double end) {
     const auto& x = profile.positions;
     const auto height_at = [&](double position) {

@@ -18,7 +18,7 @@
 namespace setae::texture {
 namespace {
 
-/// Everything that is taken of a stretch of profile.
+/// Parameters of a part of a profile.
 struct Stretch {
     HeightParameters heights;
     ProfileElements elements;
@@ -59,7 +59,7 @@ char letter_of(ProfileKind kind) {
     return kind == ProfileKind::primary ? 'P' : kind == ProfileKind::waviness ? 'W' : 'R';
 }
 
-/// Ral, or what a line lacks for it.
+/// Ral, or the reason for its absence.
 void add_autocorrelation_length(ParameterRows& rows, const MeasurementView& line, double Rq) {
     const auto* scan = line.as<topography::LineScan>();
     if (scan && Rq > 0.0) rows.add("Ral", {autocorrelation_length(*scan)});
@@ -103,7 +103,7 @@ ProfileOptions with_default_filters(ProfileOptions options, const MeasurementVie
     return options;
 }
 
-/// Mean of one row of all lines.
+/// Mean of one row over all lines.
 Quantity mean_of_row(const std::vector<std::vector<TextureParameter>>& lines, std::size_t row) {
     auto quantity = lines.front()[row].quantity;
     std::vector<double> values;

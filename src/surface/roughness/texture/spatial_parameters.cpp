@@ -27,11 +27,11 @@ struct RimPoint {
 
 struct Rim {
     std::vector<RimPoint> points;  ///< by increasing angle
-    bool closed = true;            ///< no part of it lies beyond the largest lags
+    bool closed = true;            ///< no part of it is beyond the largest lags
 };
 
-/// Where the cubic through four equally spaced values passes `level` between the second (above it) and the third (not
-/// above): 0 … 1.
+/// Position where the cubic through four equally spaced values crosses `level` between the second (above it) and the
+/// third (not above): 0 … 1.
 double passage(double before, double at_0, double at_1, double after, double level) {
     const bool cubic = !std::isnan(before) && !std::isnan(after);
     const auto value = [&](double t) {
@@ -79,8 +79,8 @@ Rim rim_of(AutocorrelationOfProducts& f, double level, std::array<double, 2> pix
     return rim;
 }
 
-/// The distance at an extreme point of the rim, improved by a parabola over the angles next to it where that fits to 5
-/// % of a pixel.
+/// The distance at an extreme point of the rim, improved by a parabola over the adjacent angles if it fits to 5 % of a
+/// pixel.
 double refined(const Rim& rim, const RimPoint& extreme, double pixel) {
     const double reach = std::min(0.5, 1.75 * pixel / extreme.distance);
     Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();

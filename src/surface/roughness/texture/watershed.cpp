@@ -18,7 +18,7 @@ namespace {
 using Label = std::int32_t;
 constexpr Label none = -1;
 
-/// Sets that are joined, each known by one member.
+/// Disjoint sets, each represented by one member.
 class Sets {
 public:
     explicit Sets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), Label{0}); }
@@ -30,7 +30,7 @@ public:
         }
         return k;
     }
-    /// `child` becomes part of `root`; both are the known members of their sets.
+    /// `child` becomes part of `root`; both are the representatives of their sets.
     void join(Label root, Label child) { parent_[static_cast<std::size_t>(child)] = root; }
 
 private:
@@ -39,9 +39,9 @@ private:
 
 constexpr std::array<std::array<Index, 2>, 8> neighbours{
     {{-1, -1}, {-1, 0}, {-1, 1}, {0, -1}, {0, 1}, {1, -1}, {1, 0}, {1, 1}}};
-constexpr std::size_t first_forward = 4;  ///< of these eight, those after a point in storage order
+constexpr std::size_t first_forward = 4;  ///< of these eight, those after the point in storage order
 
-/// Heights the way that is up, with neighbours across periodic edges.
+/// Heights with the upward sign, and neighbours across periodic edges.
 class Grid {
 public:
     Grid(const topography::HeightMap& map, Up up) : map_(map), sign_(static_cast<double>(static_cast<int>(up))) {}
@@ -49,7 +49,7 @@ public:
     [[nodiscard]] Index nx() const { return map_.heights.rows(); }
     [[nodiscard]] Index ny() const { return map_.heights.cols(); }
     [[nodiscard]] double at(Index point) const { return sign_ * map_.heights.data()[point]; }
-    /// Calls visitor(neighbour) for the neighbours of (i, j) from the first one on, with none beyond an open edge.
+    /// Calls visitor(neighbour) for the neighbours of (i, j) from the first one on, without those beyond an open edge.
     template <class Visitor>
     void for_neighbours(Index i, Index j, std::size_t first, Visitor visitor) const {
         const bool inside = i > 0 && j > 0 && i + 1 < nx() && j + 1 < ny();
@@ -70,11 +70,11 @@ private:
     double sign_;
 };
 
-/// The basins of a grid: every defined point's hill, before any is joined.
+/// The basins of a grid: the hill of every defined point before hills are joined.
 struct Basins {
     std::vector<Label> of_point;
     std::vector<Index> peak;     ///< of each basin
-    std::vector<char> complete;  ///< whether it keeps off edges and undefined points
+    std::vector<char> complete;  ///< whether it does not touch edges and undefined points
 };
 
 Basins basins_of(const Grid& grid, parallel::Threads threads) {
@@ -147,20 +147,20 @@ Basins basins_of(const Grid& grid, parallel::Threads threads) {
     return basins;
 }
 
-/// Two basins that touch, and the height at which one goes from one to the other.
+/// Two basins that touch, and the height of the path from one to the other.
 struct Saddle {
     double height;
     Label a, b;
 };
 
-/// Whether a saddle is crossed before another one, from the highest down; never both ways for two that differ.
+/// Whether a saddle is processed before another one, from the highest down; a strict order for two that differ.
 bool is_before(const Saddle& a, const Saddle& b) {
     if (a.height != b.height) return a.height > b.height;
     return a.a != b.a ? a.a < b.a : a.b < b.b;
 }
 
-/// The highest saddle of each pair of neighbouring points, in the order of the points: where basins touch along a
-/// border, one contact follows the other and the highest of such a run is kept.
+/// The highest saddle of each pair of neighbouring points, in the order of the points: if basins touch along a border,
+/// contacts are consecutive and only the highest of such a run is kept.
 std::vector<Saddle> contacts_of(const Grid& grid, const Basins& basins) {
     std::vector<Saddle> contacts;
     const Index ny = grid.ny();
@@ -189,7 +189,7 @@ std::vector<Saddle> contacts_of(const Grid& grid, const Basins& basins) {
 }
 
 /// The saddles that connect basins not connected by higher ones, from the highest down: the maximum spanning forest,
-/// grown from all basins at once, so that only the saddles in it are sorted.
+/// grown from all basins simultaneously, so only the saddles in it are sorted.
 /// Source: Borůvka 1926; Nešetřil, Milková, Nešetřilová, Discrete Math. 233 (2001) 3.
 std::vector<Saddle> saddles_of(const Grid& grid, const Basins& basins) {
     auto contacts = contacts_of(grid, basins);
@@ -214,7 +214,7 @@ std::vector<Saddle> saddles_of(const Grid& grid, const Basins& basins) {
         for (const auto best : first) {
             if (best == no_contact) continue;
             const auto a = connected.find(contacts[best].a), b = connected.find(contacts[best].b);
-            if (a == b) continue;  // chosen from the other side already
+            if (a == b) continue;  // already selected from the other side
             connected.join(std::min(a, b), std::max(a, b));
             saddles.push_back(contacts[best]);
         }
@@ -229,8 +229,8 @@ std::vector<Peak> significant_peaks(const topography::HeightMap& map, Up up, dou
     const Grid grid(map, up);
     auto basins = basins_of(grid, threads);
     const auto count = basins.peak.size();
-    // from the highest saddle down: of two lands that meet, the one with the lower peak is joined to the hill next to
-    // it, or stays a hill
+    // from the highest saddle down: of two regions that meet, the one with the lower peak is joined to the adjacent
+    // hill, or remains a hill
     Sets lands(count), hills(count);
     const auto peak_height = [&](Label basin) { return grid.at(basins.peak[static_cast<std::size_t>(basin)]); };
     for (const auto& saddle : saddles_of(grid, basins)) {

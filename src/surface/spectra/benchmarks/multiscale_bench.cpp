@@ -22,7 +22,7 @@ void multiscale_surface(benchmark::State& state) {
 }
 BENCHMARK(multiscale_surface)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
 
-/// 512² points per number of picometres apart; "points" counts each octave.
+/// 512² points at a spacing in picometres; "points" counts each octave.
 void multiscale_window(benchmark::State& state) {
     const auto made = surface(static_cast<int>(state.range(1)));
     const double pixel_size = 1e-12 * static_cast<double>(state.range(0));

@@ -16,7 +16,7 @@ void profile_density_of_power_laws(benchmark::State& state) {
 }
 BENCHMARK(profile_density_of_power_laws)->Unit(benchmark::kMillisecond);
 
-/// Five decades of a spectrum that is a power law nowhere.
+/// Five decades of a spectrum without power laws.
 void profile_density_of_a_smooth_curve(benchmark::State& state) {
     const spectra::SpectralDensity C_iso = [](double q) {
         return std::pow(1.0 + q * q, -1.8) * (1.1 + std::sin(std::log(q)));

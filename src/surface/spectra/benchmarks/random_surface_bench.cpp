@@ -32,7 +32,7 @@ BENCHMARK(random_surface)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 
-/// FFTW's own c2r of the same size into memory that is there already, one thread.
+/// c2r transform of FFTW of the same size into existing memory, one thread.
 void bare_inverse_transform(benchmark::State& state) {
     const int n = static_cast<int>(state.range(0));
     const auto points = static_cast<std::size_t>(n) * static_cast<std::size_t>(n);

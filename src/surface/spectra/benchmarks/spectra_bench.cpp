@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: GPL-3.0-or-later Power spectra next to the bare transforms and copies they depend on, all in
-// one run.
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Power spectra compared with the plain transforms and copies they depend on, all in one run.
 #include <cmath>
 #include <complex>
 #include <cstring>
@@ -34,7 +34,7 @@ const topography::HeightMap& map() {
     return map;
 }
 
-/// Highest resident memory of this process so far [arrays of the map's size]; Linux only, else 0.
+/// Peak resident memory of this process so far [arrays of the size of the map]; Linux only, otherwise 0.
 double peak_arrays() {
     std::ifstream status("/proc/self/status");
     for (std::string line; std::getline(status, line);)
@@ -43,7 +43,7 @@ double peak_arrays() {
     return 0.0;
 }
 
-/// Forgets the highest memory so far.
+/// Resets the peak memory.
 void reset_peak() { std::ofstream("/proc/self/clear_refs") << "5"; }
 
 void copy_map(benchmark::State& state) {
@@ -55,7 +55,7 @@ void copy_map(benchmark::State& state) {
 }
 BENCHMARK(copy_map)->Unit(benchmark::kMillisecond)->UseRealTime();
 
-/// One thread, FFTW_ESTIMATE, out of place, the map as it lies: the yardstick of the spectrum of a map.
+/// One thread, FFTW_ESTIMATE, out of place, on the map in memory: reference time of the spectrum of a map.
 void bare_map_transform(benchmark::State& state) {
     fourier::Buffer<double> in(map().heights.data(), map().heights.data() + map().heights.size());
     fourier::Buffer<std::complex<double>> out(static_cast<std::size_t>(side * (side / 2 + 1)));
@@ -69,7 +69,7 @@ void bare_map_transform(benchmark::State& state) {
 }
 BENCHMARK(bare_map_transform)->Unit(benchmark::kMillisecond)->UseRealTime();
 
-/// The same of every line along the first index: the yardstick of the spectrum of a map's line scans.
+/// Transforms of every line along the first index: reference time of the spectrum of line scans of a map.
 void bare_line_transforms(benchmark::State& state) {
     fourier::Buffer<double> in(map().heights.data(), map().heights.data() + map().heights.size());
     fourier::Buffer<std::complex<double>> out(static_cast<std::size_t>(side * (side / 2 + 1)));
@@ -84,7 +84,7 @@ void bare_line_transforms(benchmark::State& state) {
 }
 BENCHMARK(bare_line_transforms)->Unit(benchmark::kMillisecond)->UseRealTime();
 
-/// And of contiguous lines, which a map along its fast axis does not have: the least its transforms can cost.
+/// Transforms of contiguous lines, which a map along its fast axis does not have: minimum time of its transforms.
 void bare_contiguous_line_transforms(benchmark::State& state) {
     fourier::Buffer<double> in(map().heights.data(), map().heights.data() + map().heights.size());
     fourier::Buffer<std::complex<double>> out(static_cast<std::size_t>(side / 2 + 1));

@@ -14,7 +14,7 @@
 namespace setae::spectral_fit {
 namespace {
 
-/// Σ |ρ|² over the modes of a group of its own size under the Hann window: their mean is worth size/this values.
+/// Σ |ρ|² over the modes of a group with the Hann window: their mean is equivalent to size/this values.
 double shared_within(double size) {
     return 1.0 + 2.0 * (4.0 / 9.0 * std::max(0.0, 1.0 - 1.0 / size) + 1.0 / 36.0 * std::max(0.0, 1.0 - 2.0 / size));
 }

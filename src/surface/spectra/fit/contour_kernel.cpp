@@ -55,7 +55,7 @@ public:
         return z;
     }
 
-    /// |A (real + i imaginary)|² at k = 1 … modes, that at −k added.
+    /// |A (real + i imaginary)|² at k = 1 … modes, plus that at −k.
     [[nodiscard]] Array1D power(Array1D real, Array1D imaginary) const {
         const auto z = transformed(std::move(real), std::move(imaginary));
         Array1D result(modes());
@@ -65,7 +65,7 @@ public:
         return result;
     }
 
-    /// What a wave e^{iqx} does to modes 1 … modes: column 0 by itself, column 1 by its mirror image e^{−iqx}.
+    /// Effect of a wave e^{iqx} on modes 1 … modes: column 0 directly, column 1 by its mirror image e^{−iqx}.
     [[nodiscard]] Eigen::Matrix<Complex, Eigen::Dynamic, 2> answer(double wavevector) const {
         const Array1D phase = positions_ * wavevector;
         const auto z = transformed(phase.cos(), phase.sin());
@@ -94,7 +94,7 @@ private:
     Array1D window_, tilt_;
 };
 
-/// Wavevectors at which |A e^{iqx}|² is taken: dense where the contour resolves, logarithmic beyond.
+/// Wavevectors at which |A e^{iqx}|² is evaluated: dense where the contour resolves, logarithmic beyond.
 Array1D integration_grid(double length, double mean_step, double shortest) {
     std::vector<double> q{0.0};
     const double step = 2.0 * pi / (4.0 * length), dense_end = std::min(shortest, 2.0 * pi / mean_step);
@@ -109,7 +109,7 @@ Array1D integration_grid(double length, double mean_step, double shortest) {
     return Eigen::Map<const Array1D>(q.data(), static_cast<Index>(q.size()));
 }
 
-/// Integrals of one node's C1D over 0 … q, tabulated: hat_node's are too dear for a matrix.
+/// Integrals of C1D of one node over 0 … q, tabulated, because those of hat_node are too slow for a matrix.
 class LineIntegralTable {
 public:
     explicit LineIntegralTable(hat_node::LineIntegrals (*exact)(double)) : entries_(count + 3) {
@@ -118,7 +118,7 @@ public:
         level_ = zeroth / small;
         curvature_ = 4.0 * (first / (small * small) - 0.5 * level_) / (small * small);
     }
-    /// Below `small` C1D = level + curvature q²; above its reach the whole.
+    /// Below `small` C1D = level + curvature q²; above its reach the whole integral.
     [[nodiscard]] hat_node::LineIntegrals operator()(double q) const {
         if (q < small)
             return {q * (level_ + curvature_ * q * q / 3.0), q * q * (0.5 * level_ + 0.25 * curvature_ * q * q)};
@@ -142,7 +142,7 @@ private:
     double level_, curvature_;
 };
 
-/// Integrals of q_i's C1D times the triangle functions of the grid: E[P] = Σ_g power(q_g) weight(g, i).
+/// Integrals of C1D of q_i times the triangle functions of the grid: E[P] = Σ_g power(q_g) weight(g, i).
 Array2D quadrature(const Array1D& grid, const ArrayView1D& nodes) {
     static const LineIntegralTable whole(hat_node::line_integrals), lower(hat_node::line_integrals_of_lower_half);
     const Index last = nodes.size() - 1;
@@ -171,7 +171,7 @@ Array2D quadrature(const Array1D& grid, const ArrayView1D& nodes) {
     return weights;
 }
 
-/// Standard deviation of each point's noise before smoothing [m].
+/// Standard deviation of the noise of each point before smoothing [m].
 Array1D noise_amplitude(const topography::Profile& contour) {
     const auto n = contour.positions.size();
     const auto& x = contour.positions;
@@ -201,7 +201,7 @@ Array1D expected_noise(const Operator& transform, const topography::Profile& con
     return (power.matrix() * weight.matrix()).array() / (2.0 * pi * transform.length());
 }
 
-/// What each wave of the grid carries of C1D and of the noise of a trace: ∫ C1D dq around it.
+/// Power of each wave of the grid from C1D and from the noise of a trace: ∫ C1D dq around it.
 Array1D power_of_waves(const topography::Profile& contour, const Array1D& grid, const ArrayView1D& nodes,
                        const ArrayView1D& C_iso) {
     Array1D power = (quadrature(grid, nodes).matrix() * C_iso.matrix()).array().max(0.0);
@@ -265,7 +265,7 @@ Array1D white_noise(const topography::Profile& contour, parallel::Threads thread
     const Operator transform(contour.positions);
     const ModeBins bins(transform.modes());
     const Index n = contour.positions.size();
-    constexpr Index pairs = 256;  // a draw in the real part, another in the imaginary one
+    constexpr Index pairs = 256;  // one draw in the real part, another in the imaginary part
     Array2D power(bins.size(), pairs);
     parallel::for_each_index(static_cast<std::size_t>(pairs), threads, [&](std::size_t pair) {
         const numerics::RandomKey key{0, pair};
@@ -295,7 +295,7 @@ Array1D independent_share(const topography::Profile& contour, const ArrayView1D&
     });
     const Array1D variance = (forth.rowwise().squaredNorm() + back.rowwise().squaredNorm()).array();
     Array1D share(bins.size());
-    constexpr Index block = 16;  // groups whose covariances with all modes are one matrix product
+    constexpr Index block = 16;  // groups whose covariances with all modes are computed by one matrix product
     parallel::for_each_index(
         static_cast<std::size_t>((bins.size() + block - 1) / block), threads, [&](std::size_t task) {
             const Index first = static_cast<Index>(task) * block, count = std::min(block, bins.size() - first);

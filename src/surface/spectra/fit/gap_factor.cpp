@@ -55,7 +55,7 @@ Array1D gap_factor(const GappedLines& gaps, const ScanShape& shape, double pixel
     Array2D whole(n, count), bridged(n, count);
     parallel::for_each_index(static_cast<std::size_t>(count), threads, [&](std::size_t index) {
         const auto l = static_cast<Index>(index);
-        // a period twice as long: ends of a scan do not meet
+        // a period twice as long: the ends of a scan are independent
         const auto line = synthesis::random_line(C1D, {2 * n, 2.0 * static_cast<double>(n) * pixel_size},
                                                  {.key = {seed, static_cast<std::uint64_t>(index)}, .threads = {1}});
         Array1D values = line.heights.head(n);

@@ -53,7 +53,7 @@ public:
         }
     }
 
-    /// 0 <= z <= longest e^h. Cubic Hermite, the derivatives being (J0 − 1)/z and a/z.
+    /// 0 <= z <= longest e^h. Cubic Hermite interpolation with the derivatives (J0 − 1)/z and a/z.
     [[nodiscard]] Values operator()(double z) const {
         if (z < 1.0) return series(z);
         const auto i = static_cast<std::size_t>(z / step);
@@ -77,7 +77,7 @@ private:
         return {a, b};
     }
 
-    /// da/dz at a node, by central differences of the table (exact to step⁴), one-sided ends never being asked for.
+    /// da/dz at a node, by central differences of the table (exact to step⁴); the one-sided ends are never used.
     [[nodiscard]] double slope_of_first(std::size_t i) const {
         const std::size_t n = first_.size();
         if (i < 2 || i + 2 >= n)
@@ -133,7 +133,7 @@ LineIntegrals integrate(double q, double lower, double upper) {
     LineIntegrals sum;
     const auto piece = [&](double from, double to, bool towards_start) {
         if (!(to > from)) return;
-        // u = from + (to − from) v²: takes the root at u = ln q out of the way
+        // u = from + (to − from) v² removes the root at u = ln q
         const double width = to - from, middle = 0.5, half = 0.5;
         const auto add = [&](double v, double weight) {
             const double u = towards_start ? from + width * v * v : to - width * v * v;

@@ -10,7 +10,7 @@ Array1D independent_lines(const spectra::SpectralDensity& C_iso, const ArrayView
                           const ArrayView1D& signal, Index lines, double pitch, parallel::Threads threads) {
     constexpr Index nodes = 160, lags = 40;
     constexpr double end = 6.0;  // p = q sinh t up to 200 q
-    // lags: each by itself at first, then logarithmically, each standing for the lags around it
+    // lags: single ones at first, then logarithmic, each representing the lags around it
     Array1D lag(lags + 1);
     for (Index l = 0; l <= lags; ++l)
         lag[l] = std::expm1(std::log1p(static_cast<double>(lines - 1)) * static_cast<double>(l) / lags);
@@ -26,7 +26,7 @@ Array1D independent_lines(const spectra::SpectralDensity& C_iso, const ArrayView
         const Array1D p = wavevectors[k] * sinh;
         const Array1D weight = cosh * (wavevectors[k] * cosh).unaryExpr(C_iso);
         const double total = weight.sum();
-        Index reached = nodes;  // most lie beyond the end of the spectrum
+        Index reached = nodes;  // most are beyond the end of the spectrum
         while (reached > 0 && weight[reached - 1] == 0.0) --reached;
         const auto squared = [&](double distance) {
             const double rho =
@@ -42,7 +42,8 @@ Array1D independent_lines(const spectra::SpectralDensity& C_iso, const ArrayView
             value_before = value;
         }
         sum -= static_cast<double>(lines) *
-               (total > 0.0 ? signal[k] * signal[k] : 0.0);  // half of the lag 0 the rule counted, both signs
+               (total > 0.0 ? signal[k] * signal[k] : 0.0);  // subtracts half of the lag 0 counted by the rule, both
+                                                             // signs
         result[k] = std::clamp(static_cast<double>(lines) * static_cast<double>(lines) / std::max(sum, 1.0), 1.0,
                                static_cast<double>(lines));
     });

@@ -22,7 +22,7 @@ Array1D interpolated(const Array1D& wavevector, const Array1D& values, const Arr
     });
 }
 
-/// Whether a class's noise is that of its trace as stated, which scales with the data.
+/// Whether the noise of a class is the stated noise of its trace, which scales with the data.
 bool has_stated_noise(const PeriodogramClass& data) {
     return data.noise_response.size() > 0 && data.noise_known_to > 0.0;
 }
@@ -33,7 +33,7 @@ void move_heights(PeriodogramClass& data, double log_factor) {
     if (has_stated_noise(data)) data.noise_response *= power;
 }
 
-/// T² of light at other wavevectors over what it was; 1 where it was none.
+/// Ratio of T² of light at other wavevectors to the previous one; 1 if that was 0.
 Array1D change_of_optics(const OpticalTransfer& optics, const Array1D& before, const Array1D& now) {
     return Array1D::NullaryExpr(before.size(), [&](Index i) {
         const double old = optics.at(before[i]);
@@ -45,7 +45,7 @@ void move_lengths(PeriodogramClass& data, const ObservedGroup& group, const TipR
     const double factor = std::exp(log_factor);
     const Array1D wavevector = data.wavevector / factor, nodes = data.nodes / factor;
     data.periodogram *= factor;
-    // the spectrum's end stays where it is, that much further after the last node
+    // the end of the spectrum is fixed, at a greater distance from the last node
     if (group.end_response.size() > 0)
         data.response.col(data.nodes.size() - 1) += log_factor / node_spacing * group.end_response;
     data.response /= factor;
@@ -78,7 +78,7 @@ const TipResponse* response_of(const ObservedGroup& group, const std::map<std::s
     return found == responses.end() ? nullptr : &found->second;
 }
 
-/// ln of what an input moves, for one standard error of it: by group, what it is.
+/// Change of ln of the affected quantities for one standard error of an input, by group.
 struct Moves {
     double heights = 0.0, lengths = 0.0, probe = 0.0;
 
@@ -101,7 +101,7 @@ std::map<std::string, double> inputs_of(const std::vector<ObservedGroup>& groups
     return largest;
 }
 
-/// Change of the logarithms of the ends of the band that groups leave when their lengths move by an input.
+/// Change of the logarithms of the ends of the band of the groups if an input changes their lengths.
 Band moved_ends(const std::vector<ObservedGroup>& groups, const std::string& input) {
     Band ends{std::numeric_limits<double>::infinity(), 0.0}, moved{0.0, 0.0};
     for (const auto& g : groups)

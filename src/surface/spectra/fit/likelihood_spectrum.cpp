@@ -33,19 +33,19 @@
 namespace setae::spectral_fit {
 namespace {
 
-/// A patch as many times wide as its heights' median wavelength has their long waves.
+/// Width of a patch in median wavelengths of the heights, sufficient for their long waves.
 constexpr double waves_per_patch = 8.0;
 
-/// Log-normal heights beyond it are another kind of surface.
+/// Beyond this skewness log-normal heights are another kind of surface.
 constexpr double max_skewness = 1.5;
 
 /// rms change of ln T, weighted by freedoms, that ends the rounds.
 constexpr double small_change = 0.005;
 
-/// Longer curves are scans, of nearly equal steps.
+/// Longer curves are treated as scans with nearly equal steps.
 constexpr Index max_points_of_shares = 2048;
 
-/// Fit and everything it is repeated with.
+/// Fit and the data for its repetition.
 class JointFit {
 public:
     JointFit(std::vector<ObservedGroup> groups, StretchOfMaps maps, const SpectrumRange& range,
@@ -122,7 +122,8 @@ public:
     }
 
 private:
-    /// Whether a group of modes tells of the surface: inside the band, and the tip leaves enough of it.
+    /// Whether a group of modes contains information on the surface: inside the band, with sufficient transfer by the
+    /// tip.
     [[nodiscard]] bool inside(const ObservedGroup& g, Index k) const {
         const bool seen = g.tip.log_transfer.size() == 0 || std::exp(g.tip.log_transfer[k]) >= options_.min_transfer;
         const double end = std::min(g.band_end, (1.0 + 1e-9) * lines_end(stretch_, spline_.shortest(), g.direction));
@@ -131,7 +132,7 @@ private:
                g.data.periodogram[k] > 0.0;
     }
 
-    /// ν of every group of modes, 0 outside the band and where the tip leaves too little.
+    /// ν of every group of modes, 0 outside the band and for insufficient transfer by the tip.
     [[nodiscard]] Array1D freedom(const ObservedGroup& g, const Array1D& lines) const {
         Array1D result = g.independent_share * g.mode_counts * lines * static_cast<double>(g.measurements);
         for (Index k = 0; k < result.size(); ++k)
@@ -151,8 +152,8 @@ private:
         take_stretch(groups_, stretch_, spline_.shortest());
     }
 
-    /// What lines along several directions tell of the stretch beside maps; fits again with it. Without maps that show
-    /// one, it is used where chance hardly makes it (p < 0.01).
+    /// Stretch from lines along several directions, in addition to maps; repeats the fit with it. Without a significant
+    /// stretch of maps, it is used if chance is improbable (p < 0.01).
     void compare_directions() {
         constexpr int rounds = 4;
         constexpr double significant = 0.01;
@@ -177,7 +178,7 @@ private:
         return [this, theta = fit_.theta](double q) { return spline_.value(theta, q); };
     }
 
-    /// What bridged gaps do to the periodograms of lines as the fit expects them.
+    /// Effect of interpolated gaps on the periodograms of lines with the spectrum of the fit.
     void take_gaps() {
         for (std::size_t c = 0; c < groups_.size(); ++c) {
             auto& g = groups_[c];
@@ -227,7 +228,7 @@ private:
         return 2.0 * pi / std::exp(0.5 * (lower + upper));
     }
 
-    /// C1D of the fit on ten wavevectors a decade.
+    /// C1D of the fit at ten wavevectors per decade.
     [[nodiscard]] spectra::SpectralDensity C1D() const {
         const double lowest = std::exp(spline_.position(1)), end = spline_.shortest();
         const auto nodes = static_cast<Index>(std::ceil(20.0 * std::log10(end / lowest)));
@@ -242,8 +243,8 @@ private:
         return g.probe && g.probe->name == probe;
     }
 
-    /// Simulates every tip on the fit: derivatives in the first round, T alone in the others, on heights as skewed as
-    /// the tip reads them. Whether T was what the derivatives had led the fit to expect.
+    /// Simulates every tip on the fit: derivatives in the first round, only T in the others, on heights with the
+    /// measured skewness. Returns whether T agreed with the expectation from the derivatives.
     bool simulate_tips() {
         if (rounds_ == 0) wavelength_ = median_wavelength();
         const auto line_density = C1D();
@@ -271,10 +272,10 @@ private:
         return rounds_ > 0 && change < small_change * small_change * weight;
     }
 
-    /// A foil's T multiplies what lines are expected to have.
+    /// T of a foil multiplies the expectation of lines.
     static void take_foil(ObservedGroup& g, const Array1D& change) { g.data.response.colwise() *= change.exp(); }
 
-    /// What the tip follows and what it adds to the periodogram of the fitted surface, with their answers to C_iso ∝ A.
+    /// Followed and added power of the tip in the periodogram of the fitted surface, with their responses to C_iso ∝ A.
     void take_tip(ObservedGroup& g) const {
         const auto followed = followed_at(responses_.at(g.probe->name), g.data.nodes);
         g.data.probe = g.probe->name;
@@ -286,7 +287,8 @@ private:
         g.data.reference_amplitude = 0.0;
     }
 
-    /// Up to where, of the waves longer than those that carry heights, more than half of what a tip reads is its own.
+    /// End of the waves, longer than those that carry the heights, of which more than half of the measured power is
+    /// added by a tip.
     [[nodiscard]] double end_of_unseen() const {
         constexpr double half = 0.5, longer = 3.0;
         double end = 0.0;
@@ -298,7 +300,7 @@ private:
         return end;
     }
 
-    /// Of waves of which nearly nothing is read, ln C_iso is taken to change by e^0.47 a decade.
+    /// For waves that are almost not measured, ln C_iso is assumed to change by e^0.47 per decade.
     void flatten_below(double end) {
         constexpr double slope = 0.15;
         if (!(end > smoothness_.slope_end)) return;
@@ -306,14 +308,14 @@ private:
         smoothness_.slope_end = end;
     }
 
-    /// C_iso of the lines of a group at its nodes.
+    /// C_iso for the lines of a group at its nodes.
     [[nodiscard]] Array1D C_iso_of(const ObservedGroup& g) const {
         return surface_wavevectors(g.data).unaryExpr([&](double q) {
             return spline_.value(fit_.theta, std::min(q, spline_.shortest()));
         }) * surface_factors(g.data);
     }
 
-    /// Periodogram that the fitted surface would have without tip and noise …
+    /// Periodogram of the fitted surface without tip and noise …
     [[nodiscard]] Array1D without_tip(const ObservedGroup& g) const {
         return (g.data.response.matrix() * C_iso_of(g).matrix()).array();
     }
@@ -327,9 +329,9 @@ private:
                g.data.added * (g.data.added_response * change).exp();
     }
 
-    /// A ball touches the points of a patch alone: that makes white noise of about step²/8R in what it reads, C1D
-    /// (step²/8R)² step. Where that is more than a hundredth of the surface's at half of the patch's shortest waves,
-    /// the patch is made finer, which leaves a hundredth of it or less.
+    /// A sphere touches only points of a patch: this adds white noise of about step²/8R to the measured heights, C1D
+    /// (step²/8R)² step. If that is more than a hundredth of C1D of the surface at half of the shortest waves of the
+    /// patch, the patch is refined until it is a hundredth or less.
     [[nodiscard]] double fine_step(const Probe& probe, const spectra::SpectralDensity& line_density) const {
         constexpr double much = 0.01, finer = 0.3;
         const double least = 0.5 * options_.shortest_wavelength, radius = probe.size,
@@ -344,7 +346,7 @@ private:
             return read_with(g, probe.name) && g.probe->size_error > 0.0;
         });
         const double step = fine_step(probe, line_density);
-        // what a tip adds to waves longer than heights are wide takes many of them
+        // the power added by a tip to waves longer than the width of features needs many of them
         const bool has_long_waves = step * static_cast<double>(options_.tip_points) > waves_per_patch * wavelength_;
         TipSimulation simulation{.probe = probe,
                                  .step = step,
@@ -368,9 +370,9 @@ private:
         }
     }
 
-    /// Of the surface's heights: what the tip has read less what it adds to them. 0 and certain unless the readings of
-    /// at least three measurements show that the heights are not Gaussian, and where the simulated patch lacks the
-    /// longest waves.
+    /// Skewness of the heights of the surface: measured skewness minus that added by the tip. 0 and exact unless the
+    /// readings of at least three measurements show that the heights are not Gaussian, and if the simulated patch lacks
+    /// the longest waves.
     [[nodiscard]] Estimate surface_skewness(const TipSimulation& simulation) const {
         constexpr double significant = 4.0;
         const Estimate gaussian{0.0, 0.0}, measured = measured_skewness(simulation.probe.name);
@@ -384,7 +386,7 @@ private:
         return {std::clamp(excess, -max_skewness, max_skewness), measured.standard_error};
     }
 
-    /// Of the heights as one tip has read them, over its measurements; no standard error for fewer than three.
+    /// Skewness of the heights measured by one tip, over its measurements; no standard error for fewer than three.
     [[nodiscard]] Estimate measured_skewness(const std::string& probe) const {
         std::vector<double> values;
         for (const auto& g : groups_)
@@ -396,25 +398,25 @@ private:
         return {mean, values.size() < 3 ? undefined : std::sqrt(squares / (n * (n - 1.0)))};
     }
 
-    /// A that T answers to.
+    /// A that determines T.
     [[nodiscard]] double amplitude(const ObservedGroup& g) const {
         return spline_moment(spline_, fit_.theta, g.data.amplitude_order, g.data.amplitude_end).value;
     }
 
-    /// ln T that the fit has used.
+    /// ln T used in the fit.
     [[nodiscard]] Array1D expected_transfer(const ObservedGroup& g) const {
         if (g.probe->is_foil() && g.tip.log_transfer.size() > 0) return g.tip.log_transfer;
         if (!(g.data.reference_amplitude > 0.0)) return Array1D::Zero(g.data.wavevector.size());
         return (with_tip(g) / without_tip(g)).log();
     }
 
-    /// How the spectrum answers to relative changes of a group's periodograms.
+    /// Response of the spectrum to relative changes of the periodograms of a group.
     [[nodiscard]] Eigen::MatrixXd answer(std::size_t c) const {
         return fit_.gain * fit_.jacobian[c].transpose() * groups_[c].data.freedom.matrix().asDiagonal();
     }
 
-    /// Of the fit, plus what uncertain skewness and the noise of the simulation do, each tip by itself, what
-    /// measurements differ by as wholes, and what the stretch is not known to.
+    /// Covariance of the fit, plus contributions of uncertain skewness and noise of the simulation for each tip, of
+    /// differences between whole measurements, and of the uncertainty of the stretch.
     [[nodiscard]] Eigen::MatrixXd own_covariance(const Scatter& scatter) const {
         Eigen::MatrixXd covariance = fit_.covariance;
         for (std::size_t c = 0; c < groups_.size(); ++c) {
@@ -424,7 +426,7 @@ private:
             covariance += together * together.transpose() * (found->second.normal_variance() / groups_[c].measurements);
         }
         for (const auto& [probe, response] : responses_) {
-            // a column a repetition, then by the skewness
+            // one column per repetition, then that of the skewness
             const Index repetitions = response.simulation_errors.rows();
             const auto& skewness = skewness_.at(probe);
             Eigen::MatrixXd moved = Eigen::MatrixXd::Zero(fit_.theta.size(), repetitions + 1);
@@ -446,8 +448,8 @@ private:
         return covariance;
     }
 
-    /// Wavevectors of C_iso that data speak of: of stretched surfaces q/μ of lines along q, the whole C_iso to its end
-    /// where lines reach it.
+    /// Wavevectors of C_iso with data: for stretched surfaces q/μ of lines along q, the whole C_iso to its end if lines
+    /// reach it.
     [[nodiscard]] Band used_band() const {
         constexpr double nearly = 0.97;
         Band band{std::numeric_limits<double>::infinity(), 0.0};
@@ -464,7 +466,8 @@ private:
         return band;
     }
 
-    /// Where the longest waves seen still carry about as much of the mean square height, q² C_iso per ln q, as any.
+    /// Warns if the contribution of the longest measured waves to the mean square height, q² C_iso per ln q, is about
+    /// as large as the maximum.
     static void add_rolloff_alert(LikelihoodSpectrum& r) {
         constexpr double much = 0.5;
         const auto& q = r.C_iso.wavevector;
@@ -510,15 +513,15 @@ private:
     std::vector<ObservedGroup> groups_;
     StretchOfMaps maps_;
     KnownStretch known_stretch_;
-    StretchLaw stretch_;  ///< that groups hold
+    StretchLaw stretch_;  ///< used by the groups
     Eigen::MatrixXd stretch_covariance_;
     LikelihoodOptions options_;
     LogSpline spline_;
     Smoothness smoothness_;
     WhittleFit fit_;
     std::map<std::string, TipResponse> responses_;  ///< by probe
-    std::map<std::string, Estimate> skewness_;      ///< of the surface's heights, by the tip that read them
-    double wavelength_ = 0.0;                       ///< half of ∫ q C_iso dq lies below it
+    std::map<std::string, Estimate> skewness_;      ///< of the heights of the surface, by the tip that measured them
+    double wavelength_ = 0.0;                       ///< half of ∫ q C_iso dq is below it
     int rounds_ = 0;
 };
 

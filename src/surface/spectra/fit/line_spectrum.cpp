@@ -14,8 +14,8 @@ namespace {
 
 constexpr Index max_nodes = 1000;
 
-/// Means of a node's C1D over the cell around 1, by how many nodes above that cell the node of height 1 stands: −1, 0,
-/// 1, …
+/// Means of C1D of a node over the cell around 1, by the distance of the node of height 1 above that cell in nodes: −1,
+/// 0, 1, …
 class CellMeans {
 public:
     explicit CellMeans(hat_node::LineIntegrals (*integrals)(double)) {
@@ -57,7 +57,7 @@ Array1D line_spectrum(const ArrayView1D& nodes, const ArrayView1D& C_iso) {
         double sum = 0.0;
         for (Index i = std::max<Index>(b - 1, 0); i < last; ++i) sum += C_iso[i] * whole(i - b);
         sum += C_iso[last] * lower_half(last - b);
-        // below the first node: a disc whose outer edge the node's own lower half already is
+        // below the first node: a disc whose outer edge is already the lower half of the node
         sum += C_iso[0] * (disc(-b) - lower_half(-b));
         C1D[b] = nodes[b] * sum;
     }

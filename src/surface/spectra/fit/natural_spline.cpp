@@ -15,7 +15,7 @@ NaturalSpline::NaturalSpline(const Array1D& positions, const Array1D& targets)
     const Index last = positions.size() - 1;
     factor_[0] = 0.0;
     diagonal_[0] = 1.0;
-    double above = 0.0;  // entry right of the diagonal in the row before
+    double above = 0.0;  // entry to the right of the diagonal in the previous row
     for (Index i = 1; i < last; ++i) {
         factor_[i] = i == 1 ? 0.0 : steps_[i - 1] / 6.0 / diagonal_[i - 1];
         diagonal_[i] = (steps_[i - 1] + steps_[i]) / 3.0 - factor_[i] * above;

@@ -19,7 +19,7 @@
 namespace setae::spectral_fit {
 namespace {
 
-/// What the noise of a trace is estimated to by the scatter along its points.
+/// Relative error of the noise of a trace estimated by the scatter along its points.
 constexpr double noise_of_traces_known_to = 0.2;
 
 int trend_degree(const ObservedSurface& observed) {
@@ -40,7 +40,7 @@ double length_of(const topography::Measurement& measurement) {
     return std::get<topography::Profile>(measurement).size();
 }
 
-/// Nodes and response of an equidistant class, the flat part and the end at q_s folded into the outer columns.
+/// Nodes and response of an equidistant class, with the constant part and the end at q_s included in the outer columns.
 void add_response(ObservedGroup& group, const ScanShape& shape, const SpectrumRange& range, double length,
                   parallel::Threads threads) {
     const double step = group.pixel_size;
@@ -50,8 +50,7 @@ void add_response(ObservedGroup& group, const ScanShape& shape, const SpectrumRa
     if (last <= first + 1)
         throw InvalidArgument(fmt::format("pixels of {} m below the surface's shortest wavelength", step));
     auto kernel = scan_kernel(shape, first, last + 1, threads);
-    // between the last node and q_s C continues, beyond it there is nothing: the hat of the node after takes what is
-    // missing
+    // C continues between the last node and q_s and is 0 beyond: the hat of the next node adds the missing part
     const double rest = end - static_cast<double>(last) - 0.5;
     const Index count = last - first + 1;
     const Array1D behind = std::exp(-2.0 * node_spacing) * kernel.response.col(count);
@@ -69,8 +68,8 @@ std::string class_name(const topography::Metadata& metadata, Index points, doubl
                        metadata.instrument.type.empty() ? "scan" : metadata.instrument.type, points, size * 1e6);
 }
 
-/// Where a measurement stops to tell of the surface: its sampling, its tip, and q_s, beyond which a mode holds what the
-/// window lets through alone.
+/// Upper end of the information of a measurement on the surface: its sampling, its tip, and q_s, beyond which a mode
+/// contains only leakage of the window.
 double band_end(const ObservedSurface& observed, double nyquist, const SpectrumRange& range,
                 const LikelihoodOptions& options) {
     const double sampled = std::min({nyquist, range.shortest * (1.0 + 1e-9), observed.untouched.upper});
@@ -78,14 +77,14 @@ double band_end(const ObservedSurface& observed, double nyquist, const SpectrumR
     return std::min(sampled, spectra::reliable_band(observed.measurement, {}, options.threads).band.upper);
 }
 
-/// What heights were read with.
+/// Probe of the measurement.
 std::optional<Probe> probe_of(const ObservedSurface& observed, const topography::Instrument& instrument) {
     if (observed.probe || !instrument.tip_radius) return observed.probe;
     return sphere(
         {.value = *instrument.tip_radius, .standard_error = instrument.tip_radius_standard_error.value_or(0.0)});
 }
 
-/// Of a probe's size: as the measurement says it, else by its instrument and shape.
+/// Name of the size of a probe: as given with the measurement, otherwise by its instrument and shape.
 std::string probe_input(const ObservedSurface& observed, const std::optional<Probe>& probe,
                         const topography::Instrument& instrument) {
     if (!probe || !(probe->size_error > 0.0)) return {};
@@ -105,14 +104,14 @@ bool same(const std::optional<OpticalTransfer>& a, const std::optional<OpticalTr
     return a->numerical_aperture == b->numerical_aperture && a->light_wavelength == b->light_wavelength;
 }
 
-/// An optical profiler shows T² of the waves' power.
+/// Applies T² of an optical profiler to the power of the waves.
 void look_through(ObservedGroup& group, const OpticalTransfer& optics) {
     const Array1D transfer = group.data.nodes.unaryExpr([&](double q) { return optics.at(q); });
     group.data.response.rowwise() *= transfer.square().transpose();
     group.optics = optics;
 }
 
-/// Name, instrument and the wavevectors of the groups of modes over a length.
+/// Name, instrument and wavevectors of the groups of modes over a length.
 ObservedGroup described(const topography::Metadata& metadata, Index points, double length, const ModeBins& bins) {
     const auto& instrument = metadata.instrument;
     ObservedGroup group;

@@ -28,7 +28,7 @@ PlaceScatter scatter_of(const std::vector<Departure>& all) {
     const double expected = count - 1.0;
     if (chi_squared(all, 0.0) <= expected) return found;
     double most = 0.0;
-    for (const auto& d : all) most += d.square / expected;  // makes χ² less than that
+    for (const auto& d : all) most += d.square / expected;  // makes χ² smaller than that
     const auto [lower, upper] =
         numerics::bisected([&](double v) { return chi_squared(all, v) > expected; }, 0.0, most, 60);
     found.variance = 0.5 * (lower + upper);

@@ -13,7 +13,7 @@
 namespace setae::spectral_fit {
 namespace {
 
-/// 0 if nothing is known of it.
+/// 0 if unknown.
 double known_error(const Estimate& size) { return size.standard_error > 0.0 ? size.standard_error : 0.0; }
 
 Probe tip(topography::Tip shape, const Estimate& radius, const std::string& kind) {

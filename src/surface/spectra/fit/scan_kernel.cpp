@@ -32,7 +32,7 @@ void require_shape(const ScanShape& shape) {
         throw InvalidArgument(fmt::format("trend of degree {}; expected 0 to {}", shape.trend_degree, highest_degree));
 }
 
-/// Orthonormal basis of polynomials on n points, one a column.
+/// Orthonormal basis of polynomials on n points, one per column.
 Eigen::MatrixXd trend_basis(const ScanShape& shape) {
     Eigen::MatrixXd powers(shape.points, shape.trend_degree + 1);
     const Array1D x = Array1D::LinSpaced(shape.points, -1.0, 1.0);
@@ -40,7 +40,7 @@ Eigen::MatrixXd trend_basis(const ScanShape& shape) {
     return numerics::orthonormal(powers);
 }
 
-/// What all nodes of one shape share.
+/// Common data of all nodes of one shape.
 class Workshop {
 public:
     explicit Workshop(const ScanShape& shape)
@@ -112,7 +112,8 @@ private:
         return z;
     }
 
-    /// Eigenvalues of the circulant that holds the Toeplitz matrix of the autocovariance: real, since it is even.
+    /// Eigenvalues of the circulant matrix that contains the Toeplitz matrix of the autocovariance: real, because it is
+    /// even.
     [[nodiscard]] Array1D toeplitz_spectrum(const Array1D& covariance) const {
         Buffer<Complex> z(static_cast<std::size_t>(padded_), Complex{});
         for (Index m = 0; m < covariance.size(); ++m) {
@@ -166,7 +167,7 @@ Array1D covariance_of(Index points, double wavevector, Function autocovariance) 
                                 [&](Index m) { return factor * autocovariance(wavevector * static_cast<double>(m)); });
 }
 
-/// Columns of one shape made so far.
+/// Columns of one shape computed so far.
 struct Store {
     explicit Store(const ScanShape& shape) : workshop(shape) {}
     Workshop workshop;

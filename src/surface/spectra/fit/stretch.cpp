@@ -17,7 +17,7 @@ namespace setae::spectral_fit {
 namespace {
 
 constexpr double annulus_width = 0.1, scale_width = 0.5;  // decades
-constexpr int sectors = 24;                               // of a half turn
+constexpr int sectors = 24;                               // of 180°
 
 Eigen::Vector2d axis(double angle) { return {std::cos(2.0 * angle), std::sin(2.0 * angle)}; }
 
@@ -42,9 +42,9 @@ struct Annulus {
 
 double sector_angle(int sector) { return pi * (sector + 0.5) / sectors; }
 
-/// Sums over half of the plane of q; counts are of independent waves.
+/// Sums over half of the plane of q; counts are those of independent waves.
 std::vector<Annulus> annuli_of(const topography::HeightMap& map, const Band& band, parallel::Threads threads) {
-    constexpr Index of_lines = 2;  // wavevectors along the lines that offsets and trends of lines reach
+    constexpr Index of_lines = 2;  // wavevectors along the lines affected by offsets and trends of lines
     const Index nx = map.heights.rows(), ny = map.heights.cols();
     const Array2D C2D = spectra::power_spectrum_map(
         map, {.window = spectra::Window::hann, .trend = topography::Trend::tilt, .threads = threads});
@@ -70,7 +70,7 @@ std::vector<Annulus> annuli_of(const topography::HeightMap& map, const Band& ban
     return annuli;
 }
 
-/// Leaves those whose power stands out of the noise, with their local exponents; one at each end is used up by that.
+/// Keeps those with power above the noise, with their local exponents; one at each end is used for the exponent.
 std::vector<Annulus> usable(const std::vector<Annulus>& annuli) {
     constexpr double above_noise = 20.0;
     double least = 0.0;
@@ -109,7 +109,7 @@ Eigen::Vector2d slope_of_log_square(const Stretch& stretch, double angle) {
     return slope;
 }
 
-/// An annulus's, its amplitude at the best.
+/// Score of an annulus at its best amplitude.
 void add_score(const Annulus& annulus, const Stretch& stretch, double share, Score& sum) {
     double weight = 0.0, power = 0.0;
     Eigen::Vector2d mean = Eigen::Vector2d::Zero();
@@ -137,7 +137,7 @@ void add_score(const Annulus& annulus, const Stretch& stretch, double share, Sco
     --sum.cells;
 }
 
-/// Of annuli together.
+/// Fit of several annuli.
 ObservedStretch fitted(const std::vector<Annulus>& annuli) {
     constexpr int max_rounds = 30;
     constexpr double longest_step = 0.5, small_step = 1e-6;
@@ -186,14 +186,14 @@ Mean mean_of(const std::vector<ObservedStretch>& observed) {
     return mean;
 }
 
-/// Whether chance alone hardly makes such a stretch, and it matters.
+/// Whether such a stretch is improbable by chance, and large enough.
 bool evident(const Mean& mean) {
     constexpr double significant = 0.01, min_stretch = 1.05;
     return chi_squared_exceedance(mean.vector.dot(mean.information * mean.vector), 2.0) < significant &&
            Stretch{mean.vector}.ratio() > min_stretch;
 }
 
-/// A knot each decade that maps speak of; empty if none is evidently stretched.
+/// One knot per decade with data of maps; empty if none is significantly stretched.
 StretchOfMaps by_decade(const std::vector<ObservedStretch>& observed, double constancy) {
     std::map<int, std::vector<ObservedStretch>> decades;
     for (const auto& o : observed) decades[static_cast<int>(std::floor(std::log10(o.wavevector)))].push_back(o);

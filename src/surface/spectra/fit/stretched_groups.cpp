@@ -14,7 +14,7 @@ Array1D lengths_of(const ObservedGroup& group, const StretchLaw& law) {
     return group.data.nodes.unaryExpr([&](double q) { return std::sqrt(law.at(q).length_square(group.direction)); });
 }
 
-/// What a group's periodogram is expected to have of the surface, with the waves that its tip follows.
+/// Expectation of the surface in the periodogram of a group, with the waves followed by its tip.
 Array1D surface_part(const PeriodogramClass& c, const LogSpline& spline, const Eigen::VectorXd& theta) {
     Array1D C =
         (spline.design(surface_wavevectors(c).min(spline.shortest())) * theta).array().exp() * surface_factors(c);
@@ -116,7 +116,7 @@ StretchStep stretch_step(const std::vector<ObservedGroup>& groups, const LogSpli
 
 DirectionMean direction_mean(const LogSpline& spline, const Eigen::VectorXd& theta, const StretchLaw& law,
                              const Array1D& wavevector) {
-    constexpr int directions = 16;  // of a half turn, periodic: exact to the stretch to the power −32
+    constexpr int directions = 16;  // of 180°, periodic: exact to the stretch to the power −32
     const double end = surface_end(law, spline.shortest());
     const Index n = wavevector.size();
     Array1D sum = Array1D::Zero(n);

@@ -26,10 +26,10 @@ namespace {
 constexpr double bins_per_decade = 24.0;
 constexpr double amplitude_step = 1.2, size_step = 1.1, skewness_step = 0.2;
 
-/// Of ln C_added in a band, where one patch alone was simulated: measured on twelve patches.
+/// Error of ln C_added in a band for a single simulated patch: measured on twelve patches.
 constexpr double error_of_one_patch = 0.1;
 
-/// Every second pixel along x, every eighth line: what is read.
+/// Every second pixel along x, every eighth line: the measured points.
 constexpr Index stride_x = 2, stride_y = 8;
 
 /// |H(k, m)|² of a real map, k = 1 … nx/2 − 1 down the rows and m = 0 … ny/2 along them, with that of H(−k, m): both
@@ -57,7 +57,7 @@ Array2D every_point_read(const topography::HeightMap& surface) {
                                 [&](Index i, Index j) { return surface.heights(i * stride_x, j * stride_y); });
 }
 
-/// The highest of the lines over a foil's thickness, from every eighth line on; the patch is periodic.
+/// The highest of the lines over the thickness of a foil, from every eighth line on; the patch is periodic.
 Array2D silhouettes(const topography::HeightMap& surface, const Foil& foil, parallel::Threads threads) {
     const Index nx = surface.heights.rows() / stride_x, ny = surface.heights.cols() / stride_y,
                 width = surface.heights.cols();
@@ -75,7 +75,7 @@ Array2D silhouettes(const topography::HeightMap& surface, const Foil& foil, para
     return readings;
 }
 
-/// Readings of the probe there, line after line: each point starts from its neighbour's contact.
+/// Readings of the probe there, line after line: each point starts from the contact of its neighbour.
 Array2D read(const topography::HeightMap& surface, const Probe& probe, parallel::Threads threads) {
     if (const auto* foil = std::get_if<Foil>(&probe.shape)) return silhouettes(surface, *foil, threads);
     const auto& tip = std::get<topography::Tip>(probe.shape);
@@ -108,13 +108,13 @@ struct Bins {
         return result;
     }
     [[nodiscard]] double modes(Index b) const { return static_cast<double>(first[b + 1] - first[b]); }
-    /// The bin that holds a mode, whole or not.
+    /// The bin of a mode, integer or not.
     [[nodiscard]] Index of(double mode) const {
         const auto above = std::upper_bound(first.begin(), first.end(), static_cast<Index>(mode + 1e-9));
         return static_cast<Index>(above - first.begin()) - 1;
     }
     [[nodiscard]] Index highest() const { return first.back() - 1; }
-    /// Modes from which and to which a bin reaches.
+    /// First and last mode of a bin.
     [[nodiscard]] std::pair<double, double> ends(Index b) const {
         return {static_cast<double>(first[b]), static_cast<double>(first[b + 1])};
     }
@@ -125,13 +125,13 @@ struct Bins {
     Index last_bin = -1;
 };
 
-/// Where a curve ends at long waves, and how nearly.
+/// Limit of a curve at long waves, and its tolerance.
 struct Limit {
     double value, error;
 };
 
-/// Whittaker smoothing: Σ w (y − x)² + Σ (Δ²x)²/s². At long waves x ends at a limit where that is known, else flat, to
-/// s of the first bin. bends: s, a value a bin.
+/// Whittaker smoothing: Σ w (y − x)² + Σ (Δ²x)²/s². At long waves x ends at a limit if that is known, otherwise
+/// constant, to s of the first bin. bends: s, one value per bin.
 Array1D smoothed(const Array1D& values, const Array1D& weights, const Array1D& bends,
                  const std::optional<Limit>& limit = std::nullopt) {
     const Index n = values.size();
@@ -152,7 +152,7 @@ Array1D smoothed(const Array1D& values, const Array1D& weights, const Array1D& b
     return numerics::solved_symmetric(matrix, right).array();
 }
 
-/// Where x lies between nodes: values there are linear, and constant beyond the ends.
+/// Position of x between nodes: values are linear there, and constant beyond the ends.
 class Place {
 public:
     Place(const Array1D& nodes, double x) {
@@ -179,7 +179,7 @@ topography::HeightMap gaussian_patch(const spectra::SpectralDensity& C_iso, cons
         {.key = {simulation.seed, static_cast<std::uint64_t>(repetition)}, .threads = simulation.threads});
 }
 
-/// Heights of a Gaussian patch become log-normal of the same rms height.
+/// Converts heights of a Gaussian patch to log-normal ones with the same rms height.
 topography::HeightMap with_skewness(topography::HeightMap patch, double skewness) {
     if (skewness == 0.0) return patch;
     const auto transform = synthesis::lognormal_heights(skewness);
@@ -188,7 +188,7 @@ topography::HeightMap with_skewness(topography::HeightMap patch, double skewness
     return patch;
 }
 
-/// wave_power() of the surface, of what the tip reads, and of how far it is held off the surface.
+/// wave_power() of the surface, of the reading of the tip, and of their difference.
 struct WavePowers {
     Array2D surface, touched, lifted;
 };
@@ -198,7 +198,7 @@ struct Transfer {
     Array1D log_transfer, log_followed, log_added;  ///< ln T, ln a², ln C_added
 };
 
-/// What a set of patches is read with, and what its powers mean.
+/// Simulation of a set of patches, and the scale of its powers.
 class Reading {
 public:
     Reading(const spectra::SpectralDensity& C_iso, const TipSimulation& simulation)
@@ -225,8 +225,8 @@ public:
 
     [[nodiscard]] const Array1D& wavevector() const { return wavevector_; }
 
-    /// Hats over ln q, a row each, a factor of three apart; the first is 1 at all longer waves, the last at all
-    /// shorter.
+    /// Hat functions over ln q, one row each, a factor of three apart; the first is 1 at all longer waves, the last at
+    /// all shorter ones.
     [[nodiscard]] Array2D bands() const {
         const Array1D place = (wavevector_ / wavevector_[beyond_]).log() / std::log(band_step);
         const auto bands = static_cast<Index>(std::floor(place[place.size() - 1])) + 1;
@@ -237,7 +237,7 @@ public:
         return hats;
     }
 
-    /// Modes after each wavevector, none beyond the patch.
+    /// Number of modes at each wavevector, none beyond the patch.
     [[nodiscard]] Array1D modes() const {
         return Array1D::NullaryExpr(wavevector_.size(),
                                     [&](Index i) { return i < beyond_ ? 0.0 : bins_.modes(i - beyond_); });
@@ -249,7 +249,7 @@ public:
                 wave_power(touched - surface, simulation_.threads)};
     }
 
-    /// Of patches whose spectrum is `scale` times the one given: H_read = a H + H_added, ⟨H* H_added⟩ = 0.
+    /// Transfer for patches whose spectrum is `scale` times the given one: H_read = a H + H_added, ⟨H* H_added⟩ = 0.
     [[nodiscard]] Transfer transfer(const WavePowers& sums, int repetitions, double scale) const {
         if (simulation_.probe.is_foil()) return of_lines(sums, repetitions);
         const Array2D shared = 0.5 * (sums.touched + sums.surface - sums.lifted);
@@ -265,8 +265,8 @@ public:
         return result;
     }
 
-    /// A foil takes waves across the lines away and follows those along them: T is the ratio of what lines have, and
-    /// nothing is counted as added.
+    /// A foil removes waves across the lines and follows those along them: T is the ratio of the line spectra, and no
+    /// power counts as added.
     [[nodiscard]] Transfer of_lines(const WavePowers& sums, int repetitions) const {
         const Array1D ratio =
             (bins_.sums(sums.touched.rowwise().sum()) / bins_.sums(sums.surface.rowwise().sum())).log();
@@ -290,15 +290,15 @@ public:
 private:
     static constexpr double band_step = 3.0;
     static constexpr double decades_beyond = 3.0;  ///< of waves longer than the patch
-    static constexpr double min_added = 1e-12;     ///< of C1D: a tip that fits everywhere adds rounding
+    static constexpr double min_added = 1e-12;     ///< of C1D: without an effect of the tip only rounding is added
     static constexpr double nothing_added = 1e-300;
-    static constexpr double min_followed = 1e-8;  ///< a²: of waves that it cannot enter a tip follows nothing
-    static constexpr double bend = 0.05;          ///< what a and ln C_added may turn by, a bin, at short waves …
-    static constexpr double min_bend = 0.1;  ///< … and this much of it where they are flat: ever less at waves that
-                                             ///< are longer than those that carry heights, three and ten times
+    static constexpr double min_followed = 1e-8;  ///< a²: a tip does not follow waves that it cannot enter
+    static constexpr double bend = 0.05;          ///< bend of a and ln C_added per bin, at short waves …
+    static constexpr double min_bend = 0.1;  ///< … and this share of it where they are flat: decreasing at waves longer
+                                             ///< than those that carry heights, by factors of three and ten
 
-    /// Those that rings tell of, their mean of ln q, each wave weighed by its power as the regression does it; and
-    /// longer ones.
+    /// Wavevectors of the rings with data, their mean of ln q, each wave weighted by its power as in the regression;
+    /// and longer ones.
     void set_wavevectors(const spectra::SpectralDensity& C_iso) {
         constexpr int pieces = 8;
         beyond_ = static_cast<Index>(decades_beyond * bins_per_decade);
@@ -335,7 +335,7 @@ private:
         return std::hypot(unit_x_ * static_cast<double>(k + 1), unit_y_ * static_cast<double>(m));
     }
 
-    /// a of waves of every direction, a ring each: the regression of what is read on the surface.
+    /// a for waves of every direction, one ring each: the regression of the reading on the surface.
     [[nodiscard]] Array1D followed_share(const WavePowers& sums, const Array2D& shared) const {
         Array1D surface = Array1D::Zero(bins_.size()), together = surface, left = surface, counts = surface;
         for (Index k = 0; k < shared.rows(); ++k)
@@ -349,11 +349,11 @@ private:
             }
         const Array1D follows = together / surface;
         left = (left - together * follows).max(min_added * surface);
-        constexpr Limit of_endless_waves{1.0, 0.009};  // what is lifted or tilted as a whole is followed
+        constexpr Limit of_endless_waves{1.0, 0.009};  // uniform shifts and tilts are followed
         return smoothed(follows, counts * surface / left, bends_of_followed_, of_endless_waves);
     }
 
-    /// ln C_added of lines, a bin each: what is read and not followed.
+    /// ln C_added of lines, one bin each: the reading without the followed part.
     [[nodiscard]] Array1D added_power(const WavePowers& sums, const Array2D& shared, const Array1D& followed,
                                       int repetitions, double scale) const {
         const Array1D log_rings = wavevector_.tail(bins_.size()).log();
@@ -369,7 +369,7 @@ private:
         const Array1D waves = independent_lines_ * repetitions * modes;
         const Array1D added =
             (bins_.sums(line) / modes * (power_unit_ / repetitions)).max(min_added * scale * density_of_lines_);
-        // the logarithm of a mean of n exponential variates lies 1/2n low
+        // the logarithm of a mean of n exponential variates is low by 1/2n
         return smoothed(added.log() + 0.5 / waves, waves, bends_of_added_);
     }
 
@@ -415,7 +415,7 @@ Array2D added_errors(const Reading& reading, const std::vector<Transfer>& each) 
     return bands;
 }
 
-/// What repetitions differ by in what they follow, from their mean and over √(n(n − 1)), as ln T.
+/// Differences between repetitions in the followed part, from their mean and over √(n(n − 1)), as ln T.
 Array2D simulation_errors(const Reading& reading, const Transfer& all, const std::vector<Transfer>& each,
                           bool is_foil) {
     const auto repetitions = static_cast<Index>(each.size());

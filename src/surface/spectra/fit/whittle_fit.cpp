@@ -17,18 +17,18 @@
 namespace setae::spectral_fit {
 namespace {
 
-/// What is known of ln σ² before the fit.
+/// Prior of ln σ².
 struct NoisePrior {
     double centre, deviation;
-    double bound;        ///< ln of the least P/N of any mode: more noise there cannot be
-    bool seen = false;   ///< as the floor of the periodogram
-    bool known = false;  ///< beforehand
+    double bound;        ///< ln of the smallest P/N of any mode: an upper bound of the noise
+    bool seen = false;   ///< visible as the floor of the periodogram
+    bool known = false;  ///< known before the fit
 };
 
-/// Where a periodogram has fallen far and hardly falls over the two octaves below Nyquist, r = lower over upper octave,
-/// noise is what is left of the upper one when a surface falling sixfold an octave is taken off, (6 − r)/5 of it: a
-/// surface alone falls at least threefold there, aliases included. Else the bound is all that is known; far below it
-/// noise does not matter, and data that need more will say so at little cost.
+/// If a periodogram has decreased by a large factor and is almost constant over the two octaves below Nyquist, r =
+/// lower over upper octave, noise is the rest of the upper one after subtraction of a surface that decreases sixfold
+/// per octave, (6 − r)/5 of it: a surface alone decreases at least threefold there, aliases included. Otherwise only
+/// the bound is known; far below it noise is irrelevant, and data that need more noise show it at little cost.
 NoisePrior noise_prior(const PeriodogramClass& data) {
     constexpr double hardly = 2.5, sixfold = 6.0, far = 100.0, known_to = 0.3, unknown_to = 3.0, weakest = 1e-60;
     const double share_of_bound = std::log(1e-3);
@@ -48,8 +48,8 @@ NoisePrior noise_prior(const PeriodogramClass& data) {
     return {std::log(left * upper), known_to, bound, true};
 }
 
-/// One a class, of those with noise. What one class of an instrument shows is expected of its others, to a factor of e
-/// in σ².
+/// One per class with noise. The noise of one class of an instrument is the prior for its others, to a factor of e in
+/// σ².
 std::vector<NoisePrior> noise_priors(const std::vector<PeriodogramClass>& classes) {
     constexpr double like_others = 1.0;
     std::vector<NoisePrior> priors(classes.size());
@@ -75,8 +75,8 @@ std::vector<NoisePrior> noise_priors(const std::vector<PeriodogramClass>& classe
     return priors;
 }
 
-/// Parameters: theta, then one ln σ² for each class that has noise, one for all classes of an instrument whose noise is
-/// known beforehand, and some η for each tip.
+/// Parameters: theta, then one ln σ² for each class with noise, one for all classes of an instrument with known noise,
+/// and some η for each tip.
 class Problem {
 public:
     Problem(const std::vector<PeriodogramClass>& classes, const LogSpline& spline, const Smoothness& smoothness)
@@ -122,15 +122,15 @@ public:
         return s;
     }
 
-    /// −∂score/∂x of what is observed, the tip's response in it.
+    /// −∂score/∂x of the observed data, including the response of the tip.
     [[nodiscard]] Eigen::MatrixXd observed(const Eigen::VectorXd& x) const {
         Eigen::MatrixXd result = precision_;
         for (std::size_t c = 0; c < classes_.size(); ++c) add_observed(c, x, result);
         return result;
     }
 
-    /// Where no tip responds, the higher objective. Where one does, the root of the score is sought, which need not
-    /// raise it: the score nearer to zero then, in the metric of the information.
+    /// Without a responding tip, the higher objective. With one, the root of the score is needed, which may not raise
+    /// the objective: the smaller score, in the metric of the information.
     [[nodiscard]] bool better(const State& next, const State& now) const {
         constexpr double rounding = 1e-13;
         if (!responds_) return next.objective > now.objective - rounding * std::abs(now.objective);
@@ -141,7 +141,7 @@ public:
         return length(next.score) < length(now.score);
     }
 
-    /// A quadratic through ln(P/response) against ln q, by least squares with the freedoms as weights.
+    /// A quadratic through ln(P/response) against ln q, by least squares with the degrees of freedom as weights.
     [[nodiscard]] Eigen::VectorXd start() const {
         Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
         Eigen::Vector3d right = Eigen::Vector3d::Zero();
@@ -167,7 +167,7 @@ public:
     }
 
 private:
-    /// Of a class's ln σ² among the parameters; −1 without.
+    /// Index of ln σ² of a class among the parameters; −1 without.
     [[nodiscard]] Index index_of_noise(const PeriodogramClass& c) {
         if (c.noise_response.size() == 0) return -1;
         if (!(c.noise_known_to > 0.0)) return parameters_++;
@@ -176,7 +176,7 @@ private:
         return place->second;
     }
 
-    /// Of a tip's first η among the parameters; −1 without.
+    /// Index of the first η of a tip among the parameters; −1 without.
     [[nodiscard]] Index index_of_added(const PeriodogramClass& c) {
         if (c.added.size() == 0 || c.added_errors.rows() == 0) return -1;
         const auto [place, is_new] = tips_.emplace(c.probe, parameters_);
@@ -209,13 +209,13 @@ private:
         }
     }
 
-    /// E of a class and what it is made of.
+    /// E of a class and its parts.
     struct Expectation {
         Array1D followed;                 // C_iso with the tip, at the nodes
         Array1D added;                    // by the tip; empty without
         Array1D expected;                 // E
         Eigen::MatrixXd derivative;       // ∂ ln E/∂x at fixed tip
-        Eigen::MatrixXd total;            // with the tip's response
+        Eigen::MatrixXd total;            // including the response of the tip
         Eigen::VectorXd amplitude_slope;  // ∂ ln A/∂theta; empty if no tip responds
     };
 
@@ -276,7 +276,7 @@ private:
         s.expected.push_back(e.expected);
     }
 
-    /// Of −∂score/∂x, J = E_a/E:  Σ ν (2r − 1) J_a J_b − Σ ν (r − 1) E_ab/E, b with the tip's response.
+    /// −∂score/∂x, J = E_a/E: Σ ν (2r − 1) J_a J_b − Σ ν (r − 1) E_ab/E, b including the response of the tip.
     void add_observed(std::size_t index, const Eigen::VectorXd& x, Eigen::MatrixXd& observed) const {
         const auto& c = classes_[index];
         const auto e = expectation(index, x);
@@ -303,13 +303,13 @@ private:
 
     const std::vector<PeriodogramClass>& classes_;
     const LogSpline& spline_;
-    std::vector<Eigen::SparseMatrix<double>> designs_;  ///< four coefficients a node
+    std::vector<Eigen::SparseMatrix<double>> designs_;  ///< four coefficients per node
     std::vector<Array1D> factors_;
     std::vector<Index> noise_index_, added_index_;
     std::map<std::string, Index> tips_;         ///< η by probe
-    std::map<std::string, Index> known_noise_;  ///< of instruments whose noise is known beforehand
+    std::map<std::string, Index> known_noise_;  ///< of instruments with known noise
     Index parameters_;
-    bool responds_ = false;  ///< a tip's T to the fit
+    bool responds_ = false;  ///< T of a tip responds to the fit
     Eigen::VectorXd prior_centre_;
     Eigen::MatrixXd precision_;
 };
@@ -386,7 +386,7 @@ Eigen::VectorXd theta_moved(const WhittleFit& fit, const std::vector<Periodogram
 }
 
 SplineMoment spline_moment(const LogSpline& spline, const Eigen::VectorXd& theta, double order, double end) {
-    // ∫ q^{order+1} C d(ln q) by the midpoint rule, 40 a decade, and the closed form of the constant part
+    // ∫ q^{order+1} C d(ln q) by the midpoint rule, 40 per decade, and the closed form of the constant part
     const double lowest = std::exp(spline.position(1)), upper = std::min(end, spline.shortest());
     const double below = std::pow(std::min(lowest, upper), order + 1.0) / (order + 1.0);
     const Index pieces =

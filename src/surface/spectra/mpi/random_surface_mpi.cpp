@@ -11,7 +11,7 @@
 namespace setae::synthesis {
 namespace {
 
-/// √⟨h²⟩ of the whole surface: the sums of all rows come together on every rank and are added as one process does.
+/// √⟨h²⟩ of the whole surface: the sums of all rows are collected on every rank and added as in one process.
 double rms(MPI_Comm communicator, const fourier::MapSlab& slab, const SurfaceGrid& grid) {
     int ranks = 0;
     MPI_Comm_size(communicator, &ranks);

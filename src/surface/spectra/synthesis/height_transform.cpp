@@ -66,7 +66,7 @@ struct Bounded {
 
 constexpr double smallest_delta = 0.5, largest_delta = 1e5, largest_shift = 40.0;
 
-/// The shift that gives a skewness at this δ; beyond the largest the curve is log-normal for all that matters.
+/// The shift that gives a skewness at this δ; beyond the largest the curve is practically log-normal.
 template <class Family>
 double shift_for(double skewness, double delta) {
     const auto excess = [&](double shift) { return Family::moments(shift, delta).skewness - skewness; };
@@ -126,7 +126,7 @@ HeightTransform johnson_heights(const HeightShape& shape) {
     if (shape.skewness < 0.0) return mirrored(johnson_heights({-shape.skewness, shape.kurtosis}));
     const double between = lognormal_kurtosis(shape.skewness);
     if (std::abs(shape.kurtosis - between) <= tolerance * between) return lognormal_heights(shape.skewness);
-    // skewness alone bounds δ: no curve reaches more than the log-normal one of the same δ
+    // skewness limits δ: no curve exceeds the log-normal one of the same δ
     const double t = lognormal_root(shape.skewness);
     const double longest = std::min(largest_delta, 1.0 / std::sqrt(std::log1p(t * t)));
     return shape.kurtosis > between ? curve<Unbounded>(shape, longest) : curve<Bounded>(shape, longest);

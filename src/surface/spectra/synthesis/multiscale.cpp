@@ -19,8 +19,9 @@ namespace {
 
 constexpr Index highest_mode = PeriodicPatch::highest_mode;
 
-/// Slopes of the patches' axes: quadratic irrationals with small continued fractions, which whole numbers approximate
-/// worst, so that a line along x, y or a diagonal comes back to a place of a patch as late as can be.
+/// Slopes of the axes of the patches: quadratic irrationals with small continued fractions, which are hardest to
+/// approximate by rational numbers, so a line along x, y or a diagonal returns to a place of a patch as late as
+/// possible.
 constexpr std::array<double, 4> slopes = {0.6180339887498949, 0.41421356237309503, 0.3027756377319946,
                                           0.7320508075688772};
 
@@ -29,7 +30,7 @@ class CellPowers {
 public:
     CellPowers(const spectra::SpectralDensity& C_iso, double spacing, const Band& band)
         : powers_(Array2D::Zero(highest_mode + 1, highest_mode + 1)) {
-        constexpr int samples = 4;  // a side of the cell, so that a cutoff inside it counts with its share
+        constexpr int samples = 4;  // per side of the cell, so a cutoff inside it counts with its share
         const double share = spacing * spacing / (4.0 * pi * pi * samples * samples);
         for (Index k = 0; k <= highest_mode; ++k)
             for (Index m = 0; m <= k; ++m) {
@@ -68,7 +69,7 @@ void for_half_plane(const Body& body) {
         for (Index m = k == 0 ? 1 : -highest_mode; m <= highest_mode; ++m) body(k, m);
 }
 
-/// exp(iφ) of a mode from its own pair of numbers.
+/// exp(iφ) of a mode from a separate pair of numbers.
 std::complex<double> phase(numerics::RandomKey key, Index k, Index m) {
     const auto block = static_cast<std::uint64_t>(k * (2 * highest_mode + 1) + m + highest_mode);
     const double real = numerics::normal_number(key, 2 * block),
@@ -77,12 +78,12 @@ std::complex<double> phase(numerics::RandomKey key, Index k, Index m) {
 }
 
 struct MadeOctave {
-    std::optional<Octave> octave;  ///< empty if the band holds no power
+    std::optional<Octave> octave;  ///< empty if the band has no power
     ScaleMoments moments;
 };
 
-/// The octave that ends at q = 2^exponent rad/m. Its numbers belong to that exponent, so that other limits of
-/// wavelengths leave it as it is; the last one also takes all longer wavelengths.
+/// The octave that ends at q = 2^exponent rad/m. Its numbers depend on that exponent, so other limits of wavelengths do
+/// not change it; the last one also includes all longer wavelengths.
 MadeOctave make_octave(const spectra::SpectralDensity& C_iso, numerics::RandomKey key, int exponent, const Band& band) {
     const double spacing = std::ldexp(1.0, exponent) / static_cast<double>(highest_mode);
     const CellPowers powers(C_iso, spacing, band);
@@ -140,7 +141,7 @@ struct MultiscaleSurface::Octaves {
         }
     }
 
-    /// The heights of points 0 … count − 1 whose place `place(i, x, y)` writes, in blocks on all threads.
+    /// The heights of points 0 … count − 1, whose position `place(i, x, y)` writes, in blocks on all threads.
     template <class Place>
     void fill(double* heights, Index count, parallel::Threads threads, const Place& place) const {
         const auto blocks = static_cast<std::size_t>((count + points_at_once - 1) / points_at_once);
@@ -159,7 +160,7 @@ MultiscaleSurface::MultiscaleSurface(const spectra::SpectralDensity& C_iso, cons
     require_wavelengths(options);
     const Band band{2.0 * pi / options.longest_wavelength, 2.0 * pi / options.shortest_wavelength};
     const int highest = static_cast<int>(std::ceil(std::log2(band.upper)));
-    // the last patch has a period of at least the longest wavelength: its mode 1 is no longer one
+    // the period of the last patch is at least the longest wavelength: its mode 1 is no longer one
     const int lowest =
         std::min(highest, static_cast<int>(std::floor(std::log2(band.lower * static_cast<double>(highest_mode)))));
     std::vector<MadeOctave> made(static_cast<std::size_t>(highest - lowest + 1));

@@ -68,7 +68,7 @@ struct GridPlace {
     double t;
 };
 
-/// Of u in periods: first of the 8 grid points around it (0 … n − 1, shifted by 4), and its place among them.
+/// For u in periods: first of the 8 grid points around it (0 … n − 1, shifted by 4), and its position among them.
 GridPlace grid_place(double u, Index points) {
     const double n = static_cast<double>(points);
     const double x = (u - std::floor(u)) * n;
@@ -99,7 +99,7 @@ PeriodicPatch::PeriodicPatch(const Modes& modes) : values_(static_cast<std::size
         transform.apply(line);
     }
     fourier::Buffer<Complex> column(static_cast<std::size_t>(points));
-    // grid point i stands at row i + 3, so the 8 points around step i begin at row i: 3 before, the point, 4 after
+    // grid point i is stored in row i + 3, so the 8 points around step i begin at row i: 3 before, the point, 4 after
     for (Index j = 0; j < stride; ++j) {
         std::fill(column.begin(), column.end(), Complex{});
         const Index v = (j - 3 + points) % points;

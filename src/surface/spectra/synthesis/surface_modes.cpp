@@ -49,7 +49,7 @@ QuadraticForm stretched_form(const SurfaceGrid& grid, const spectra::Anisotropy&
             unit_y * unit_y * (1.0 + along * sine * sine)};
 }
 
-/// Range of the stretched q² over all modes but the mean.
+/// Range of the stretched q² over all modes except the mean.
 AmplitudeTable table_for(const spectra::SpectralDensity& C_iso, const SurfaceGrid& grid,
                          const spectra::Anisotropy& anisotropy) {
     (void)stretched_form(grid, anisotropy);
@@ -57,7 +57,7 @@ AmplitudeTable table_for(const spectra::SpectralDensity& C_iso, const SurfaceGri
     const double half_x = 0.5 * static_cast<double>(grid.nx), half_y = 0.5 * static_cast<double>(grid.ny);
     const double low = std::min(1.0, anisotropy.stretch) * std::min(unit_x, unit_y);
     const double high = std::max(1.0, anisotropy.stretch) * std::hypot(unit_x * half_x, unit_y * half_y);
-    // a little more, for what rounding does to the quadratic form
+    // slightly more, for rounding of the quadratic form
     return {C_iso, low * low * (1.0 - 1e-9), high * high * (1.0 + 1e-9)};
 }
 

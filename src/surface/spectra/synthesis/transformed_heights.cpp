@@ -28,7 +28,7 @@ HalfSpectrum half_spectrum(const Array2D& map, parallel::Threads threads) {
     return spectrum;
 }
 
-/// How many modes of the whole spectrum line m of the half means.
+/// Number of modes of the whole spectrum per mode in line m of the half spectrum.
 double multiplicity(Index m, Index ny) { return m == 0 || 2 * m == ny ? 1.0 : 2.0; }
 
 double mean_square(const Array2D& map) {
@@ -37,7 +37,7 @@ double mean_square(const Array2D& map) {
     return sum / static_cast<double>(map.size());
 }
 
-/// TransformCorrelation::parent as cubics between nodes whose values and slopes are exact: to 1e-13, a map at a time.
+/// TransformCorrelation::parent as cubics between nodes with exact values and slopes: to 1e-13, one map at a time.
 class ParentTable {
 public:
     explicit ParentTable(const TransformCorrelation& correlation)
@@ -64,7 +64,7 @@ private:
     Array1D values_, slopes_;
 };
 
-/// Expected |h_q|² of random_surface: those of the surface whose modes have exactly that.
+/// Expected |h_q|² of random_surface: those of the surface with exact amplitudes.
 Array2D expected_powers(const spectra::SpectralDensity& C_iso, const SurfaceGrid& grid, SurfaceOptions options) {
     options.amplitudes = Amplitudes::exact;
     options.exact_rms_height.reset();
@@ -86,12 +86,12 @@ struct Parent {
     double dropped_share = 0.0;
 };
 
-/// The spectrum of the Gaussian heights with this autocorrelation, as far as it is one.
+/// The spectrum of the Gaussian heights with this autocorrelation, without its negative modes.
 Parent parent_of(Array2D correlation, const TransformCorrelation& transform, parallel::Threads threads) {
     const ParentTable table(transform);
     correlation = correlation.unaryExpr([&](double value) { return table(value); });
     Parent parent{half_spectrum(correlation, threads).real() / static_cast<double>(correlation.size())};
-    double kept = 0.0, dropped = std::abs(parent.amplitudes(0, 0));  // the mean is no part of a surface
+    double kept = 0.0, dropped = std::abs(parent.amplitudes(0, 0));  // the mean is not part of a surface
     parent.amplitudes(0, 0) = 0.0;
     for (Index m = 0; m < parent.amplitudes.rows(); ++m) {
         const auto row = parent.amplitudes.row(m);
