@@ -11,11 +11,11 @@ namespace setae::numerics {
 
 Minimum minimum_between(const std::function<double(double)>& function, double lower, double upper, int bits) {
     std::uintmax_t rounds = 200;
-    const auto asked = [&](double place) {
+    const auto evaluated = [&](double place) {
         parallel::stop_if_cancelled();
         return function(place);
     };
-    const auto [place, value] = boost::math::tools::brent_find_minima(asked, lower, upper, bits, rounds);
+    const auto [place, value] = boost::math::tools::brent_find_minima(evaluated, lower, upper, bits, rounds);
     return {place, value};
 }
 

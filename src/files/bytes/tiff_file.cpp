@@ -96,7 +96,7 @@ std::optional<TiffTag> tag_of(Numbers& entry, std::uint64_t at, bool big, const 
 }
 
 /// Message of an error without the name of the file.
-std::string said(const FormatError& error, const Source& source) {
+std::string message_of(const FormatError& error, const Source& source) {
     return std::string(error.what()).substr(source.name.size() + 2);
 }
 
@@ -117,7 +117,7 @@ Directory directory_at(const Source& source, const std::string& format, const He
                 directory.page.tags.push_back(*tag);
         } catch (const FormatError& error) {
             if (damage == Damage::refused) throw;
-            directory.page.lost = said(error, source);
+            directory.page.lost = message_of(error, source);
         }
     body.at = entries * entry_bytes;
     directory.next = body.next_long(header.big);
@@ -233,7 +233,7 @@ TiffFile open_tiff(const Source& source, const std::string& format, std::size_t 
             next = next_page(next);
         } catch (const FormatError& error) {
             if (damage == Damage::refused) throw;
-            file.pages.push_back({.offset = next, .tags = {}, .fault = said(error, source)});
+            file.pages.push_back({.offset = next, .tags = {}, .fault = message_of(error, source)});
             break;
         }
     if (file.pages.empty())

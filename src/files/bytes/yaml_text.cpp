@@ -24,7 +24,7 @@ public:
         std::size_t nodes = 1, bytes = 0, levels = 1;
     };
 
-    Bounds(const Extent& most, const std::string& name) : most_(most), name_(name) {}
+    Bounds(const Extent& most, const std::string& name) : max_(most), name_(name) {}
 
     void OnDocumentStart(const YAML::Mark&) override {}
     void OnDocumentEnd() override {}
@@ -65,7 +65,7 @@ private:
         around.nodes += extent.nodes;
         around.bytes += extent.bytes;
         around.levels = std::max(around.levels, extent.levels + 1);
-        if (around.nodes > most_.nodes || around.bytes > most_.bytes) fail(mark, "its aliases repeat too much text");
+        if (around.nodes > max_.nodes || around.bytes > max_.bytes) fail(mark, "its aliases repeat too much text");
     }
     void leaf(const YAML::Mark& mark, YAML::anchor_t anchor, std::size_t bytes) {
         add(mark, {.bytes = bytes});
@@ -83,7 +83,7 @@ private:
         add(mark_, closed.extent);
     }
 
-    Extent most_;
+    Extent max_;
     const std::string& name_;
     std::vector<Open> open_;
     std::map<YAML::anchor_t, Extent> extents_;

@@ -16,7 +16,7 @@ namespace setae::formats {
 namespace {
 
 /// Whether a name contains the word for the retrace of a scan.
-bool is_way_back(const std::string& name) {
+bool is_retrace(const std::string& name) {
     const auto words = words_of_name(name);
     return std::any_of(words.begin(), words.end(), [](const std::string& word) {
         return word == "retrace" || word == "backward" || word == "backwards" || word == "bwd" || word == "back";
@@ -27,20 +27,20 @@ bool is_way_back(const std::string& name) {
 std::tuple<bool, bool, bool, bool> drawbacks(const Channel& channel) {
     const auto& info = channel.info;
     return {info.shape.size() < 2, !is_height_name(info.name), info.size.empty() || info.unit.empty(),
-            is_way_back(info.name)};
+            is_retrace(info.name)};
 }
 
 /// "none of its 3 channels holds heights: 0 'x' is no heights: values count up by one, …".
 std::string without_heights(const std::vector<Channel>& channels) {
     constexpr std::size_t max_reasons = 6;
     auto text = fmt::format("none of its {} channels contains heights", channels.size());
-    std::size_t told = 0;
-    for (std::size_t i = 0; i < channels.size() && told < max_reasons; ++i) {
+    std::size_t reasons = 0;
+    for (std::size_t i = 0; i < channels.size() && reasons < max_reasons; ++i) {
         if (channels[i].info.not_heights.empty()) continue;
-        text += fmt::format("{} {} '{}' is not heights: {}", told++ == 0 ? ";" : ",", i, channels[i].info.name,
+        text += fmt::format("{} {} '{}' is not heights: {}", reasons++ == 0 ? ";" : ",", i, channels[i].info.name,
                             channels[i].info.not_heights);
     }
-    return told == 0 ? text : text + "; to use one of them nevertheless, give `channel`, `size` and `unit`";
+    return reasons == 0 ? text : text + "; to use one of them nevertheless, give `channel`, `size` and `unit`";
 }
 
 }  // namespace

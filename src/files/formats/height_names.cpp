@@ -28,9 +28,9 @@ bool is_height_name(std::string_view name) {
     const auto words = words_of_name(name);
     const auto own = words_of_name(name.substr(name.rfind('/') == std::string_view::npos ? 0 : name.rfind('/') + 1));
     if (!own.empty() && (own.front() == "z" || own.front() == "h")) {
-        const bool alone = own.size() == 1 || own[1] == "trace" || own[1] == "retrace" || own[1] == "forward" ||
-                           own[1] == "backward" || own[1] == "axis";
-        if (alone) return true;
+        const bool whole_name = own.size() == 1 || own[1] == "trace" || own[1] == "retrace" || own[1] == "forward" ||
+                                own[1] == "backward" || own[1] == "axis";
+        if (whole_name) return true;
     }
     return std::any_of(words.begin(), words.end(), [](const std::string& word) {
         return std::find(heights.begin(), heights.end(), word) != heights.end();

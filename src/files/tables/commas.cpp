@@ -16,7 +16,7 @@ std::optional<DoubtfulCell> undecided_commas(const std::vector<std::string_view>
     std::optional<DoubtfulCell> doubtful;
     for (std::size_t i = layout.first_row; i < lines.size(); ++i) {
         const auto line = trimmed(lines[i]);
-        if (is_remark(line)) continue;
+        if (is_comment(line)) continue;
         split_cells(lines[i], layout.dialect.separator, cells);
         for (const auto cell : cells) {
             if (cell.find(',') == std::string_view::npos) continue;
@@ -38,7 +38,7 @@ std::optional<DoubtfulCell> undecided_points(const std::vector<std::string_view>
     std::vector<std::string_view> cells;
     for (std::size_t i = layout.first_row; i < lines.size(); ++i) {
         const auto line = trimmed(lines[i]);
-        if (line.empty() || is_remark(line)) continue;
+        if (line.empty() || is_comment(line)) continue;
         if (line.find('.') == std::string_view::npos) {
             for (auto& column : columns) column.whole = true;
             continue;

@@ -73,14 +73,14 @@ std::size_t cell_end(std::string_view text, char separator) {
     while (at < text.size() && text[at] == ' ' && separator != ' ') ++at;
     if (at < text.size() && text[at] == '"') {
         for (auto quote = text.find('"', at + 1); quote != std::string_view::npos; quote = text.find('"', quote + 1)) {
-            auto behind = quote + 1;
-            if (behind < text.size() && text[behind] == '"') {  // a quote within
-                quote = behind;
+            auto after = quote + 1;
+            if (after < text.size() && text[after] == '"') {  // a quote within
+                quote = after;
                 continue;
             }
-            while (behind < text.size() && is_blank(text[behind]) && text[behind] != separator) ++behind;
-            if (behind == text.size() || text[behind] == separator || (separator == ' ' && is_blank(text[behind])))
-                return behind;
+            while (after < text.size() && is_blank(text[after]) && text[after] != separator) ++after;
+            if (after == text.size() || text[after] == separator || (separator == ' ' && is_blank(text[after])))
+                return after;
         }
     }
     at = 0;
@@ -105,7 +105,7 @@ bool parse_cell(std::string_view cell, const Dialect& dialect, double& value) {
     return ungrouped && parse_cell(*ungrouped, dialect.decimal_point, value);
 }
 
-bool is_remark(std::string_view line) {
+bool is_comment(std::string_view line) {
     if (line.empty() || (line.front() != '#' && line.front() != '%')) return false;
     double value = 0.0;
     return line.front() == '%' || line.size() == 1 ||
@@ -324,7 +324,7 @@ namespace {
 /// numbers, or one of two.
 std::optional<BrokenCell> broken_cell(std::string_view line, const Dialect& dialect,
                                       std::vector<std::string_view>& cells) {
-    if (is_remark(trimmed(line))) return std::nullopt;
+    if (is_comment(trimmed(line))) return std::nullopt;
     split_cells(line, dialect.separator, cells);
     std::size_t numbers = 0;
     std::optional<BrokenCell> broken;

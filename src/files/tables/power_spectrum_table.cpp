@@ -277,18 +277,18 @@ Table read_power_spectrum_table(const std::string& path, const SpectrumUnits& un
 
 std::vector<Alert> alerts_of(const Table& power_spectrum, const std::string& subject) {
     std::vector<Alert> alerts;
-    const auto& said = power_spectrum.metadata;
-    if (const auto units = said.find("units"); units != said.end())
+    const auto& metadata = power_spectrum.metadata;
+    if (const auto units = metadata.find("units"); units != metadata.end())
         alerts.push_back({"UNIT_GUESSED", subject,
-                          fmt::format("{}: the table states no units ({})", said.at("file"), units->second),
+                          fmt::format("{}: the table states no units ({})", metadata.at("file"), units->second),
                           "write the units in the header as q [1/m], C1D [m3]"});
-    if (const auto converted = said.find("converted"); converted != said.end())
-        alerts.push_back({"SPECTRUM_CONVERTED", subject, fmt::format("{}: {}", said.at("file"), converted->second),
+    if (const auto converted = metadata.find("converted"); converted != metadata.end())
+        alerts.push_back({"SPECTRUM_CONVERTED", subject, fmt::format("{}: {}", metadata.at("file"), converted->second),
                           "name the columns q and C1D if that is what they contain, or describe them in `unit` (in a "
                           "study: power_spectrum_unit)"});
-    if (const auto assumed = said.find("assumed"); assumed != said.end())
+    if (const auto assumed = metadata.find("assumed"); assumed != metadata.end())
         alerts.push_back(
-            {"SPECTRUM_CONVENTION", subject, fmt::format("{}: {}", said.at("file"), assumed->second),
+            {"SPECTRUM_CONVENTION", subject, fmt::format("{}: {}", metadata.at("file"), assumed->second),
              "name the columns q and C1D, or describe them in `unit` (in a study: power_spectrum_unit), such "
              "as \"wavevector, W1\""});
     return alerts;

@@ -46,7 +46,7 @@ void for_each_row(const std::vector<std::string_view>& lines, const Layout& layo
     std::vector<std::string_view> cells;
     for (std::size_t i = layout.first_row; i < lines.size(); ++i) {
         const auto line = trimmed(lines[i]);
-        if (line.empty() || is_remark(line)) continue;
+        if (line.empty() || is_comment(line)) continue;
         split_cells(lines[i], layout.dialect.separator, cells);
         while (cells.size() > layout.columns && cells.back().empty()) cells.pop_back();
         if (cells.size() != layout.columns)
@@ -140,7 +140,7 @@ void require_decided_signs(const std::vector<std::string_view>& lines, const Lay
 std::map<std::string, std::string> key_values(const std::vector<std::string>& header) {
     std::map<std::string, std::string> found;
     for (const auto& line : header) {
-        if (!is_remark(line)) continue;
+        if (!is_comment(line)) continue;
         const auto text = trimmed(std::string_view(line).substr(1));
         const auto colon = text.find(':');
         if (colon == std::string_view::npos || colon == 0 || colon > 60) continue;

@@ -86,10 +86,10 @@ Chunk look_at(const bytes::Source& source, std::uint64_t begin, std::uint64_t ch
             plain ? std::string_view(text.data() + at, 1) : line_at(text.substr(at), buffer, source, offset, end);
         if (!line.empty()) {
             const bool word = is_letter(line.front()) && !begins_with_number_word(line);
-            const bool remark = is_remark(line);
-            if ((word || (remark && line.front() == '#')) && chunk.breaks.size() < max_breaks)
+            const bool comment = is_comment(line);
+            if ((word || (comment && line.front() == '#')) && chunk.breaks.size() < max_breaks)
                 chunk.breaks.push_back({offset, chunk.lines, chunk.rows});
-            if (!remark) {
+            if (!comment) {
                 ++chunk.rows;
                 chunk.last_row = offset;
                 chunk.last_row_line = chunk.lines;
@@ -143,7 +143,7 @@ public:
             ++number_;
             if (plain(line, values)) return true;
             const auto content = trimmed(line);
-            if (content.empty() || is_remark(content)) continue;
+            if (content.empty() || is_comment(content)) continue;
             parse_number_line(line, lines_.layout, number_, lines_.source.name, values);
             return true;
         }
@@ -301,7 +301,7 @@ Array2D read_numbers_plainly(const NumberLines& lines) {
         for (const auto line : bytes::split_lines(text)) {
             ++number;
             const auto content = trimmed(line);
-            if (content.empty() || is_remark(content)) continue;
+            if (content.empty() || is_comment(content)) continue;
             parse_number_line(line, lines.layout, number, lines.source.name, values.data());
             for (Index k = 0; k < lines.columns; ++k) target(k, row) = values[static_cast<std::size_t>(k)];
             ++row;

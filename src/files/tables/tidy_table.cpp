@@ -66,7 +66,7 @@ TextCells text_cells(const TidyTable& table, int significant_digits) {
     return cells;
 }
 
-TidyTable without_silent_columns(const TidyTable& table) {
+TidyTable without_empty_columns(const TidyTable& table) {
     const auto silent = [](const TidyTable::Cell& cell) {
         const auto* text = std::get_if<std::string>(&cell);
         return text ? text->empty() || *text == "–" : std::isnan(std::get<double>(cell));
@@ -134,7 +134,7 @@ std::string as_text(const TidyTable& table, int significant_digits) {
 }
 
 std::string as_text_within(const TidyTable& table, std::size_t width, int significant_digits) {
-    const auto shown = without_silent_columns(table);
+    const auto shown = without_empty_columns(table);
     const auto cells = text_cells(shown, significant_digits);
     if (shown.columns.empty()) return stacked(shown, cells);
     constexpr std::size_t min_for_text = 30;

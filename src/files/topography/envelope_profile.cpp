@@ -68,9 +68,9 @@ std::vector<Run> runs_between_jumps(const std::vector<VisiblePiece>& pieces, con
         const auto& run = runs[i];
         const double left = run.front().x, right = run.back().x, room = std::min(step, (right - left) / 3.0);
         const bool higher_before = i > 0 && runs[i - 1].back().y > run.front().y;
-        const bool higher_behind = i + 1 < runs.size() && runs[i + 1].front().y > run.back().y;
+        const bool higher_after = i + 1 < runs.size() && runs[i + 1].front().y > run.back().y;
         if (higher_before) result[i] = from(result[i], left + room);
-        if (higher_behind) result[i] = until(result[i], right - room);
+        if (higher_after) result[i] = until(result[i], right - room);
     }
     return result;
 }

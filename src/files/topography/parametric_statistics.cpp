@@ -32,8 +32,8 @@ ParametricStatistics parametric_statistics(const TracedCurve& curve) {
     double angles = 0.0, turns = 0.0, turned_length = 0.0;
     for (Index i = 0; i < segments; ++i)
         angles += std::pow(wrapped(direction(i) - line.angle), 2) * (along[i + 1] - along[i]);
-    const auto turn = [&](Index before, Index behind, double length) {
-        turns += std::pow(wrapped(direction(behind) - direction(before)), 2) / length;
+    const auto turn = [&](Index before, Index after, double length) {
+        turns += std::pow(wrapped(direction(after) - direction(before)), 2) / length;
         turned_length += length;
     };
     for (Index i = 1; i < segments; ++i) turn(i - 1, i, 0.5 * (along[i + 1] - along[i - 1]));

@@ -23,16 +23,16 @@ std::vector<Stratum> strata(const BinnedSpectra& spectra, const Multiplicity& mu
         if (!spectra.C1D.row(static_cast<Index>(i)).isNaN().all())
             for (int k = 0; k < multiplicity[i]; ++k) by_instrument[spectra.instruments[i]].push_back(i);
     std::vector<Stratum> found;
-    Stratum alone;
+    Stratum singles;
     for (auto& [instrument, members] : by_instrument) {
-        if (members.size() == 1) alone.push_back(members.front());
+        if (members.size() == 1) singles.push_back(members.front());
         if (members.size() > 1) found.push_back(std::move(members));
     }
-    if (alone.size() == 1 && !found.empty())
+    if (singles.size() == 1 && !found.empty())
         std::max_element(found.begin(), found.end(), [](const Stratum& a, const Stratum& b) {
             return a.size() < b.size();
-        })->push_back(alone.front());
-    else if (alone.size() > 1) found.push_back(std::move(alone));
+        })->push_back(singles.front());
+    else if (singles.size() > 1) found.push_back(std::move(singles));
     return found;
 }
 

@@ -10,7 +10,7 @@ namespace setae::spectra {
 namespace {
 
 /// Modes with computed coherence: the middle one of each group of similar wavevectors.
-std::vector<Index> looked_at(Index count) {
+std::vector<Index> evaluated_modes(Index count) {
     constexpr Index by_themselves = 128;
     constexpr double ratio = 1.1547819846894583;  // 10^(1/16)
     const auto first = narrow_groups(Array1D::LinSpaced(count, 1.0, static_cast<double>(count)), ratio, by_themselves);
@@ -40,7 +40,7 @@ Array1D between(const std::vector<Index>& modes, const Array1D& values, Index co
 }  // namespace
 
 LineCoherence::LineCoherence(Index points, Index lines)
-    : points_(points), lines_(lines), modes_(looked_at(points / 2)), stride_(lines + lines % 2) {
+    : points_(points), lines_(lines), modes_(evaluated_modes(points / 2)), stride_(lines + lines % 2) {
     values_.resize(modes_.size() * static_cast<std::size_t>(stride_));
 }
 

@@ -284,7 +284,7 @@ Quantity from_logarithm(std::string name, std::string symbol, double logarithm, 
     return q;
 }
 
-Alert not_seen(bool longest, const Interval& interval) {
+Alert not_determined(bool longest, const Interval& interval) {
     if (longest)
         return {
             "ROLLOFF_NOT_SEEN", "self-affine fit",
@@ -299,7 +299,7 @@ Alert not_seen(bool longest, const Interval& interval) {
             "measure with a sharper instrument, or fit without a short cutoff"};
 }
 
-/// Warns of parameters at their bounds. Scales at the far ends are not determined: see not_seen().
+/// Warns of parameters at their bounds. Scales at the far ends are not determined: see not_determined().
 void add_bound_alerts(SelfAffineFit& fit, const Problem& problem, const Parameters& at) {
     constexpr double near = 1e-6;
     const auto add = [&](double value, double bound, std::string what) {
@@ -364,7 +364,7 @@ SelfAffineFit fit_self_affine(std::span<const FittedValues> data, const SelfAffi
         if (place == cutoff && std::isinf(interval.upper)) interval.upper = 2.0 * pi / fit.range.upper;
         const bool open = place == rolloff ? std::isinf(interval.upper) : interval.lower == 0.0;
         status = open ? ScaleStatus::bounded : ScaleStatus::found;
-        if (open) fit.alerts.push_back(not_seen(place == rolloff, interval));
+        if (open) fit.alerts.push_back(not_determined(place == rolloff, interval));
         else known.push_back(place);
         auto q = named(name, symbol, std::exp(best.at[place]), undefined, "m", options.level);
         q.estimate.interval = interval;

@@ -23,12 +23,12 @@ Array1D smoothed(const Array1D& wavevector, const Array1D& values) {
     Array1D sums = Array1D::Zero(n + 1);
     for (Index k = 0; k < n; ++k) sums[k + 1] = sums[k] + values[k];
     Array1D result(n);
-    Index first = 0, behind = 0;
+    Index first = 0, after = 0;
     for (Index k = 0; k < n; ++k) {
         while (wavevector[first] * reach < wavevector[k]) ++first;
-        while (behind < n && wavevector[behind] <= wavevector[k] * reach) ++behind;
+        while (after < n && wavevector[after] <= wavevector[k] * reach) ++after;
         const Index from = std::max<Index>(0, std::min(first, k - at_least)),
-                    to = std::min(n, std::max(behind, k + at_least + 1));
+                    to = std::min(n, std::max(after, k + at_least + 1));
         result[k] = (sums[to] - sums[from]) / static_cast<double>(to - from);
     }
     return result;

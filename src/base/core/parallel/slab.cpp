@@ -20,10 +20,10 @@ bool Slab::anywhere(bool here) const {
     if (alone()) return here;
     std::vector<Index> begins;
     for (Index rank = 0; rank <= ranks(); ++rank) begins.push_back(rank);
-    std::vector<double> said(static_cast<std::size_t>(ranks()), 0.0);
-    said[static_cast<std::size_t>(own())] = here ? 1.0 : 0.0;
-    ranks_->share(said.data(), begins);
-    return std::find(said.begin(), said.end(), 1.0) != said.end();
+    std::vector<double> flags(static_cast<std::size_t>(ranks()), 0.0);
+    flags[static_cast<std::size_t>(own())] = here ? 1.0 : 0.0;
+    ranks_->share(flags.data(), begins);
+    return std::find(flags.begin(), flags.end(), 1.0) != flags.end();
 }
 
 void Slab::exchange(const void* send, std::span<const Index> send_begins, void* receive,

@@ -93,10 +93,10 @@ bool is_locked(int lock, const std::string& folder) {
     return locked && found && locked->identity == found->identity;
 }
 
-std::error_code make_new_file(const std::string& path, bool for_owner_alone) {
+std::error_code make_new_file(const std::string& path, bool only_for_owner) {
     constexpr mode_t of_owner = 0600, of_new_files = 0666;
     const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC,
-                            for_owner_alone ? of_owner : of_new_files);
+                            only_for_owner ? of_owner : of_new_files);
     if (file < 0) return last_error();
     ::close(file);
     return {};

@@ -9,7 +9,7 @@ void* loaded_library(const char* name) { return ::dlopen(name, RTLD_NOW | RTLD_L
 
 void* function_of(void* library, const char* name) { return ::dlsym(library, name); }
 
-std::string reason_of_missing() {
+std::string loading_error() {
     const char* const reason = ::dlerror();
     return reason ? reason : "";
 }

@@ -43,7 +43,7 @@ void count_bytes(benchmark::State& state, std::size_t bytes) {
     state.SetBytesProcessed(state.iterations() * static_cast<std::int64_t>(bytes));
 }
 
-void copy_alone(benchmark::State& state) {
+void only_copy(benchmark::State& state) {
     const auto& text = matrix_text();
     std::string copy(text.size(), '\0');
     for (auto _ : state) {
@@ -113,7 +113,7 @@ void read_points(benchmark::State& state) {
     count_bytes(state, text.size());
 }
 
-BENCHMARK(copy_alone)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(only_copy)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(count_lines_alone)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(read_bytes_alone)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(open_matrix)->Unit(benchmark::kMillisecond)->UseRealTime();

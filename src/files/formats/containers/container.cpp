@@ -66,9 +66,9 @@ json pruned(const json& value) {
             result.push_back(std::move(kept));
             continue;
         }
-        const bool says_nothing = kept.is_null() || (kept.is_structured() && kept.empty()) ||
-                                  (kept.is_string() && kept.get_ref<const std::string&>().empty());
-        if (!says_nothing) result[key] = std::move(kept);
+        const bool is_empty = kept.is_null() || (kept.is_structured() && kept.empty()) ||
+                              (kept.is_string() && kept.get_ref<const std::string&>().empty());
+        if (!is_empty) result[key] = std::move(kept);
     }
     return result;
 }

@@ -41,7 +41,7 @@ std::optional<std::string> difference_of_copy(const topography::Measurement& ori
 }
 
 /// A measurement of the index with the heights of the processed copy.
-ContainerTopography copy_alone(ContainerTopography topography) {
+ContainerTopography only_copy(ContainerTopography topography) {
     topography.datafile.original.clear();
     return topography;
 }
@@ -78,7 +78,7 @@ private:
             const bool filled =
                 !topography.fill_undefined_data_mode.empty() && topography.fill_undefined_data_mode != "do-not-fill";
             if (filled && topography::all_heights(measurement).isNaN().any()) return;
-            const auto copy = container_channel(source_, archive_, surface, copy_alone(topography));
+            const auto copy = container_channel(source_, archive_, surface, only_copy(topography));
             if (const auto difference = difference_of_copy(measurement, copy.read(), topography.detrend_mode))
                 report_.alerts.push_back({"COPY_DIFFERS", place,
                                           fmt::format("the processed copy {} differs from the original {}: {}",
@@ -112,9 +112,9 @@ ContainerReport check_container(const bytes::Source& source) {
     report.file = read_container(source);
     report.alerts = report.file.alerts;
     for (auto& violation : schema_violations(report.file.container)) {
-        const bool told = std::any_of(report.alerts.begin(), report.alerts.end(),
-                                      [&](const Alert& alert) { return alert.subject == violation.subject; });
-        if (!told) report.alerts.push_back(std::move(violation));
+        const bool reported = std::any_of(report.alerts.begin(), report.alerts.end(),
+                                          [&](const Alert& alert) { return alert.subject == violation.subject; });
+        if (!reported) report.alerts.push_back(std::move(violation));
     }
     Check check(source, report);
     for (const auto& surface : report.file.container.surfaces)

@@ -62,10 +62,10 @@ std::string plain_name(const std::string& source, bool is_map) {
 // ---- entries of the index for a file --------------------------------------------------------------------------------
 
 /// The unit of lengths in an index; contact.engineering supports m, mm, µm, nm, Å and pm.
-std::string index_unit(const std::string& unit, bool numbers_rest_on_it, const std::string& path) {
+std::string index_unit(const std::string& unit, bool numbers_depend_on_it, const std::string& path) {
     for (const char* known : {"m", "mm", "µm", "nm", "Å", "pm"})
         if (unit == known) return unit;
-    if (numbers_rest_on_it)
+    if (numbers_depend_on_it)
         throw InvalidArgument(
             fmt::format("{}: containers do not allow the unit '{}'; expected m, mm, um, nm, Å or pm", path, unit));
     return unit == "cm" ? "mm" : "µm";
@@ -219,8 +219,8 @@ std::string plain_content(const Measurement& measurement, const std::string& uni
 }
 
 /// Adds the file of the instrument next to an original with the same content in a layout for other programs.
-void put_source_beside(const std::function<Measurement()>& read, bool is_map, ContainerDraft& draft,
-                       ContainerTopography& topography) {
+void put_source(const std::function<Measurement()>& read, bool is_map, ContainerDraft& draft,
+                ContainerTopography& topography) {
     auto& [original, source, source_channel, squeezed, rest] = topography.datafile;
     source = std::exchange(original, free_name(draft, plain_name(original, is_map)));
     source_channel = std::exchange(topography.data_source, 0);
@@ -404,7 +404,7 @@ void add_measurement(ContainerDraft& draft, ContainerSurface& surface, const Sto
     const auto read_again = [path = measurement.path, index, options = measurement.options] {
         return read(path, index, options);
     };
-    if (!is_plain) put_source_beside(read_again, std::holds_alternative<HeightMap>(heights), draft, topography);
+    if (!is_plain) put_source(read_again, std::holds_alternative<HeightMap>(heights), draft, topography);
     draft.members.push_back(copy_of(topography.datafile.squeezed, read_again, trend, topography.unit));
     surface.topographies.push_back(std::move(topography));
 }

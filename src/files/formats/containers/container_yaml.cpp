@@ -86,7 +86,7 @@ std::string inline_value(const ordered_json& value) {
 void emit(const ordered_json& value, std::size_t indent, std::string& out);
 
 /// Writes the part after "key:" or "-".
-void emit_behind(const ordered_json& value, std::size_t indent, std::string& out) {
+void emit_value(const ordered_json& value, std::size_t indent, std::string& out) {
     if (!is_block(value)) {
         out += " " + inline_value(value) + "\n";
         return;
@@ -103,7 +103,7 @@ void emit(const ordered_json& value, std::size_t indent, std::string& out) {
     }
     for (const auto& [key, entry] : value.items()) {
         out += margin + (value.is_object() ? quoted(key) + ":" : std::string("-"));
-        emit_behind(entry, indent + 2, out);
+        emit_value(entry, indent + 2, out);
     }
 }
 

@@ -131,14 +131,14 @@ void write_gwy(const std::string& path, const topography::Measurement& measureme
         return;
     }
     const auto marks = row_bytes(map.heights.isNaN().cast<double>(), 0.0);
-    Object behind;
-    behind.object("/0/mask", "GwyDataField", mask);
+    Object trailer;
+    trailer.object("/0/mask", "GwyDataField", mask);
     container.object("/0/data", "GwyDataField", field);
     auto first = container;  // with the size of both
     first.object("/0/mask", "GwyDataField", mask);
     auto framed = first.framed("GwyContainer");
-    framed.resize(framed.size() - behind.bytes().size());
-    bytes::write_whole_file(path, {"GWYP", framed, heights, behind.bytes(), marks});
+    framed.resize(framed.size() - trailer.bytes().size());
+    bytes::write_whole_file(path, {"GWYP", framed, heights, trailer.bytes(), marks});
 }
 
 void write_quantity_maps(const std::string& path, const std::vector<QuantityMap>& maps,

@@ -50,7 +50,7 @@ std::vector<double> size_of(const StoredArray& array) {
 }
 
 /// Data that other programs add: indices of PyTables, parts of tables of pandas, pictures.
-std::string why_foreign(const StoredArray& array, const Hdf5File& file) {
+std::string reason_if_foreign(const StoredArray& array, const Hdf5File& file) {
     const auto kind = text_of(array.attributes, "CLASS");
     if (array.name.find("/_i_") != std::string::npos || kind == "INDEXARRAY" || kind == "LASTROWARRAY" ||
         kind == "CACHEARRAY")
@@ -63,7 +63,7 @@ std::string why_foreign(const StoredArray& array, const Hdf5File& file) {
 
 bool holds_integers(Sample sample) { return sample != Sample::float32 && sample != Sample::float64; }
 
-Channel channel_of(const StoredArray& array, const Hdf5File& file, bool alone, const bytes::Source& source,
+Channel channel_of(const StoredArray& array, const Hdf5File& file, bool only_array, const bytes::Source& source,
                    const ReadOptions& options) {
     ChannelInfo info{.name = array.name.substr(1), .format = "hdf5"};
     keep_attributes(array.attributes, info.metadata);
@@ -82,13 +82,13 @@ Channel channel_of(const StoredArray& array, const Hdf5File& file, bool alone, c
     if (known) info.unit = unit;
     auto channel = array_channel(std::move(info), array, FirstIndex::x_to_the_right,
                                  {.factor = known ? known->factor : 1.0}, options_for(array, options));
-    auto why = why_foreign(array, file);
+    auto why = reason_if_foreign(array, file);
     if (why.empty())
-        why = why_no_heights({.array = array,
-                              .name = array.name.substr(array.name.rfind('/') + 1),
-                              .integers = holds_integers(array.sample),
-                              .has_length = known.has_value(),
-                              .alone = alone});
+        why = reason_against_heights({.array = array,
+                                      .name = array.name.substr(array.name.rfind('/') + 1),
+                                      .integers = holds_integers(array.sample),
+                                      .has_length = known.has_value(),
+                                      .only_array = only_array});
     return why.empty() ? channel : doubtful_channel(std::move(channel), why);
 }
 

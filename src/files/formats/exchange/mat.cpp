@@ -46,14 +46,16 @@ std::vector<MatVariable> mat73_variables(const bytes::Source& source) {
     return variables;
 }
 
-Channel channel_of(const MatVariable& variable, FirstIndex first, bool alone, const bytes::Source& source,
+Channel channel_of(const MatVariable& variable, FirstIndex first, bool only_array, const bytes::Source& source,
                    const ReadOptions& options) {
     ChannelInfo info{.name = variable.array.name, .format = mat_identifier};
     if (!orientation_of(variable.array, first).empty()) info.orientation = orientation;
     if (!variable.complex) {
         auto channel = array_channel(std::move(info), variable.array, first, {}, options_for(variable.array, options));
-        const auto why = why_no_heights(
-            {.array = variable.array, .name = variable.array.name, .integers = variable.integers, .alone = alone});
+        const auto why = reason_against_heights({.array = variable.array,
+                                                 .name = variable.array.name,
+                                                 .integers = variable.integers,
+                                                 .only_array = only_array});
         return why.empty() ? channel : doubtful_channel(std::move(channel), why);
     }
     info.shape = first == FirstIndex::y_downwards
@@ -73,12 +75,12 @@ std::vector<Channel> open_mat(const bytes::Source& source, const ReadOptions& op
     const auto counts = [](const MatVariable& variable) {
         return is_map_or_line(variable.array) || !variable.array.refusal.empty();
     };
-    const bool alone = std::count_if(variables.begin(), variables.end(), counts) == 1;
+    const bool only_array = std::count_if(variables.begin(), variables.end(), counts) == 1;
     std::vector<Channel> channels;
     for (const auto& variable : variables)
         if (counts(variable))
-            channels.push_back(channel_of(variable, hdf5 ? FirstIndex::x_to_the_right : FirstIndex::y_downwards, alone,
-                                          source, options));
+            channels.push_back(channel_of(variable, hdf5 ? FirstIndex::x_to_the_right : FirstIndex::y_downwards,
+                                          only_array, source, options));
     if (channels.empty())
         throw FormatError(
             source.name, {.offset = 0},

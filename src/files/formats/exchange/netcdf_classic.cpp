@@ -132,11 +132,11 @@ Variable parse_variable(NetcdfHeader& header, const std::vector<std::uint64_t>& 
 
 /// Records in sequence: the parts of all variables, each padded to four bytes unless it is the only one.
 void place_records(std::vector<Variable>& variables, std::uint64_t records, const NetcdfHeader& header) {
-    std::uint64_t together = 0, number = 0, alone = 0;
+    std::uint64_t together = 0, number = 0, single = 0;
     for (const auto& variable : variables) {
         if (!variable.has_records) continue;
         ++number;
-        alone = variable.record_bytes;
+        single = variable.record_bytes;
         together += variable.padded_bytes();
         if (together > max_values) header.fail(fmt::format("records of more than {} bytes", max_values));
     }
@@ -145,7 +145,7 @@ void place_records(std::vector<Variable>& variables, std::uint64_t records, cons
     for (auto& variable : variables) {
         if (!variable.has_records) continue;
         variable.array.shape[0] = static_cast<Index>(std::min(records, max_values));
-        variable.array.first_distance = number == 1 ? alone : together;
+        variable.array.first_distance = number == 1 ? single : together;
     }
 }
 

@@ -43,7 +43,7 @@ std::vector<Channel> open_npy(const bytes::Source& source, const ReadOptions& op
             source.name, {.offset = npy_magic.size()},
             fmt::format("NPY: array of {} dimensions, expected 1 or 2 with more than one value", array.shape.size()));
     auto channel = array_channel({.name = "heights", .format = "npy"}, array, FirstIndex::x_to_the_right, {}, options);
-    const auto why = why_lone_array_is_no_map(array);
+    const auto why = reason_against_single_array(array);
     return {why.empty() ? std::move(channel) : doubtful_channel(std::move(channel), why)};
 }
 

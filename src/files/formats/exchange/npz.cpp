@@ -29,7 +29,7 @@ Match detect_npz(std::string_view head, const bytes::Source& source) {
     }
 }
 
-Channel channel_of(const StoredArray& array, bool alone, const ReadOptions& options) {
+Channel channel_of(const StoredArray& array, bool only_array, const ReadOptions& options) {
     ChannelInfo info{.name = array.name, .format = "npz"};
     if (!array.refusal.empty()) {
         info.shape = array.shape;
@@ -38,7 +38,8 @@ Channel channel_of(const StoredArray& array, bool alone, const ReadOptions& opti
     }
     auto channel = array_channel(std::move(info), array, FirstIndex::x_to_the_right, {}, options_for(array, options));
     const bool integers = array.sample != Sample::float32 && array.sample != Sample::float64;
-    const auto why = why_no_heights({.array = array, .name = array.name, .integers = integers, .alone = alone});
+    const auto why =
+        reason_against_heights({.array = array, .name = array.name, .integers = integers, .only_array = only_array});
     return why.empty() ? channel : doubtful_channel(std::move(channel), why);
 }
 

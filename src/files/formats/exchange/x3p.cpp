@@ -295,7 +295,7 @@ std::vector<Alert> check_document(const Package& package, const std::string& xml
 }
 
 /// Each listed point takes some bytes of its file; smaller elements are intended to fill the memory.
-void require_honest_list(const std::string& xml, const bytes::Source& source) {
+void require_plausible_list(const std::string& xml, const bytes::Source& source) {
     const auto tags = static_cast<std::uint64_t>(std::count(xml.begin(), xml.end(), '<'));
     constexpr std::uint64_t always = 1'000'000;
     if (tags > always + source.size)
@@ -309,7 +309,7 @@ void require_honest_list(const std::string& xml, const bytes::Source& source) {
 
 std::vector<Channel> open_xml(const std::string& xml, const Package* package, const ReadOptions& options,
                               const bytes::Source& source) {
-    require_honest_list(xml, source);
+    require_plausible_list(xml, source);
     const auto tree = bytes::parsed_xml(xml, source, "X3P: main.xml");
     const auto document = parse_x3p_document(tree, source);
     std::vector<Channel> channels;

@@ -61,7 +61,7 @@ std::string asylum_unit(const std::string& name, const Note& note) {
         {"Phase", "deg"},   {"Current", "A"}, {"Frequency", "Hz"}, {"Capacitance", "F"},
         {"Potential", "V"}, {"Count", "1"},   {"QFactor", "1"}};
     const auto quantity = quantity_of(name);
-    if (const auto told = note.find(quantity + "Unit"); told != note.end()) return told->second;
+    if (const auto noted = note.find(quantity + "Unit"); noted != note.end()) return noted->second;
     for (const auto& [prefix, unit] : units)
         if (quantity.starts_with(prefix)) return std::string(unit);
     return "V";

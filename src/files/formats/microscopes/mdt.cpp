@@ -223,11 +223,11 @@ std::vector<MdtImage> mda_images(bytes::Cursor& cursor, const FrameHead& frame) 
     const auto head = cursor.number<std::uint32_t>();
     cursor.skip(4 + 2 * 16 + 4);
     const auto title_bytes = cursor.number<std::uint32_t>();
-    std::uint64_t behind = cursor.number<std::uint32_t>();                          // comment
-    for (int part = 0; part < 3; ++part) behind += cursor.number<std::uint32_t>();  // view, specification, source
+    std::uint64_t trailing = cursor.number<std::uint32_t>();                          // comment
+    for (int part = 0; part < 3; ++part) trailing += cursor.number<std::uint32_t>();  // view, specification, source
     cursor.seek(frame.body() + head);
     const auto title = from_cyrillic(cursor.bytes(title_bytes));
-    cursor.skip(behind + 4);
+    cursor.skip(trailing + 4);
     const auto structure = cursor.number<std::uint32_t>();
     const auto calibrations = cursor.position() + structure;
     cursor.skip(12);

@@ -125,7 +125,7 @@ bytes::Source keyence_archive(const bytes::Source& source) {
     constexpr std::uint64_t picture = 8;
     bytes::Cursor cursor(source, zon_name);
     if (!is_keyence_package(cursor.bytes(4))) cursor.fail("the member does not begin with 'KPK0' or 'KPK1'");
-    return archive_behind_picture(source, picture, cursor.number<std::uint32_t>(), zon_name);
+    return archive_after_picture(source, picture, cursor.number<std::uint32_t>(), zon_name);
 }
 
 std::string keyence_member(const bytes::Archive& archive, const std::string& member, const bytes::Source& source) {

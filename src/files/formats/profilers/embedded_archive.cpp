@@ -13,8 +13,8 @@
 
 namespace setae::formats {
 
-bytes::Source archive_behind_picture(const bytes::Source& source, std::uint64_t picture, std::uint64_t picture_bytes,
-                                     const std::string& format) {
+bytes::Source archive_after_picture(const bytes::Source& source, std::uint64_t picture, std::uint64_t picture_bytes,
+                                    const std::string& format) {
     constexpr std::uint64_t gap = 1024, signature_bytes = 4;
     const auto begin = picture + picture_bytes;
     if (begin > source.size || source.size - begin < signature_bytes)

@@ -13,8 +13,8 @@ namespace setae::formats {
 
 /// The ZIP archive after a picture of `picture_bytes` bytes at `picture`, the layout of Keyence files.
 /// @throws FormatError "<format>: …" if no archive begins there or within the next KiB.
-[[nodiscard]] bytes::Source archive_behind_picture(const bytes::Source& source, std::uint64_t picture,
-                                                   std::uint64_t picture_bytes, const std::string& format);
+[[nodiscard]] bytes::Source archive_after_picture(const bytes::Source& source, std::uint64_t picture,
+                                                  std::uint64_t picture_bytes, const std::string& format);
 
 using OpenFile = std::function<std::vector<Channel>(const bytes::Source&, const ReadOptions&)>;
 

@@ -77,13 +77,13 @@ std::vector<Channel> open_nms(const bytes::Source& source, const ReadOptions& op
     const RawScale scale{.factor = (highest - lowest) * units::um / steps_of_range, .offset = lowest * units::um};
     std::vector<Channel> channels{raster_channel(std::move(info), source, raster, scale, options)};
     const auto points = std::uint64_t{nx} * ny;
-    const auto behind = source.size - nms_header_bytes - 2 * points;
-    if (behind > 0 && behind < points)
+    const auto rest = source.size - nms_header_bytes - 2 * points;
+    if (rest > 0 && rest < points)
         throw FormatError(
             source.name, {.offset = source.size},
             fmt::format("NMS: the file ends here, expected the end of its picture at byte {}; it is truncated",
                         nms_header_bytes + 3 * points));
-    if (behind >= points) {
+    if (rest >= points) {
         picture.name = picture.metadata.name = "Intensity";
         picture.shape = {nx, ny};
         picture.unit.clear();

@@ -37,8 +37,8 @@ std::optional<double> tip_radius(const std::string& stylus) {
     }
 }
 
-std::string instrument_type(const std::string& told, const std::string& mode) {
-    if (bytes::lowered(told).find("stylus") != std::string::npos ||
+std::string instrument_type(const std::string& stated, const std::string& mode) {
+    if (bytes::lowered(stated).find("stylus") != std::string::npos ||
         bytes::lowered(mode).find("stylus") != std::string::npos)
         return "stylus";
     return mode == "PSI" || mode == "VSI" || mode == "VXI" || mode == "HDVSI" ? "interferometer" : "";

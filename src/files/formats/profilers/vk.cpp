@@ -153,7 +153,7 @@ std::vector<Channel> open_vk(const bytes::Source& source, const ReadOptions& opt
     if (!wraps_a_vk4(source.head(9))) return open_vk4(source, source.name, options);
     constexpr std::uint64_t picture = 7;
     const auto picture_bytes = bytes::Cursor(source, vk_name).number_at<std::uint32_t>(3);
-    return open_vk4(bytes::Archive(archive_behind_picture(source, picture, picture_bytes, vk_name)).member("Vk4File"),
+    return open_vk4(bytes::Archive(archive_after_picture(source, picture, picture_bytes, vk_name)).member("Vk4File"),
                     source.name, options);
 }
 

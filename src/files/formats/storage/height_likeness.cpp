@@ -36,7 +36,7 @@ bool are_even(const Array1D& values) {
 }
 
 /// Why a monotonic line of values contains no heights; empty for others.
-std::string why_monotone(const Array1D& values) {
+std::string reason_if_monotone(const Array1D& values) {
     if (!grows(values) && !grows(-values)) return {};
     if (are_whole(values)) return "whole numbers that increase from value to value: an index";
     if (are_even(values)) return "evenly spaced values: positions";
@@ -88,15 +88,15 @@ bool count_on(const StoredArray& array) {
 }
 
 /// Why an array of few columns contains no heights; empty for wider ones.
-std::string why_narrow(const StoredArray& array) {
+std::string reason_if_narrow(const StoredArray& array) {
     const Index narrow = std::min(array.shape[0], array.shape[1]), wide = std::max(array.shape[0], array.shape[1]);
     if (narrow >= narrowest_map || wide < tallest_table) return {};
     return fmt::format("{} × {} numbers: a table of {} columns", array.shape[0], array.shape[1], narrow);
 }
 
-std::string why_no_map(const LooseArray& loose) {
+std::string reason_against_map(const LooseArray& loose) {
     const auto& array = loose.array;
-    if (auto why = why_narrow(array); !why.empty()) return why;
+    if (auto why = reason_if_narrow(array); !why.empty()) return why;
     if (bytes_of(array.sample) == 1) return "values of 8 bits: a picture or a mask";
     if (loose.integers) return "whole numbers without a unit";
     if (count_on(array)) return counting;
@@ -104,23 +104,23 @@ std::string why_no_map(const LooseArray& loose) {
                                   : std::string();
 }
 
-std::string why_no_line(const LooseArray& loose) {
+std::string reason_against_line(const LooseArray& loose) {
     const auto& array = loose.array;
     const bool few = std::max(array.shape.front(), array.shape.back()) <= longest_line_read;
-    if (const auto why = few ? why_monotone(values_of(array, "array")) : std::string(); !why.empty()) return why;
+    if (const auto why = few ? reason_if_monotone(values_of(array, "array")) : std::string(); !why.empty()) return why;
     if (loose.integers) return "whole numbers without a unit";
-    return loose.alone ? std::string()
-                       : "one dimension, and neither the name nor a unit shows that it is a line of heights";
+    return loose.only_array ? std::string()
+                            : "one dimension, and neither the name nor a unit shows that it is a line of heights";
 }
 
 }  // namespace
 
-std::string why_no_heights(const LooseArray& loose) {
+std::string reason_against_heights(const LooseArray& loose) {
     if (!loose.array.refusal.empty() || is_height_name(loose.name) || loose.has_length) return {};
     const auto& shape = loose.array.shape;
     const bool line = shape.size() < 2 || shape[0] == 1 || shape[1] == 1;
     try {
-        const auto why = line ? why_no_line(loose) : why_no_map(loose);
+        const auto why = line ? reason_against_line(loose) : reason_against_map(loose);
         const auto quantity = other_quantity(loose.name);
         return why.empty() && !quantity.empty() ? fmt::format("its name means {}", quantity) : why;
     } catch (const FormatError&) {  // damaged values: reported on reading
@@ -128,10 +128,10 @@ std::string why_no_heights(const LooseArray& loose) {
     }
 }
 
-std::string why_lone_array_is_no_map(const StoredArray& array) {
+std::string reason_against_single_array(const StoredArray& array) {
     const auto& shape = array.shape;
     if (!array.refusal.empty() || shape.size() < 2 || shape[0] == 1 || shape[1] == 1) return {};
-    if (auto why = why_narrow(array); !why.empty()) return why;
+    if (auto why = reason_if_narrow(array); !why.empty()) return why;
     try {
         return count_on(array) ? counting : std::string();
     } catch (const FormatError&) {  // damaged values: reported on reading

@@ -13,7 +13,7 @@ struct LooseArray {
     std::string name;         ///< last part of its path
     bool integers = false;    ///< its values are of an integer type
     bool has_length = false;  ///< the file contains a unit of length for it
-    bool alone = false;       ///< the file contains no other array of numbers
+    bool only_array = false;  ///< the file contains no other array of numbers
 };
 
 /// Why an array is unlikely to contain heights, such as "whole numbers that grow from value to value: an index"; empty
@@ -22,10 +22,10 @@ struct LooseArray {
 /// A name of heights or a unit of length is decisive. Otherwise heights are floats on a map that are neither the
 /// coordinates of its points nor a table of few columns, or the only line of floats in the file that does not increase
 /// throughout. Cost: a few lines of maps, up to a million values of lines are read.
-[[nodiscard]] std::string why_no_heights(const LooseArray& loose);
+[[nodiscard]] std::string reason_against_heights(const LooseArray& loose);
 
 /// Why the only array of a file without names contains no heights: a table of few columns or an index. Integers, planes
 /// and increasing lines may be heights in this case.
-[[nodiscard]] std::string why_lone_array_is_no_map(const StoredArray& array);
+[[nodiscard]] std::string reason_against_single_array(const StoredArray& array);
 
 }  // namespace setae::formats

@@ -100,12 +100,12 @@ TEST(ProfileFile, HoldsProfilesWithoutErrorsOrResponse) {
 }
 
 TEST(ProfileFile, DamagedHeadLinesAreNamed) {
-    const auto expect = [](const std::string& key, const std::string& replacement, const std::string& said) {
+    const auto expect = [](const std::string& key, const std::string& replacement, const std::string& named) {
         const auto line = line_of(key);
         ASSERT_GT(line, 0u) << key;
         const auto message = message_of([&] { (void)read_back(with_line(line, replacement)); });
         EXPECT_NE(message.find(fmt::format("p.csv:{}", line)), std::string::npos) << message;
-        EXPECT_NE(message.find(said), std::string::npos) << message;
+        EXPECT_NE(message.find(named), std::string::npos) << message;
     };
     expect("version", "# version: 7", "version '7'");
     expect("blur", "# blur 1e-10 m", "not 'key: value'");

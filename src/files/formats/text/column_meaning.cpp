@@ -56,7 +56,7 @@ std::string other_quantity(const std::string& name) {
     return std::string(word_among(name, quantities));
 }
 
-std::string why_no_heights(const tables::RawTable::RawColumn& column) {
+std::string reason_against_heights(const tables::RawTable::RawColumn& column) {
     constexpr Index min_counted = 8;
     if (!column.text.empty()) return fmt::format("text, {}", column.text);
     if (const auto quantity = other_quantity(column.name); !quantity.empty() && !is_height_name(column.name))

@@ -15,7 +15,7 @@ namespace setae::formats {
 
 /// Why a column of a table contains no heights: another quantity in its name, a unit that is no length, numbers of
 /// rows. Empty if heights are possible.
-[[nodiscard]] std::string why_no_heights(const tables::RawTable::RawColumn& column);
+[[nodiscard]] std::string reason_against_heights(const tables::RawTable::RawColumn& column);
 
 /// The quantity other than a position in the name of a column, such as "time"; empty if there is none.
 [[nodiscard]] std::string other_quantity(const std::string& name);

@@ -16,7 +16,7 @@
 namespace setae::formats {
 namespace {
 
-constexpr Index min_told_by_numbers = 8;  ///< number of evenly spaced numbers that are not heights by chance
+constexpr Index min_evenly_spaced = 8;  ///< number of evenly spaced numbers that are not heights by chance
 constexpr Index min_positions = 3, rows_looked_at = 64;
 constexpr double rounding_of_labels = 0.1;  ///< of a step
 constexpr double share_of_others = 0.25;    ///< of other rows that are evenly spaced, too, as on a tilted plane
@@ -136,8 +136,8 @@ private:
         const auto inner = evenly_spaced(row(0, 1)), whole = evenly_spaced(row(0, 0));
         // a few numbers are labels if those of the first column are, too
         const auto column = first_column_from(1);
-        const bool both = column && n - 1 + column->count > min_told_by_numbers;
-        if (!inner || (!corner_is_empty && !both && n - 1 < min_told_by_numbers)) return;
+        const bool both = column && n - 1 + column->count > min_evenly_spaced;
+        if (!inner || (!corner_is_empty && !both && n - 1 < min_evenly_spaced)) return;
         const auto others = [&](Index j) -> Array1D { return row(j, 1); };
         if (evenly_spaced_share(1, numbers_.cols(), others) > share_of_others) return;
         found.rows_above = 1;
@@ -164,7 +164,7 @@ private:
             if (found.first_column) found.y = positions;
             return;
         }
-        if (!positions || positions->count < min_told_by_numbers) return;
+        if (!positions || positions->count < min_evenly_spaced) return;
         const auto others = [&](Index k) -> Array1D { return numbers_.row(k).transpose(); };
         if (evenly_spaced_share(1, lines_.columns, others) > share_of_others) return;
         if (!positions->counts && !is_map_) ask(*positions);

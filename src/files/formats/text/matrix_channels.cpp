@@ -150,7 +150,7 @@ bool count_on(const tables::NumberLines& lines) {
 }
 
 /// Why unnamed numbers are no map; empty if they may be one.
-std::string why_no_map(const tables::NumberLines& lines, const Layer& layer, const ReadOptions& options) {
+std::string reason_against_map(const tables::NumberLines& lines, const Layer& layer, const ReadOptions& options) {
     constexpr Index max_columns = 6, tallest = 200;
     if (options.keep_values || options.layout == TextLayout::matrix) return {};
     const bool sized = options.size && options.size->size() == 2;
@@ -189,7 +189,7 @@ Channel channel_of(const tables::NumberLines& lines, const SectionHeader& sectio
     const bool unit_is_all = layer.labels.x && layer.labels.y && !layer.labels.x->counts && !layer.labels.y->counts;
     if (unit_is_all && info.unit.empty()) return channel_without_unit(std::move(info), lines.source);
     const bool loose = section.header.unit.empty() && !header.is_map;
-    const auto why = loose ? why_no_map(lines, layer, options) : std::string();
+    const auto why = loose ? reason_against_map(lines, layer, options) : std::string();
     if (info.size.empty() || info.unit.empty()) {
         auto channel = incomplete_channel(std::move(info), lines.source);
         return why.empty() ? channel : doubtful_channel(std::move(channel), why);

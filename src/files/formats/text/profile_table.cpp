@@ -22,10 +22,10 @@ bool is_named_y(const std::string& name) {
     return !words.empty() && words.front() == "y";
 }
 
-bool may_be_positions(const tables::RawTable::RawColumn& column, bool said) {
+bool may_be_positions(const tables::RawTable::RawColumn& column, bool declared) {
     if (!column.unit.empty() && !is_length_unit(column.unit)) return false;
     if (!other_quantity(column.name).empty() || !run_along(column.values)) return false;
-    return said || !column.unit.empty() || is_position_name(column.name);
+    return declared || !column.unit.empty() || is_position_name(column.name);
 }
 
 /// A column of loops and other records in time: time, or a force.
@@ -62,10 +62,10 @@ bool run_along(const Array1D& positions) {
     return moves && (forward || backward || passes_of(positions).size() > 1);
 }
 
-std::optional<std::size_t> positions_of_profiles(const tables::RawTable& table, bool said) {
+std::optional<std::size_t> positions_of_profiles(const tables::RawTable& table, bool declared) {
     const auto& columns = table.columns;
     const bool numbers_first =
-        columns.size() > 2 && are_numbers_of_rows(columns[0]) && may_be_positions(columns[1], said);
+        columns.size() > 2 && are_numbers_of_rows(columns[0]) && may_be_positions(columns[1], declared);
     std::size_t x = numbers_first ? 1 : 0;
     while (x + 2 < columns.size() && is_before_positions(columns[x]) && !may_be_positions(columns[x], false)) ++x;
     if (x > 0 && !numbers_first &&
@@ -73,10 +73,10 @@ std::optional<std::size_t> positions_of_profiles(const tables::RawTable& table, 
          std::none_of(columns.begin() + static_cast<std::ptrdiff_t>(x) + 1, columns.end(),
                       [](const auto& column) { return is_height_name(column.name); })))
         return std::nullopt;
-    if (columns.size() < x + 2 || !may_be_positions(columns[x], said)) return std::nullopt;
+    if (columns.size() < x + 2 || !may_be_positions(columns[x], declared)) return std::nullopt;
     const bool record = std::any_of(columns.begin(), columns.end(), is_of_a_record);
-    if (record && !said && !is_position_name(columns[x].name)) return std::nullopt;
-    const bool points = !said && columns.size() >= x + 3 && is_named_y(columns[x + 1].name);
+    if (record && !declared && !is_position_name(columns[x].name)) return std::nullopt;
+    const bool points = !declared && columns.size() >= x + 3 && is_named_y(columns[x + 1].name);
     return points ? std::nullopt : std::optional(x);
 }
 
@@ -107,7 +107,7 @@ std::vector<Channel> profile_channels(const tables::RawTable& table, std::size_t
         info.format = "xy";
         info.alerts = alerts;
         info.metadata.file = source.name;
-        auto reason = why_no_heights(column);
+        auto reason = reason_against_heights(column);
         const bool named_so = is_position_name(column.name) || is_named_y(column.name);
         if (reason.empty() && named_so && run_along(column.values)) reason = "its name means positions";
         if (reason.empty() && column.values.isNaN().all()) reason = "none of its cells is defined";

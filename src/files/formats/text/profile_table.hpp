@@ -17,8 +17,8 @@ namespace setae::formats {
 /// such as the time, if a later column has the name of heights. Its positions are defined and never turn, or run forth
 /// and back (passes_of()). Unless the user declares profiles, its name or its unit must be one of positions; a column
 /// named y after it makes the table one of points x, y, z, and a column of time or forces one of a record, unless x has
-/// the name of positions. said: the user declares profiles.
-[[nodiscard]] std::optional<std::size_t> positions_of_profiles(const tables::RawTable& table, bool said);
+/// the name of positions. declared: the user declares profiles.
+[[nodiscard]] std::optional<std::size_t> positions_of_profiles(const tables::RawTable& table, bool declared);
 
 /// The columns x, y and heights of a table with one name of each, in this order; empty for other tables.
 [[nodiscard]] std::optional<tables::RawTable> named_points(const tables::RawTable& table);

@@ -61,11 +61,11 @@ Choice choose(const tables::RawTable& table, const ReadOptions& options) {
     if (!named && counts_rows(columns[0].values) && along_x)
         return {TextContent::curve, !options.layout && !others_named, {}};
     auto grid = grid_of(columns[0].values, columns[1].values, columns[2].values);
-    const bool said = named || table.metadata.contains("Lateral units");
-    if (grid.found()) return {TextContent::points, !said && !options.layout, std::move(grid)};
+    const bool stated = named || table.metadata.contains("Lateral units");
+    if (grid.found()) return {TextContent::points, !stated && !options.layout, std::move(grid)};
     if (const auto x = positions_of_profiles(table, options.layout == TextLayout::columns))
         return {TextContent::profiles, false, std::move(grid), x};
-    if (said || options.layout) return {TextContent::none, false, std::move(grid)};
+    if (stated || options.layout) return {TextContent::none, false, std::move(grid)};
     if (runs_evenly(columns[0].values)) return {TextContent::profiles, true, std::move(grid), 0};
     constexpr Index max_rows_of_strip = 16;  // a list of points is longer than a map of three columns
     if (columns[0].values.size() > max_rows_of_strip) return {TextContent::none, false, std::move(grid)};
@@ -118,10 +118,10 @@ HeightCurve curve_of(const tables::RawTable& table) {
 }
 
 /// Why two columns are no profile; empty if they may be one.
-std::string why_no_profile(const HeightCurve& curve) {
+std::string reason_against_profile(const HeightCurve& curve) {
     if (const auto quantity = other_quantity(curve.x.name); !quantity.empty())
         return fmt::format("the first column is named {}, expected positions", quantity);
-    return why_no_heights(curve.heights);
+    return reason_against_heights(curve.heights);
 }
 
 std::vector<Channel> curve_of(const tables::RawTable& table, std::vector<Alert> alerts, const ReadOptions& options,
@@ -135,7 +135,7 @@ std::vector<Channel> curve_of(const tables::RawTable& table, std::vector<Alert> 
     info.name = curve.heights.name;
     info.format = "xy";
     info.alerts = std::move(alerts);
-    const auto reason = why_no_profile(curve);
+    const auto reason = reason_against_profile(curve);
     auto channels = curve_channels(std::move(info), curve, options, source);
     if (!reason.empty() && options.layout != TextLayout::columns)
         for (auto& channel : channels) channel = doubtful_channel(std::move(channel), reason);

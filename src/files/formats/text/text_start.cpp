@@ -16,7 +16,7 @@ void keep_first_part(std::vector<std::string_view>& lines) {
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const auto line = trimmed(lines[i]);
         if (numbers && begins_numbers(line, {})) return lines.resize(i);
-        numbers = numbers || !(line.empty() || tables::is_remark(line));
+        numbers = numbers || !(line.empty() || tables::is_comment(line));
     }
 }
 

@@ -215,10 +215,10 @@ std::optional<RadialStep> edge_of(const RadialMean& radial, double noise, double
         const double whole = 2 * std::numbers::pi * static_cast<double>(at) * reach;
         if (inner_count + outer_count < 0.15 * 2 * whole) continue;  // too little of it is in the frame
         const double step = outer / outer_count - inner / inner_count;
-        const bool stands_out =
+        const bool is_significant =
             sign * step >= 0 && std::abs(step) > outstanding * noise * std::sqrt(1 / inner_count + 1 / outer_count);
-        steps.push_back({static_cast<double>(at), stands_out ? step : 0.0,
-                         stands_out ? std::abs(step) * std::sqrt(outer_count) : 0.0});
+        steps.push_back({static_cast<double>(at), is_significant ? step : 0.0,
+                         is_significant ? std::abs(step) * std::sqrt(outer_count) : 0.0});
     }
     const auto strongest = std::max_element(steps.begin(), steps.end(),
                                             [](const auto& a, const auto& b) { return a.strength < b.strength; });

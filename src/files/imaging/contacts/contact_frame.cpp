@@ -88,7 +88,7 @@ ContactFrame as_frame(const EdgeFit& fit, double sign) {
     return frame;
 }
 
-std::string why_not(const ContactFrame& frame, const ContactFrameOptions& options) {
+std::string reason_against_radius(const ContactFrame& frame, const ContactFrameOptions& options) {
     if (frame.visible_share < min_visible)
         return fmt::format("{:.0f} % of the edge lies within the frame; {:.0f} % are needed", 100 * frame.visible_share,
                            100 * min_visible);
@@ -122,7 +122,7 @@ ContactFrame measure_contact_frame(const FramePixels& pixels, const ContactFrame
                 continue;
             }
             const auto frame = as_frame(fit, candidate.sign);
-            const auto doubt = why_not(frame, options);
+            const auto doubt = reason_against_radius(frame, options);
             if (doubt.empty() && frame.confidence > beyond_doubt) return frame;
             const double score = frame.confidence * frame.contrast_to_noise *
                                  frame.radius;  // glare and dust are small, illumination is faint

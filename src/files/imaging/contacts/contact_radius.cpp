@@ -175,10 +175,10 @@ std::string as_csv(const ContactRadii& radii) {
     for (const auto& [key, value] : table.metadata) text += fmt::format("# {}: {}\n", key, value);
     for (const auto& frame : radii.frames) {
         if (frame.contact.reason.empty()) continue;
-        std::string remark = to_string(frame.contact.state) + ": " + frame.contact.reason;
+        std::string comment = to_string(frame.contact.state) + ": " + frame.contact.reason;
         std::replace_if(
-            remark.begin(), remark.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
-        text += fmt::format("# frame {}: {}\n", frame.number, remark);
+            comment.begin(), comment.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+        text += fmt::format("# frame {}: {}\n", frame.number, comment);
     }
     return text + tables::as_csv(table);
 }

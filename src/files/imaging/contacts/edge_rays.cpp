@@ -18,7 +18,7 @@ constexpr double narrowest_ray = 0.3, widest_ray = 12.0;  // widths of edges [px
 constexpr double bin = 0.5;                               // px of distance, of profiles
 constexpr double min_contrast = 0.3;                      // of that of the median ray
 constexpr int max_rounds = 10, rounds_before_polish = 6, rounds_of_search = 4;
-constexpr double nearly_at_rest = 0.03, at_rest = 0.003, restless = 0.2;  // px
+constexpr double nearly_converged_step = 0.03, converged_step = 0.003, unstable_step = 0.2;  // px
 
 /// Search for places: among all, from the outline on, or linear in the grey levels.
 enum class Stage { search, refine, polish };
@@ -401,15 +401,16 @@ EdgeFit fit_edge(const FramePixels& pixels, const Outline& start, double sign, d
         if (stage == Stage::search) {
             if (correction.largest_step < 1.0) stage = Stage::refine;
         } else if (stage == Stage::refine) {
-            if (fringes && correction.largest_step < at_rest && steady) break;
+            if (fringes && correction.largest_step < converged_step && steady) break;
             // resolved fringes have other contrasts than the median: places are then those of the fit of each ray
-            if (!fringes && ((correction.largest_step < nearly_at_rest && steady) || round >= rounds_before_polish))
+            if (!fringes &&
+                ((correction.largest_step < nearly_converged_step && steady) || round >= rounds_before_polish))
                 stage = Stage::polish;
-        } else if (correction.largest_step < at_rest && steady) {
+        } else if (correction.largest_step < converged_step && steady) {
             break;
         }
     }
-    if (last_step > restless)
+    if (last_step > unstable_step)
         fit.failure = fmt::format("the outline did not converge: its last step is {:.1f} px", last_step);
     return fit;
 }

@@ -11,7 +11,7 @@
 namespace setae::imaging {
 namespace {
 
-constexpr double arc_of_a_ray = 2.0;  // px of the largest edge
+constexpr double arc_per_ray = 2.0;  // px of the largest edge
 constexpr Index min_rays = 32;
 
 struct Traced {
@@ -63,7 +63,7 @@ RecordedLine measure_contact_line(const FrameSource& source, const ContactRadii&
     recorded.centre_x /= static_cast<double>(whole.size());
     recorded.centre_y /= static_cast<double>(whole.size());
     const Index angles =
-        options.angles.value_or(std::max(min_rays, 2 * static_cast<Index>(std::ceil(pi * largest / arc_of_a_ray))));
+        options.angles.value_or(std::max(min_rays, 2 * static_cast<Index>(std::ceil(pi * largest / arc_per_ray))));
     std::vector<Traced> lines(whole.size());
     parallel::for_each_index(whole.size(), options.threads, [&](std::size_t k) {
         lines[k] = traced(source, whole[k], radii.frames[whole[k]].contact, recorded.centre_x, recorded.centre_y,

@@ -137,7 +137,7 @@ PlaneCurve joined(const std::vector<PlaneCurve>& parts) {
 }
 
 /// The nearest curve, moved through one anchor: a part on either side of it is traced again.
-PlaneCurve led_through(const std::vector<PlaneCurve>& curves, const Anchor& anchor, const LiveWire& wire) {
+PlaneCurve moved_through(const std::vector<PlaneCurve>& curves, const Anchor& anchor, const LiveWire& wire) {
     const PlaneCurve* best = nullptr;
     double least = std::numeric_limits<double>::infinity();
     Index nearest = 0;
@@ -262,7 +262,7 @@ ContourTrace trace_contour(const FramePixels& pixels, const TraceOptions& option
         const LiveWire wire(picture.pixels, trace.vacuum);
         for (const auto& list : options.anchors)
             if (!list.empty()) {
-                const auto path = list.size() == 1 ? led_through(curves, list.front(), wire) : wire.through(list);
+                const auto path = list.size() == 1 ? moved_through(curves, list.front(), wire) : wire.through(list);
                 trace.segments.push_back(
                     refined_segment(band, smoothed(path, start_smoothing), list, options, picture.pixels));
             }

@@ -333,11 +333,11 @@ private:
     /// Noise of places before smoothing: variance of one times the correlation length of neighbours [px³].
     [[nodiscard]] double measured_noise() const {
         const Index n = curve_.size();
-        const double beside = away();
+        const double shift = away();
         Array1D outer = Array1D::Zero(n), inner = outer;
         for (const auto& p : pixels_) {
             // the sum of a place, shifted into vacuum or into the sample
-            const double moved = p.distance > 0 ? p.distance - beside : p.distance + beside;
+            const double moved = p.distance > 0 ? p.distance - shift : p.distance + shift;
             if (p.distance > 0 ? moved < 0 : moved >= 0) continue;
             const double slope = evidence_.contrast[p.index] * shape_.slope(moved);
             (p.distance > 0 ? outer : inner)[p.index] -= slope * residual(p) / scatter_.variance(moved);

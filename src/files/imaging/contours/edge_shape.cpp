@@ -237,8 +237,8 @@ EdgeShape fitted_shape(const EdgeProfile& profile) {
         }
     }
     const double ends = mean_over(n - n / 4, n) - mean_over(0, n / 4);
-    const bool told = std::abs(ends) > 0.25 * (steepest_up + steepest_down);
-    const bool upwards = told ? ends > 0 : steepest_up > steepest_down;
+    const bool differ = std::abs(ends) > 0.25 * (steepest_up + steepest_down);
+    const bool upwards = differ ? ends > 0 : steepest_up > steepest_down;
     EdgeShape start;
     start.level = mean_over(0, n);
     start.step = upwards ? steepest_up : -steepest_down;

@@ -99,7 +99,7 @@ long remove_spikes(FramePixels& pixels) {
 }  // namespace
 
 PreparedPicture prepared_picture(const FramePixels& pixels, const TraceOptions& options) {
-    keep_opencv_in_hand();
+    limit_opencv();
     PreparedPicture picture{pixels, PixelMask::Zero(pixels.rows(), pixels.cols())};
     hide(picture.hidden, options.hidden);
     if (const long count = fill_undefined(picture); count > 0)

@@ -26,7 +26,7 @@ constexpr double min_phase_share =
 constexpr double least_squares_of_a_phase = 20;
 constexpr int first_turns = 2, max_turns = 10;  // alternating cuts and levels: for every start, and for the best ones
 constexpr std::size_t best_starts = 3;
-constexpr double told_structure = 1.3;   // ratio of noise that distinguishes the phases
+constexpr double min_noise_ratio = 1.3;  // ratio of noise that distinguishes the phases
 constexpr long max_samples = 1'000'000;  // of pixels for a median
 constexpr long band = 3;                 // squares on either side of a border for a repeated cut
 
@@ -277,7 +277,7 @@ void name_phases(TwoPhases& result, const FramePixels& pixels, const PixelMask& 
         noise[label] = side > 1 ? std::exp(0.5 * model.structure[label]) : model.scatter[label];
     }
     const double ratio = noise[1] > 0 && noise[0] > 0 ? noise[1] / noise[0] : 1.0;
-    const bool structured = ratio > told_structure || ratio < 1 / told_structure;
+    const bool structured = ratio > min_noise_ratio || ratio < 1 / min_noise_ratio;
     bool swap = structured ? ratio < 1 : level[0] < level[1];
     result.vacuum_assumed = vacuum == Vacuum::automatic && !structured;
     if (vacuum == Vacuum::bright) swap = level[0] < level[1];

@@ -29,7 +29,7 @@ struct Faults : jpeg_error_mgr {
 }
 
 /// Warnings after which libjpeg continues with invented pixels.
-void leave_where_pixels_are_made_up(j_common_ptr jpeg, int level) {
+void leave_on_corrupt_data(j_common_ptr jpeg, int level) {
     if (level >= 0) return;
     switch (jpeg->err->msg_code) {
         case JWRN_JPEG_EOF:
@@ -49,7 +49,7 @@ struct Reader {
     Reader() {
         jpeg.err = jpeg_std_error(&faults);
         faults.error_exit = leave;
-        faults.emit_message = leave_where_pixels_are_made_up;
+        faults.emit_message = leave_on_corrupt_data;
         faults.output_message = print_nothing;
     }
     Reader(const Reader&) = delete;

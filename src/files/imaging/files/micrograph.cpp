@@ -64,7 +64,7 @@ Micrograph read_micrograph_file(const bytes::Source& file, const MicrographOptio
 Micrograph read_micrograph(const std::string& path, const MicrographOptions& options) {
     auto micrograph = read_micrograph_file(bytes::file_source(path), options);
     if (micrograph.format == "ser")
-        if (const auto emi = emi_beside(path); std::filesystem::is_regular_file(emi))
+        if (const auto emi = emi_path(path); std::filesystem::is_regular_file(emi))
             read_emi(bytes::read_file(emi), micrograph);
     return micrograph;
 }

@@ -122,7 +122,7 @@ FrameRead decoded_png(std::string_view bytes, PictureSize size) {
 }
 
 std::string png_of(const cv::Mat& picture) {
-    keep_opencv_in_hand();
+    limit_opencv();
     Writer writer;
     std::vector<png_bytep> rows;
     for (int row = 0; row < picture.rows; ++row) rows.push_back(const_cast<png_bytep>(picture.ptr(row)));

@@ -107,7 +107,7 @@ void read_emi(std::string_view emi, Micrograph& micrograph) {
     }
 }
 
-std::string emi_beside(const std::string& ser) {
+std::string emi_path(const std::string& ser) {
     std::filesystem::path path(ser);
     auto stem = path.stem().string();
     const auto underscore = stem.find_last_of('_');

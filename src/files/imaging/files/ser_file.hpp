@@ -21,6 +21,6 @@ namespace setae::imaging {
 void read_emi(std::string_view emi, Micrograph& micrograph);
 
 /// Name of the EMI of a series: "a.emi" for "a_1.ser".
-[[nodiscard]] std::string emi_beside(const std::string& ser);
+[[nodiscard]] std::string emi_path(const std::string& ser);
 
 }  // namespace setae::imaging

@@ -112,7 +112,7 @@ std::vector<cv::Rect> text(const cv::Mat1f& levels) {
 }  // namespace
 
 std::vector<PictureRegion> annotations(const FramePixels& pixels) {
-    keep_opencv_in_hand();
+    limit_opencv();
     const auto levels = scaled_levels(pixels);
     std::vector<PictureRegion> regions;
     for (const auto& found : found_bars(levels)) regions.push_back(found.bar.annotation);

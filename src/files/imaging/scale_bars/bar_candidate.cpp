@@ -36,7 +36,7 @@ public:
     [[nodiscard]] std::optional<BarCandidate> operator()(const cv::Rect& box, double height, double sign) const {
         BarCandidate bar;
         if (!rows(bar, box, height) || !columns(bar, box, height, sign)) return std::nullopt;
-        if (!stands_apart(bar) || !ends_straight(bar)) return std::nullopt;
+        if (!is_separate(bar) || !ends_straight(bar)) return std::nullopt;
         bar.drawn = looks_drawn(bar);
         find_outline(bar);
         find_ticks(bar);
@@ -103,7 +103,7 @@ private:
         return sign * bar.contrast > 0.5 * height && bar.deviation <= 0.12 * std::abs(bar.contrast);
     }
 
-    [[nodiscard]] bool stands_apart(const BarCandidate& bar) const {
+    [[nodiscard]] bool is_separate(const BarCandidate& bar) const {
         const auto share = [&](int first, int second) {
             int count = 0;
             for (int x = bar.left; x <= bar.right; ++x)

@@ -51,7 +51,7 @@ public:
         return value.get<std::string>();
     }
     [[nodiscard]] const Json* optional(const char* key) {
-        asked_.emplace_back(key);
+        read_keys_.emplace_back(key);
         const auto found = object_.find(key);
         return found == object_.end() ? nullptr : &*found;
     }
@@ -66,8 +66,8 @@ public:
     }
     void finish() const {
         for (const auto& [key, value] : object_.items())
-            if (std::find(asked_.begin(), asked_.end(), key) == asked_.end()) {
-                const auto nearest = nearest_match(key, asked_);
+            if (std::find(read_keys_.begin(), read_keys_.end(), key) == read_keys_.end()) {
+                const auto nearest = nearest_match(key, read_keys_);
                 fail(key,
                      "unknown key" + (nearest.empty() ? std::string() : fmt::format("; did you mean '{}'?", nearest)));
             }
@@ -79,7 +79,7 @@ public:
 private:
     const Json& object_;
     std::string path_, where_;
-    std::vector<std::string> asked_;
+    std::vector<std::string> read_keys_;
 };
 
 Json as_json(const ScaleBar& bar) {

@@ -51,7 +51,7 @@ private:
     Function function(const char* name) {
         void* const found = library ? platform::function_of(library, name) : nullptr;
         if (!found && fault.empty()) {
-            const auto reason = platform::reason_of_missing();
+            const auto reason = platform::loading_error();
             fault =
                 fmt::format("Tesseract cannot be loaded ({}); install libtesseract5", reason.empty() ? name : reason);
         }

@@ -27,7 +27,7 @@ bool broken_off(const cv::Rect& stroke, const cv::Rect& letter) {
     return common >= 0.6 * stroke.width && stroke.width >= 0.3 * letter.width && gap <= 0.6 * letter.height;
 }
 
-bool beside(const cv::Rect& first, const cv::Rect& second) {
+bool are_adjacent(const cv::Rect& first, const cv::Rect& second) {
     const int common = std::min(first.br().y, second.br().y) - std::max(first.y, second.y);
     const int gap = std::max(first.x, second.x) - std::min(first.br().x, second.br().x);
     const int low = std::min(first.height, second.height), high = std::max(first.height, second.height);
@@ -93,7 +93,7 @@ std::vector<LetterLine> letter_lines(const cv::Mat1b& mask, const std::vector<cv
     std::iota(line_of.begin(), line_of.end(), 0U);
     for (std::size_t i = 0; i < letters.size(); ++i)
         for (std::size_t k = 0; k < i; ++k)
-            if (line_of[k] != line_of[i] && beside(letters[i].box, letters[k].box)) {
+            if (line_of[k] != line_of[i] && are_adjacent(letters[i].box, letters[k].box)) {
                 const auto from = line_of[i], to = line_of[k];
                 std::replace(line_of.begin(), line_of.end(), from, to);
             }

@@ -269,7 +269,8 @@ std::string likely_position(const ColumnGuess& guess, const std::string& role) {
 }
 
 /// A column of the role, its best candidate if none is chosen; empty if it has none.
-std::optional<RoleCandidate> likeliest(const ColumnGuess& guess, const RoleGuess& role, const ChosenColumns& chosen) {
+std::optional<RoleCandidate> best_candidate(const ColumnGuess& guess, const RoleGuess& role,
+                                            const ChosenColumns& chosen) {
     if (chosen.contains(role.role)) return decided(guess, role, chosen);
     return role.candidates.empty() ? std::nullopt : std::optional(role.candidates.front());
 }
@@ -367,7 +368,7 @@ std::string mapping_template(const ColumnGuess& guess, const ChosenColumns& chos
             add_expression(guess, role.role, choice->second, mapping);
             continue;
         }
-        auto candidate = likeliest(guess, role, chosen);
+        auto candidate = best_candidate(guess, role, chosen);
         const bool needed = role.role == "force" || (role.role == "displacement" && wanted == LoopColumns::complete);
         if (!candidate && !needed) continue;
         if (!candidate) {

@@ -25,7 +25,7 @@ struct FoundUnit {
     std::size_t length = 0;
 };
 
-FoundUnit unit_behind(std::string_view text) {
+FoundUnit unit_at_beginning(std::string_view text) {
     const std::size_t begin = text.starts_with(' ') ? 1 : 0;
     auto end = begin;
     const auto in_unit = [&](std::size_t at) {
@@ -106,10 +106,10 @@ ExpressionText expression_text(const std::string& typed, std::size_t first) {
             result.expression += found.name;
             at += found.length;
         } else if (in_number(rest.front())) {
-            auto behind = rest;
-            const auto number = leading<double>(behind);
-            const auto unit = unit_behind(behind);
-            const auto length = rest.size() - behind.size();
+            auto after_number = rest;
+            const auto number = leading<double>(after_number);
+            const auto unit = unit_at_beginning(after_number);
+            const auto length = rest.size() - after_number.size();
             if (number && unit.length > 0) {
                 const auto name = fmt::format("quantity_{}", first + result.constants.size());
                 result.constants.push_back({name, *number * unit.unit.factor, unit.unit.dimension});

@@ -19,7 +19,7 @@ constexpr std::size_t min_levels = 8;                                       ///<
 constexpr double isolated_at = 8.0;                                         ///< spreads from the median
 constexpr double far_at = 20.0, single_far_at = 100.0, absurd_at = 1000.0;  ///< largest distances of the others
 constexpr double gap_share = 0.25;  ///< of the distance from the median, without other heights
-constexpr double jump_steps = 8.0, beside_steps = 5.0;
+constexpr double jump_steps = 8.0, min_adjacent_steps = 5.0;
 constexpr double irregular_at = 0.5;  ///< scatter of lengths over their mean
 constexpr double largest_share = 0.5;
 
@@ -115,7 +115,7 @@ bool is_no_height(const Evidence& e) {
     if (e.share > largest_share || !irregular(e.facts, e.share)) return false;
     if (e.isolated && count >= 5) return true;
     const bool jumps = 10 * e.facts.jumps >= 9 * e.facts.steps;
-    const bool others_vary = e.facts.beside.standard_deviation() >= beside_steps * e.others.step;
+    const bool others_vary = e.facts.adjacent.standard_deviation() >= min_adjacent_steps * e.others.step;
     return e.dominant && (e.within || e.usual_mark) && count >= 10 && jumps && others_vary;
 }
 
@@ -123,8 +123,8 @@ bool is_suspect(const Evidence& e) {
     if (e.isolated && e.facts.count >= 3) return true;
     if (e.distance >= (e.facts.count > 1 || e.usual_mark ? far_at : single_far_at) * e.reach) return true;
     // a plateau has heights near its own next to it
-    const double beside = std::hypot(e.facts.beside.mean() - e.value, e.facts.beside.standard_deviation());
-    return e.dominant && e.within && (e.facts.steps == 0 || beside >= 0.5 * e.others.spread);
+    const double adjacent = std::hypot(e.facts.adjacent.mean() - e.value, e.facts.adjacent.standard_deviation());
+    return e.dominant && e.within && (e.facts.steps == 0 || adjacent >= 0.5 * e.others.spread);
 }
 
 /// The extremes of the remaining heights that are far enough out to be tested.

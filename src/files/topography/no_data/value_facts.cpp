@@ -74,11 +74,11 @@ private:
         }
     }
 
-    void take_step(ValueFacts& found, double beside, double value) const {
-        if (std::isnan(beside) || is_value(beside)) return;
+    void take_step(ValueFacts& found, double adjacent, double value) const {
+        if (std::isnan(adjacent) || is_value(adjacent)) return;
         ++found.steps;
-        found.jumps += std::abs(beside - value) >= jump_;
-        found.beside.add(beside);
+        found.jumps += std::abs(adjacent - value) >= jump_;
+        found.adjacent.add(adjacent);
     }
 
     const std::vector<double>& values_;
@@ -125,7 +125,7 @@ AllFacts facts_of(const HeightBands& bands, const std::vector<double>& values, d
             sum.gaps.add(more.gaps);
             sum.steps += more.steps;
             sum.jumps += more.jumps;
-            sum.beside.add(more.beside);
+            sum.adjacent.add(more.adjacent);
         }
     }
     return all;

@@ -30,7 +30,7 @@ struct ValueFacts {
     Scatter runs, gaps;  ///< lengths of its runs along scan lines, and of the gaps between two of them
     Index steps = 0;     ///< from a run to an adjacent defined height
     Index jumps = 0;     ///< those that are longer than `jump`
-    Scatter beside;      ///< heights next to runs
+    Scatter adjacent;    ///< heights next to runs
 };
 
 struct AllFacts {

@@ -140,10 +140,10 @@ void mark_spikes(const Differences& differences, std::vector<Outlier> candidates
     const auto& [field, tilt, reach] = differences;
     // if surroundings are equal to the last bit, a difference by rounding is no spike
     constexpr double rounding = 1e-14;
-    const auto stands_out = [&, heights = field.heights](double difference, Index point) {
+    const auto exceeds = [&, heights = field.heights](double difference, Index point) {
         return std::fabs(difference) > std::max(spikes.threshold, rounding * std::fabs(heights[point]));
     };
-    std::erase_if(candidates, [&](const Outlier& c) { return !stands_out(c.difference, c.point); });
+    std::erase_if(candidates, [&](const Outlier& c) { return !exceeds(c.difference, c.point); });
     std::stable_sort(candidates.begin(), candidates.end(), [](const Outlier& a, const Outlier& b) {
         return std::fabs(a.difference) > std::fabs(b.difference);
     });
@@ -152,7 +152,7 @@ void mark_spikes(const Differences& differences, std::vector<Outlier> candidates
         if (has_company(field, tilt, i, j, reach, 0.5 * std::fabs(difference))) continue;
         const double median = local_median(field, tilt, i, j, narrowed(reach, i, field.rows),
                                            narrowed(reach, j, field.columns), &spikes.mask, true);
-        if (!std::isnan(median) && !stands_out(median, point)) continue;
+        if (!std::isnan(median) && !exceeds(median, point)) continue;
         spikes.mask.data()[point] = 1;
         ++spikes.count;
     }

@@ -22,7 +22,7 @@ using numerics::for_each_row;
 using topography::HeightMap;
 using topography::Mask;
 
-constexpr std::uint8_t beside = 1;  // differs enough to belong to a scar
+constexpr std::uint8_t near_scar = 1;  // differs enough to belong to a scar
 constexpr std::uint8_t scar = 2;
 
 void require_domain(const RemoveScars& step) {
@@ -82,13 +82,13 @@ bool mark_row(const double* heights, Index n, Index width, double low, double hi
         for (Index k = 1; k <= width && start + k + 1 < n; ++k) {
             least = std::min(least, sign * heights[start + k]);
             if (!(sign * heights[start + k] - before >= low)) break;  // the run ends, or is undefined
-            const double behind = sign * heights[start + k + 1], base = std::max(before, behind);
-            if (std::isnan(behind) || !(least - base >= low)) continue;
+            const double after = sign * heights[start + k + 1], base = std::max(before, after);
+            if (std::isnan(after) || !(least - base >= low)) continue;
             run = k;
             base_of_run = base;
         }
         for (Index m = start + 1; m <= start + run; ++m)
-            marks[m] = std::max(marks[m], sign * heights[m] - base_of_run >= high ? scar : beside);
+            marks[m] = std::max(marks[m], sign * heights[m] - base_of_run >= high ? scar : near_scar);
         marked = marked || run > 0;
     }
     return marked;
@@ -108,7 +108,7 @@ void spread_along_x(Marks& marks) {
     const auto join = [&](Index from, Index to) {
         if (!marks.any(from) || !marks.any(to)) return;
         for (Index j = 0; j < points.cols(); ++j)
-            if (points(from, j) == scar && points(to, j) == beside) points(to, j) = scar;
+            if (points(from, j) == scar && points(to, j) == near_scar) points(to, j) = scar;
     };
     for (Index i = 1; i < points.rows(); ++i) join(i - 1, i);
     for (Index i = points.rows() - 1; i > 0; --i) join(i, i - 1);
@@ -118,10 +118,10 @@ void spread_along_x(Marks& marks) {
 void keep_long(Marks& marks, Index length) {
     auto& points = marks.points;
     std::vector<Index> run(static_cast<std::size_t>(points.cols()), 0);
-    const auto end = [&](Index behind, Index j) {
+    const auto end = [&](Index after, Index j) {
         auto& in_run = run[static_cast<std::size_t>(j)];
         if (in_run < length)
-            for (Index i = behind - in_run; i < behind; ++i) points(i, j) = 0;
+            for (Index i = after - in_run; i < after; ++i) points(i, j) = 0;
         in_run = 0;
     };
     for (Index i = 0; i < points.rows(); ++i) {

@@ -40,9 +40,9 @@ Census census(const ArrayView2D& heights) {
 
 /// Sums of the Gaussian: for a complete map they are products of those along both directions.
 Array2D sums_of_one(const GaussianAxis& axis, Index orders) {
-    const GaussianAxis alone(1, 0.0, false, orders);
+    const GaussianAxis point(1, 0.0, false, orders);
     const auto one = [](Index, Index, Index count, double* values) { std::fill(values, values + count, 1.0); };
-    const MomentField field(alone, axis, powers_up_to(orders, 0, orders), one, {1});
+    const MomentField field(point, axis, powers_up_to(orders, 0, orders), one, {1});
     Array2D sums(orders + 1, axis.points);
     for (Index k = 0; k <= orders; ++k) field.moments(0, 0, axis.points, extent(k), &sums(k, 0));
     return sums;

@@ -50,19 +50,21 @@ Index point_count(double count, double old_count, const topography::Metadata& me
     return static_cast<Index>(count);
 }
 
-/// `asked`: number of points, or 0 for the pixel size of the grid. Open: from the first to the last of the old points.
-Points points_of(const Resample& grid, Index asked, Index old_count, double size, bool open,
+/// `requested`: number of points, or 0 for the pixel size of the grid. Open: from the first to the last of the old
+/// points.
+Points points_of(const Resample& grid, Index requested, Index old_count, double size, bool open,
                  const topography::Metadata& metadata) {
     const double old_step = size / static_cast<double>(old_count);
     const auto counted = [&](double count) { return point_count(count, static_cast<double>(old_count), metadata); };
-    Points points{counted(static_cast<double>(asked)), 0.0, size};
+    Points points{counted(static_cast<double>(requested)), 0.0, size};
     if (open) {
         const double length = old_step * static_cast<double>(old_count - 1);
-        if (asked == 0) points.count = counted(std::floor(length / *grid.pixel_size * (1.0 + 1e-12))) + 1;
-        points.step = asked == 0 ? *grid.pixel_size : length / static_cast<double>(std::max<Index>(1, asked - 1));
+        if (requested == 0) points.count = counted(std::floor(length / *grid.pixel_size * (1.0 + 1e-12))) + 1;
+        points.step =
+            requested == 0 ? *grid.pixel_size : length / static_cast<double>(std::max<Index>(1, requested - 1));
         points.size = points.step * static_cast<double>(points.count);
     } else {
-        if (asked == 0) points.count = counted(std::round(size / *grid.pixel_size));
+        if (requested == 0) points.count = counted(std::round(size / *grid.pixel_size));
         points.step = size / static_cast<double>(points.count);
     }
     if (points.count < 2 || (open && old_count < 2))

@@ -60,12 +60,12 @@ constexpr std::size_t levels_compared = 5;
 Found clipped_at(const Evidence& evidence, const std::vector<Level>& levels, bool top) {
     const auto at = [&](std::size_t k) { return top ? levels[levels.size() - 1 - k] : levels[k]; };
     if (levels.size() <= 2 * levels_compared) return {};
-    double beside = 0.0;
+    double mean_count = 0.0;
     for (std::size_t k = 1; k <= levels_compared; ++k)
-        beside += static_cast<double>(at(k).count) / static_cast<double>(levels_compared);
+        mean_count += static_cast<double>(at(k).count) / static_cast<double>(levels_compared);
     const auto [height, count] = at(0);
     // tails become thinner towards their ends: a last level with more points than those before it is a limit
-    if (count < 5 || static_cast<double>(count) < 3.0 * beside) return {};
+    if (count < 5 || static_cast<double>(count) < 3.0 * mean_count) return {};
     const double share = static_cast<double>(count) / static_cast<double>(evidence.defined);
     const char* end = top ? "highest" : "lowest";
     return Finding{

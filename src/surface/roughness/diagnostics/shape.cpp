@@ -47,15 +47,15 @@ private:
 /// Mean of `difference` of a point and those around it, over all points sufficiently inside and with a defined value; 0
 /// if there is none.
 template <class Rows, class Difference>
-double mean_difference(Rows& rows, Index before_i, Index behind_i, Index before_j, Index behind_j,
+double mean_difference(Rows& rows, Index before_i, Index after_i, Index before_j, Index after_j,
                        const Difference& difference) {
     double sum = 0.0;
     Index n = 0;
-    for (Index i = before_i; i + behind_i < rows.rows(); ++i) {
+    for (Index i = before_i; i + after_i < rows.rows(); ++i) {
         const double *const last = rows.row(i - before_i), *const here = rows.row(i),
-                            *const next = rows.row(i + behind_i);
-        for (Index j = before_j; j + behind_j < rows.columns(); ++j) {
-            const double value = difference(last + j - before_j, here + j, next + j + behind_j);
+                            *const next = rows.row(i + after_i);
+        for (Index j = before_j; j + after_j < rows.columns(); ++j) {
+            const double value = difference(last + j - before_j, here + j, next + j + after_j);
             if (!std::isnan(value)) {
                 sum += value;
                 ++n;

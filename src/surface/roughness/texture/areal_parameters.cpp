@@ -96,16 +96,16 @@ std::vector<TextureParameter> areal_parameters(const MeasurementView& measuremen
     const auto heights = height_parameters(view, threads);
     const auto& only = options.only;
     const auto hybrid =
-        wants(only, {"Sdq", "Sdr", "Sdq_c", "Sdr_c"}) ? hybrid_parameters(map, threads) : HybridParameters{};
-    const bool correlated = wants(only, {"Sq", "Ssk", "Sku", "Sa", "Sal", "Str", "Std"});
+        is_requested(only, {"Sdq", "Sdr", "Sdq_c", "Sdr_c"}) ? hybrid_parameters(map, threads) : HybridParameters{};
+    const bool correlated = is_requested(only, {"Sq", "Ssk", "Sku", "Sa", "Sal", "Str", "Std"});
     const auto spatial = !correlated        ? SpatialParameters{}
                          : heights.Sq > 0.0 ? spatial_parameters(map, {.threshold = options.threshold}, threads)
                                             : no_spatial_parameters(map);
     auto ratios = options.ratios;
     ratios.inverse = options.material_ratio;
     ratios.height = heights.mean + options.material_height;
-    const bool with_curve = wants(only, {"Smr(c)", "Smc(p)", "Sdc", "Sxp", "Sk", "Spk", "Svk", "Smrk1", "Smrk2", "Spkx",
-                                         "Svkx", "Sak1", "Sak2", "Vmp", "Vmc", "Vvc", "Vvv"});
+    const bool with_curve = is_requested(only, {"Smr(c)", "Smc(p)", "Sdc", "Sxp", "Sk", "Spk", "Svk", "Smrk1", "Smrk2",
+                                                "Spkx", "Svkx", "Sak1", "Sak2", "Vmp", "Vmc", "Vvc", "Vvv"});
     const auto functional =
         with_curve ? functional_parameters(view, ratios, options.between, threads) : FunctionalParameters{};
 
@@ -144,7 +144,7 @@ std::vector<TextureParameter> areal_parameters(const MeasurementView& measuremen
     rows.add("Vmc", {functional.Vmc});
     rows.add("Vvc", {functional.Vvc});
     rows.add("Vvv", {functional.Vvv});
-    if (wants(only, {"Spd", "Svd", "Spc", "Svc", "S5p", "S5v", "S10z"}))
+    if (is_requested(only, {"Spd", "Svd", "Spc", "Svc", "S5p", "S5v", "S10z"}))
         add_features(rows, feature_parameters(map, {}, threads));
     return rows.take();
 }

@@ -100,7 +100,7 @@ std::vector<Alert> undefined_alerts(const MeasurementView& measurement) {
              "heights"}};
 }
 
-bool rests_on_short_waves(std::string_view symbol) {
+bool depends_on_short_waves(std::string_view symbol) {
     static constexpr std::array symbols{"Sdq", "Sdr", "Sdq_c", "Sdr_c", "Spc", "Svc", "Rdq", "Rda", "Rdq_2"};
     return std::find(symbols.begin(), symbols.end(), symbol) != symbols.end();
 }

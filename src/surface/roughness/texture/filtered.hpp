@@ -26,6 +26,6 @@ struct Bandwidth {
 [[nodiscard]] std::vector<Alert> undefined_alerts(const MeasurementView& measurement);
 
 /// Whether a parameter depends on the shortest waves, so a blunt tip makes it too small.
-[[nodiscard]] bool rests_on_short_waves(std::string_view symbol);
+[[nodiscard]] bool depends_on_short_waves(std::string_view symbol);
 
 }  // namespace setae::texture

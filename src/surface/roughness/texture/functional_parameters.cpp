@@ -77,8 +77,8 @@ void require_ratio(double ratio) {
 }
 
 /// Volumes above and below heights, in any order.
-MaterialVolumes volumes_beside(const MeasurementView& measurement, const ArrayView1D& heights, Between between,
-                               parallel::Threads threads) {
+MaterialVolumes volumes_at(const MeasurementView& measurement, const ArrayView1D& heights, Between between,
+                           parallel::Threads threads) {
     MaterialVolumes volumes{Array1D(heights.size()), Array1D(heights.size()), Array1D(heights.size())};
     std::vector<double> sorted(heights.begin(), heights.end());
     std::sort(sorted.begin(), sorted.end());
@@ -131,7 +131,7 @@ FunctionalParameters functional_parameters(const MeasurementView& measurement, c
     const HeightLocator locate(Eigen::Map<const Array1D>(curve.nodes().data(), std::ssize(curve.nodes())));
     const auto heights = heights_at_ratio(elements, locate, curve.sums(), wanted, threads);
     const Array1D levels = (Array1D(3) << heights.head(2), ratios.height.value_or(heights[0])).finished();
-    const auto volumes = volumes_beside(measurement, levels, between, threads);
+    const auto volumes = volumes_at(measurement, levels, between, threads);
     result.Smc = heights[6];
     if (ratios.height) result.Smr = volumes.ratio[2];
     result.Vmp = volumes.material[0];

@@ -26,7 +26,7 @@ public:
         for (int k = count_ - 1; k >= 0; --k) first_[step_of(heights_[static_cast<std::size_t>(k)])] = k;
         for (auto step = first_.size() - 1; step-- > 0;) first_[step] = std::min(first_[step], first_[step + 1]);
         for (std::size_t step = 0; step + 1 < first_.size(); ++step)
-            most_ = std::max(most_, first_[step + 1] - first_[step]);
+            max_ = std::max(max_, first_[step + 1] - first_[step]);
     }
 
     /// Number of heights <= value; −1 for NaN.
@@ -35,11 +35,11 @@ public:
         if (value >= heights_[static_cast<std::size_t>(count_ - 1)]) return count_;
         const auto step = step_of(value);
         int k = first_[step];
-        if (most_ > 4) {
+        if (max_ > 4) {
             const auto begin = heights_.begin() + k;
             return k + static_cast<int>(std::upper_bound(begin, heights_.begin() + first_[step + 1], value) - begin);
         }
-        for (int m = 0; m < most_; ++m) k += heights_[static_cast<std::size_t>(k)] <= value ? 1 : 0;
+        for (int m = 0; m < max_; ++m) k += heights_[static_cast<std::size_t>(k)] <= value ? 1 : 0;
         return k;
     }
 
@@ -56,7 +56,7 @@ private:
     int count_;
     double scale_ = 0.0;
     std::vector<int> first_;  ///< of each step, the first height in it or after it
-    int most_ = 0;            ///< maximum number of heights in one step
+    int max_ = 0;             ///< maximum number of heights in one step
 };
 
 }  // namespace setae::texture

@@ -9,7 +9,7 @@
 
 namespace setae::texture {
 
-bool wants(const std::vector<std::string>& only, std::initializer_list<std::string_view> symbols) {
+bool is_requested(const std::vector<std::string>& only, std::initializer_list<std::string_view> symbols) {
     return only.empty() || std::any_of(symbols.begin(), symbols.end(), [&only](std::string_view symbol) {
                return std::find(only.begin(), only.end(), symbol) != only.end();
            });
@@ -26,7 +26,7 @@ ParameterRows::ParameterRows(Standard standard, std::string filter, Bandwidth ba
       letter_(letter) {}
 
 void ParameterRows::add(std::string_view symbol, Estimate estimate, std::vector<Alert> alerts) {
-    if (!wants(only_, {symbol})) return;
+    if (!is_requested(only_, {symbol})) return;
     const auto& definition = parameter(symbol);
     Quantity quantity;
     quantity.quantity = definition.name;
@@ -43,7 +43,7 @@ void ParameterRows::add(std::string_view symbol, Estimate estimate, std::vector<
                           "read the definition of the parameter; it needs heights that are not all equal"});
     quantity.alerts = std::move(alerts);
     quantity.alerts.insert(quantity.alerts.end(), alerts_.begin(), alerts_.end());
-    if (rests_on_short_waves(symbol))
+    if (depends_on_short_waves(symbol))
         quantity.alerts.insert(quantity.alerts.end(), bandwidth_.alerts.begin(), bandwidth_.alerts.end());
     quantity.estimate = std::move(estimate);
     rows_.push_back({std::move(quantity), filter_});

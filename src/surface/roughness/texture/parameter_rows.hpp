@@ -11,7 +11,7 @@
 namespace setae::texture {
 
 /// Whether at least one of these symbols is requested, or all are.
-[[nodiscard]] bool wants(const std::vector<std::string>& only, std::initializer_list<std::string_view> symbols);
+[[nodiscard]] bool is_requested(const std::vector<std::string>& only, std::initializer_list<std::string_view> symbols);
 
 /// List of parameters in preparation, each with its entry in the table and the common properties.
 class ParameterRows {

@@ -170,9 +170,9 @@ std::vector<TextureParameter> profile_parameters(const MeasurementView& line, co
     rows.add("Rdt", {whole.slopes.Rdt});
     rows.add("Rdl", {(1.0 + whole.slopes.Rdr) * size});
     rows.add("Rdr", {whole.slopes.Rdr});
-    if (wants(options.only, {"Ral"})) add_autocorrelation_length(rows, view, whole.heights.Sq);
-    if (wants(options.only, {"Rmr(c)", "Rmc(p)", "Rdc", "Rk", "Rpk", "Rvk", "Rmrk1", "Rmrk2", "Rak1", "Rak2", "Rpkx",
-                             "Rvkx", "Rvmp", "Rvmc", "Rvvc", "Rvvv"}))
+    if (is_requested(options.only, {"Ral"})) add_autocorrelation_length(rows, view, whole.heights.Sq);
+    if (is_requested(options.only, {"Rmr(c)", "Rmc(p)", "Rdc", "Rk", "Rpk", "Rvk", "Rmrk1", "Rmrk2", "Rak1", "Rak2",
+                                    "Rpkx", "Rvkx", "Rvmp", "Rvmc", "Rvvc", "Rvvv"}))
         add_curve(rows, view, options, mean_line, threads);
     return rows.take();
 }

@@ -92,11 +92,11 @@ Basins basins_of(const Grid& grid, parallel::Threads threads) {
             auto best = point;
             double highest = height;
             grid.for_neighbours(i, j, 0, [&](Index other) {
-                const double beside = other == none ? undefined : grid.at(other);
-                if (std::isnan(beside)) rim[static_cast<std::size_t>(point)] = 1;
-                else if (beside > highest) {
+                const double adjacent = other == none ? undefined : grid.at(other);
+                if (std::isnan(adjacent)) rim[static_cast<std::size_t>(point)] = 1;
+                else if (adjacent > highest) {
                     best = other;
-                    highest = beside;
+                    highest = adjacent;
                 }
             });
             uphill[static_cast<std::size_t>(point)] = static_cast<Label>(best);
@@ -176,10 +176,10 @@ std::vector<Saddle> contacts_of(const Grid& grid, const Basins& basins) {
             if (label == none || all_alike(i, j)) continue;
             grid.for_neighbours(i, j, first_forward, [&](Index other) {
                 if (other == none) return;
-                const auto beside = basins.of_point[static_cast<std::size_t>(other)];
-                if (beside == none || beside == label) return;
-                const Saddle found{std::min(grid.at(point), grid.at(other)), std::min(label, beside),
-                                   std::max(label, beside)};
+                const auto adjacent = basins.of_point[static_cast<std::size_t>(other)];
+                if (adjacent == none || adjacent == label) return;
+                const Saddle found{std::min(grid.at(point), grid.at(other)), std::min(label, adjacent),
+                                   std::max(label, adjacent)};
                 if (contacts.empty() || contacts.back().a != found.a || contacts.back().b != found.b)
                     contacts.push_back(found);
                 else contacts.back().height = std::max(contacts.back().height, found.height);
@@ -236,19 +236,19 @@ std::vector<Peak> significant_peaks(const topography::HeightMap& map, Up up, dou
     for (const auto& saddle : saddles_of(grid, basins)) {
         auto higher = lands.find(saddle.a), lower = lands.find(saddle.b);
         if (higher == lower) continue;
-        auto hill_beside = hills.find(saddle.a);
+        auto adjacent_hill = hills.find(saddle.a);
         if (peak_height(lower) > peak_height(higher)) {
             std::swap(higher, lower);
-            hill_beside = hills.find(saddle.b);
+            adjacent_hill = hills.find(saddle.b);
         }
         if (peak_height(lower) - saddle.height < least) {
             const auto joined = hills.find(lower);
             // the higher peak of the two is that of the hill
-            if (peak_height(joined) > peak_height(hill_beside))
-                basins.peak[static_cast<std::size_t>(hill_beside)] = basins.peak[static_cast<std::size_t>(joined)];
-            auto& complete = basins.complete[static_cast<std::size_t>(hill_beside)];
+            if (peak_height(joined) > peak_height(adjacent_hill))
+                basins.peak[static_cast<std::size_t>(adjacent_hill)] = basins.peak[static_cast<std::size_t>(joined)];
+            auto& complete = basins.complete[static_cast<std::size_t>(adjacent_hill)];
             complete = complete != 0 && basins.complete[static_cast<std::size_t>(joined)] != 0 ? 1 : 0;
-            hills.join(hill_beside, joined);
+            hills.join(adjacent_hill, joined);
         }
         lands.join(higher, lower);
     }

@@ -24,7 +24,7 @@ Array1D interpolated(const Array1D& wavevector, const Array1D& values, const Arr
 
 /// Whether the noise of a class is the stated noise of its trace, which scales with the data.
 bool has_stated_noise(const PeriodogramClass& data) {
-    return data.noise_response.size() > 0 && data.noise_known_to > 0.0;
+    return data.noise_response.size() > 0 && data.noise_prior_deviation > 0.0;
 }
 
 void move_heights(PeriodogramClass& data, double log_factor) {

@@ -268,7 +268,7 @@ private:
             g.data.amplitude_end = fine ? pi / g.probe->size : spline_.shortest();
             g.data.reference_amplitude = amplitude(g);
         }
-        flatten_below(end_of_unseen());
+        flatten_below(end_of_unmeasured());
         return rounds_ > 0 && change < small_change * small_change * weight;
     }
 
@@ -289,7 +289,7 @@ private:
 
     /// End of the waves, longer than those that carry the heights, of which more than half of the measured power is
     /// added by a tip.
-    [[nodiscard]] double end_of_unseen() const {
+    [[nodiscard]] double end_of_unmeasured() const {
         constexpr double half = 0.5, longer = 3.0;
         double end = 0.0;
         for (const auto& g : groups_)

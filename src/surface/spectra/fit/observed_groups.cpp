@@ -20,7 +20,7 @@ namespace setae::spectral_fit {
 namespace {
 
 /// Relative error of the noise of a trace estimated by the scatter along its points.
-constexpr double noise_of_traces_known_to = 0.2;
+constexpr double noise_error_of_traces = 0.2;
 
 int trend_degree(const ObservedSurface& observed) {
     return std::max(observed.trend == topography::Trend::parabola ? 2 : 1, observed.trend_degree);
@@ -53,13 +53,13 @@ void add_response(ObservedGroup& group, const ScanShape& shape, const SpectrumRa
     // C continues between the last node and q_s and is 0 beyond: the hat of the next node adds the missing part
     const double rest = end - static_cast<double>(last) - 0.5;
     const Index count = last - first + 1;
-    const Array1D behind = std::exp(-2.0 * node_spacing) * kernel.response.col(count);
-    kernel.response.col(count - 1) += rest * behind;
+    const Array1D next_node = std::exp(-2.0 * node_spacing) * kernel.response.col(count);
+    kernel.response.col(count - 1) += rest * next_node;
     kernel.response.col(0) += kernel.flat_response;
     group.data.nodes =
         (Array1D::LinSpaced(count, static_cast<double>(first), static_cast<double>(last)) * node_spacing).exp() / step;
     group.data.response = kernel.response.leftCols(count) / step;
-    group.end_response = behind / step;
+    group.end_response = next_node / step;
     group.data.noise_response = kernel.noise_response * step;
 }
 
@@ -191,7 +191,7 @@ void add_curve(std::vector<ObservedGroup>& groups, const topography::Profile& cu
     group.pixel_size = kernel.length / static_cast<double>(curve.positions.size() - 1);
     if (kernel.noise.size() > 0 && kernel.noise.maxCoeff() > 0.0) {
         group.data.noise_response = std::move(kernel.noise);
-        group.data.noise_known_to = noise_of_traces_known_to;
+        group.data.noise_prior_deviation = noise_error_of_traces;
     } else if (curve.metadata.instrument.type != "tem") {
         group.data.noise_response = white_noise(curve, options.threads);
     }

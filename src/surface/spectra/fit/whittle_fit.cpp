@@ -30,7 +30,8 @@ struct NoisePrior {
 /// per octave, (6 − r)/5 of it: a surface alone decreases at least threefold there, aliases included. Otherwise only
 /// the bound is known; far below it noise is irrelevant, and data that need more noise show it at little cost.
 NoisePrior noise_prior(const PeriodogramClass& data) {
-    constexpr double hardly = 2.5, sixfold = 6.0, far = 100.0, known_to = 0.3, unknown_to = 3.0, weakest = 1e-60;
+    constexpr double hardly = 2.5, sixfold = 6.0, far = 100.0, error_if_seen = 0.3, error_if_unseen = 3.0,
+                     weakest = 1e-60;
     const double share_of_bound = std::log(1e-3);
     const Array1D level = (data.periodogram / data.noise_response).max(weakest);
     const double nyquist = data.wavevector[data.wavevector.size() - 1], bound = std::log(level.minCoeff());
@@ -43,9 +44,10 @@ NoisePrior noise_prior(const PeriodogramClass& data) {
         ++counts[octave];
     }
     const double lower = sums[0] / static_cast<double>(counts[0]), upper = sums[1] / static_cast<double>(counts[1]);
-    if (lower > hardly * upper || level.maxCoeff() < far * upper) return {bound + share_of_bound, unknown_to, bound};
+    if (lower > hardly * upper || level.maxCoeff() < far * upper)
+        return {bound + share_of_bound, error_if_unseen, bound};
     const double left = (sixfold - std::max(1.0, lower / upper)) / (sixfold - 1.0);
-    return {std::log(left * upper), known_to, bound, true};
+    return {std::log(left * upper), error_if_seen, bound, true};
 }
 
 /// One per class with noise. The noise of one class of an instrument is the prior for its others, to a factor of e in
@@ -56,8 +58,8 @@ std::vector<NoisePrior> noise_priors(const std::vector<PeriodogramClass>& classe
     std::map<std::string, std::pair<double, int>> seen;
     for (std::size_t c = 0; c < classes.size(); ++c) {
         if (classes[c].noise_response.size() == 0) continue;
-        if (classes[c].noise_known_to > 0.0) {
-            priors[c] = {0.0, classes[c].noise_known_to, 0.0, false, true};
+        if (classes[c].noise_prior_deviation > 0.0) {
+            priors[c] = {0.0, classes[c].noise_prior_deviation, 0.0, false, true};
             continue;
         }
         priors[c] = noise_prior(classes[c]);
@@ -170,7 +172,7 @@ private:
     /// Index of ln σ² of a class among the parameters; −1 without.
     [[nodiscard]] Index index_of_noise(const PeriodogramClass& c) {
         if (c.noise_response.size() == 0) return -1;
-        if (!(c.noise_known_to > 0.0)) return parameters_++;
+        if (!(c.noise_prior_deviation > 0.0)) return parameters_++;
         const auto [place, is_new] = known_noise_.emplace(c.instrument, parameters_);
         if (is_new) ++parameters_;
         return place->second;

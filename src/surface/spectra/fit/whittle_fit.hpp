@@ -22,12 +22,12 @@ struct PeriodogramClass {
     double surface_end = 0.0;  ///< of C_iso of a stretched surface, which is 0 beyond it [1/m]
     Array1D noise_response;    ///< E[P] of white noise of variance 1 m², for a contour that of the stated noise of its
                                ///< trace; empty if no noise is fitted
-    double noise_known_to = 0.0;  ///< prior standard deviation of ln σ² about 0, with one σ² for all classes of an
-                                  ///< instrument; 0: from the periodogram
-    Array1D log_followed;         ///< ln a² of the tip at the nodes; empty without
-    Array1D followed_response;    ///< ∂ ln a²/∂ ln A, A the amplitude below
-    Array1D added;                ///< power added by the tip to the periodogram [m³]; empty without
-    Array1D added_response;       ///< ∂ ln added/∂ ln A
+    double noise_prior_deviation = 0.0;  ///< prior standard deviation of ln σ² about 0, with one σ² for all classes of
+                                         ///< an instrument; 0: from the periodogram
+    Array1D log_followed;       ///< ln a² of the tip at the nodes; empty without
+    Array1D followed_response;  ///< ∂ ln a²/∂ ln A, A the amplitude below
+    Array1D added;              ///< power added by the tip to the periodogram [m³]; empty without
+    Array1D added_response;     ///< ∂ ln added/∂ ln A
     Array2D added_errors;  ///< ε_j of E_added = exp(Σ η_j ε_j) added, one row each; η of variance 1, common to all
                            ///< classes of a tip
     std::string probe;     ///< distinguishes tips

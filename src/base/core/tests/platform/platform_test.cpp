@@ -140,7 +140,7 @@ TEST(Memory, OfAMachineIsSome) {
 
 TEST(Libraries, AreThereOrSayWhyNot) {
     EXPECT_EQ(loaded_library("libnone.so.0"), nullptr);
-    EXPECT_NE(reason_of_missing().find("libnone"), std::string::npos);
+    EXPECT_NE(loading_error().find("libnone"), std::string::npos);
     auto* const own = loaded_library(nullptr);
     EXPECT_NE(function_of(own, "malloc"), nullptr);
     EXPECT_EQ(function_of(own, "no_such_function"), nullptr);

@@ -90,9 +90,9 @@ TEST(ContourTrace, DarkVacuumIsToldByItsLackOfStructureOrByTheUser) {
     const auto structured = trace_contour(pixels);
     EXPECT_EQ(structured.vacuum, Vacuum::dark);
     EXPECT_FALSE(has(structured, "VACUUM_ASSUMED"));
-    const auto told = trace_contour(rendered(picture, wave), {.vacuum = Vacuum::dark});
-    EXPECT_EQ(told.vacuum, Vacuum::dark);
-    EXPECT_LT(errors_of(told.segments.at(0), picture, wave).rms, 0.25);
+    const auto given = trace_contour(rendered(picture, wave), {.vacuum = Vacuum::dark});
+    EXPECT_EQ(given.vacuum, Vacuum::dark);
+    EXPECT_LT(errors_of(given.segments.at(0), picture, wave).rms, 0.25);
     EXPECT_TRUE(has(trace_contour(rendered(picture, wave)), "VACUUM_ASSUMED"));
 }
 

@@ -23,7 +23,7 @@ double memory(const std::string& name) {
 }
 
 /// Most memory that is held beyond the map while its faults are looked for [bytes].
-double held_beside(const topography::HeightMap& heights) {
+double additional_memory(const topography::HeightMap& heights) {
     const topography::Measurement map = heights;
     std::ofstream("/proc/self/clear_refs") << 5;  // the largest memory counts from here
     const double before = memory("VmRSS:");
@@ -49,7 +49,7 @@ topography::HeightMap with_every_fault(Index n) {
 TEST(Diagnose, HoldsOneMoreMapAndItsMasks) {
     const auto small = with_every_fault(512), large = with_every_fault(1024);
     const double bytes = 8.0 * static_cast<double>(large.heights.size());
-    const double of_small = held_beside(small), of_large = held_beside(large);
+    const double of_small = additional_memory(small), of_large = additional_memory(large);
     EXPECT_LT(of_large, 1.75 * bytes);
     EXPECT_GT(of_large, 0.9 * bytes);
     // exponent of memory over points

@@ -65,32 +65,32 @@ LikelihoodSpectrum fitted(const std::vector<ObservedSurface>& observed) {
 }
 
 TEST(RemovedWaves, OfAPolynomialAreExpected) {
-    std::vector<ObservedSurface> told, untold;
+    std::vector<ObservedSurface> with_data, without_data;
     for (std::uint64_t seed = 1; seed <= 60; ++seed) {
         auto scan = line(seed);
         remove_polynomial(scan, 7);
-        told.push_back({scan, topography::Trend::none, 7});
-        untold.push_back({scan, topography::Trend::none});
+        with_data.push_back({scan, topography::Trend::none, 7});
+        without_data.push_back({scan, topography::Trend::none});
     }
     const double from = 2.0 * pi / 25e-6, to = 2.0 * pi / 12e-6;
-    const auto right = fitted(told), wrong = fitted(untold);
+    const auto right = fitted(with_data), wrong = fitted(without_data);
     EXPECT_LT(std::abs(long_waves(right, from, to) / nodes(right, from, to)), 0.12);
     EXPECT_LT(long_waves(wrong, from, to) / nodes(wrong, from, to), -0.4);
 }
 
 TEST(RemovedWaves, OfAFilterAreLeftOut) {
-    std::vector<ObservedSurface> told, untold;
+    std::vector<ObservedSurface> with_data, without_data;
     for (std::uint64_t seed = 1; seed <= 60; ++seed) {
         auto scan = line(seed);
         remove_long_waves(scan);
-        told.push_back({scan, topography::Trend::none, 0, {2.0 * pi / 3.6e-6, 1e12}});
-        untold.push_back({scan, topography::Trend::none});
+        with_data.push_back({scan, topography::Trend::none, 0, {2.0 * pi / 3.6e-6, 1e12}});
+        without_data.push_back({scan, topography::Trend::none});
     }
     const double from = 2.0 * pi / 3.5e-6, to = 2.0 * pi / 2e-6, cut = 2.0 * pi / 5e-6;
-    const auto right = fitted(told), wrong = fitted(untold);
+    const auto right = fitted(with_data), wrong = fitted(without_data);
     EXPECT_GT(right.C_iso.band.lower, 2.0 * pi / 3.7e-6);
     EXPECT_LT(std::abs(long_waves(right, from, to) / nodes(right, from, to)), 0.12);
-    // untold, the fit bends to what is missing
+    // without_data, the fit bends to what is missing
     EXPECT_LT(long_waves(wrong, cut, from) / nodes(wrong, cut, from), -0.3);
 }
 

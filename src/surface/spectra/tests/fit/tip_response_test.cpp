@@ -268,14 +268,14 @@ TEST(TipResponse, OnceMoreKeepsTheDerivatives) {
     EXPECT_TRUE((again.followed_response == first.followed_response).all());
     EXPECT_TRUE((again.added_response == first.added_response).all());
     EXPECT_TRUE((again.size_response == first.size_response).all());
-    // they themselves are what the derivatives foretold
+    // they themselves are what the derivatives expected
     const double q = 2.0 * pi / 400e-9, change = std::log(1.05 * 1.05);
-    const auto foretold = [&](const Array1D& values, const Array1D& slope) {
+    const auto expected = [&](const Array1D& values, const Array1D& slope) {
         return at(first.wavevector, values, q) + change * at(first.wavevector, slope, q);
     };
-    EXPECT_NEAR(at(again.wavevector, again.log_followed, q), foretold(first.log_followed, first.followed_response),
+    EXPECT_NEAR(at(again.wavevector, again.log_followed, q), expected(first.log_followed, first.followed_response),
                 2e-3);
-    EXPECT_NEAR(at(again.wavevector, again.log_added, q), foretold(first.log_added, first.added_response), 0.02);
+    EXPECT_NEAR(at(again.wavevector, again.log_added, q), expected(first.log_added, first.added_response), 0.02);
 }
 
 TEST(TipResponse, IsTheSameForAnyNumberOfThreads) {

@@ -58,9 +58,9 @@ void unlock_folder(int lock);
 /// Whether the path still leads to the locked folder; another process may have removed or replaced it.
 [[nodiscard]] bool is_locked(int lock, const std::string& folder);
 
-/// Creates an empty file with a new name; links are not followed. for_owner_alone: only the owner may read it. @returns
+/// Creates an empty file with a new name; links are not followed. only_for_owner: only the owner may read it. @returns
 /// the reason of a failure, of the generic category.
-[[nodiscard]] std::error_code make_new_file(const std::string& path, bool for_owner_alone);
+[[nodiscard]] std::error_code make_new_file(const std::string& path, bool only_for_owner);
 /// Gives a file the permissions of another file, and its owner if the system allows it; no effect if the other is not a
 /// file.
 [[nodiscard]] std::error_code take_permissions(const std::string& path, const std::string& model);

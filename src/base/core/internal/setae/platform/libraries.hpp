@@ -12,6 +12,6 @@ namespace setae::platform {
 [[nodiscard]] void* function_of(void* library, const char* name);
 
 /// Reason of the last null result; empty if the system gives none.
-[[nodiscard]] std::string reason_of_missing();
+[[nodiscard]] std::string loading_error();
 
 }  // namespace setae::platform

@@ -10,7 +10,7 @@ namespace setae::imaging {
 
 /// After this call OpenCV writes nothing to the streams of the program and uses the number of threads of Threads{}; its
 /// exceptions are reported where they are caught.
-inline void keep_opencv_in_hand() {
+inline void limit_opencv() {
     static const bool quiet = [] {
         cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
         cv::redirectError([](int, const char*, const char*, const char*, int, void*) { return 0; });

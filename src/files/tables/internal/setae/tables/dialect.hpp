@@ -29,7 +29,7 @@ using bytes::parse_cell;
 
 /// Whether a line is a comment: it begins with '#' or '%', and not with a spreadsheet error such as "#NV" or "#DIV/0!",
 /// which is a cell.
-[[nodiscard]] bool is_remark(std::string_view line);
+[[nodiscard]] bool is_comment(std::string_view line);
 
 /// Cells of a line, with their quotes, in which separators are the cell's own; for separator ' ' runs of blanks and
 /// tabs separate and none lead or trail.
