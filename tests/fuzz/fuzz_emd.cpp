@@ -55,7 +55,7 @@ tests::EmdFile described(std::string_view bytes) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    setae::bytes::leave_out_rehearsals();
+    setae::bytes::disable_rehearsals();
     const auto bytes = described(setae::fuzz::text_of(data, size)).bytes();
     setae::fuzz::read_or_refuse(
         [&] { return read_emd(setae::bytes::memory_source("input", std::string(bytes)), setae::fuzz::options); });

@@ -173,7 +173,7 @@ std::string hdf5_file(Description described) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-    bytes::leave_out_rehearsals();
+    bytes::disable_rehearsals();
     const auto source = bytes::memory_source("input", hdf5_file(Description(fuzz::text_of(data, size))));
     try {
         for (const auto& channel : formats::open(source, fuzz::given)) fuzz::read_heights(channel);

@@ -162,7 +162,7 @@ FileMapping file_mapping(const Arguments& arguments, const std::string& file) {
     try {
         result.mapping = tables::mapping_from(*result.guess, chosen, required);
     } catch (const FormatError& error) {
-        auto help = tables::fitting_mappings_remark(file, mapping_folder());
+        auto help = tables::fitting_mappings_hint(file, mapping_folder());
         if (!arguments.save_map.empty()) {
             bytes::write_whole_file(arguments.save_map, tables::mapping_template(*result.guess, chosen, required));
             help += fmt::format("; {} written; replace each \"?\" in this file and give the file with --mapping",

@@ -124,7 +124,7 @@ MapFilterOf<Real>::MapFilterOf(const parallel::Slab& rows, Index ny, Index perio
         room.modes.assign(extent(blocks_of(modes_y_, columns_per_block) * columns_per_block), ComplexOf<Real>{});
         room.columns.resize(extent(columns_per_block * column_stride_));
     }
-    if (rows_.alone()) return;
+    if (rows_.in_one_process()) return;
     constexpr Index bytes = sizeof(ComplexOf<Real>);
     column_begins_.push_back(0);
     for (int rank = 0; rank < rows_.ranks(); ++rank) {
@@ -177,7 +177,7 @@ MultiplierOf<Real> MapFilterOf<Real>::kernel_multiplier(const std::function<doub
             throw InvalidArgument(
                 fmt::format("a kernel along {} needs an even period, but the filter has {} points", axis, period));
     };
-    if (!rows_.alone())
+    if (!rows_.in_one_process())
         throw InvalidArgument(
             "a kernel is given for a map that is divided between processes; expected factors of modes");
     MultiplierOf<Real> result = multiplier(kernel);
@@ -202,19 +202,19 @@ ComplexOf<Real>* MapFilterOf<Real>::block(Index index) {
 
 template <class Real>
 ComplexOf<Real>* MapFilterOf<Real>::piece(int rank, Index index) {
-    if (rows_.alone()) return block(index);
+    if (rows_.in_one_process()) return block(index);
     constexpr Index bytes = sizeof(ComplexOf<Real>);
     return columns_.data() + column_begins_[extent(rank)] / bytes + (index - blocks_.first()) * block_stride(rank);
 }
 
 template <class Real>
 void MapFilterOf<Real>::hand_on() {
-    if (!rows_.alone()) rows_.exchange(half_.data(), row_begins_, columns_.data(), column_begins_);
+    if (!rows_.in_one_process()) rows_.exchange(half_.data(), row_begins_, columns_.data(), column_begins_);
 }
 
 template <class Real>
 void MapFilterOf<Real>::hand_back() {
-    if (!rows_.alone()) rows_.exchange(columns_.data(), column_begins_, half_.data(), row_begins_);
+    if (!rows_.in_one_process()) rows_.exchange(columns_.data(), column_begins_, half_.data(), row_begins_);
 }
 
 template <class Real>

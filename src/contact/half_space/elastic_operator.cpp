@@ -56,7 +56,7 @@ ElasticOperator::ElasticOperator(const Grid& grid, const Body& body, Edges edges
       slab_(slab_of(grid, ranks)),
       filter_(slab_, grid.ny, period(grid.nx, repeats_along_x(edges)), period(grid.ny, repeats_along_y(edges)),
               threads) {
-    if (!slab_.alone() && edges != Edges::periodic)
+    if (!slab_.in_one_process() && edges != Edges::periodic)
         throw InvalidArgument("a map with free edges is divided between processes; expected periodic edges");
     const double x = grid.nx > 1 ? 2.0 * pi / grid.size_x : 0.0, y = grid.ny > 1 ? 2.0 * pi / grid.size_y : 0.0;
     const double longest = x > 0.0 && y > 0.0 ? std::min(x, y) : std::max(x, y);

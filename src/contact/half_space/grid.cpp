@@ -26,7 +26,7 @@ void require_shape(const ArrayView2D& map, const Grid& grid, const char* what) {
 void require_shape(const ArrayView2D& map, const Grid& grid, const parallel::Slab& slab, const char* what) {
     const bool differs = map.rows() != slab.rows() || map.cols() != grid.ny;
     if (!slab.anywhere(differs)) return;
-    if (slab.alone())
+    if (slab.in_one_process())
         throw InvalidArgument(fmt::format("{} have {} x {} points, but the grid has {} x {}", what, map.rows(),
                                           map.cols(), grid.nx, grid.ny));
     throw InvalidArgument(fmt::format("{} have {} x {} points here, but this process has rows {} to {} of {} x {}{}",

@@ -35,6 +35,6 @@ void rehearse(const std::string& name, const std::string& library, const std::fu
         throw FormatError(name, {}, fmt::format("{}: {}; the file is damaged", library, end_of_child(*end)));
 }
 
-void leave_out_rehearsals() { left_out = true; }
+void disable_rehearsals() { left_out = true; }
 
 }  // namespace setae::bytes

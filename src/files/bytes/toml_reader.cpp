@@ -38,7 +38,7 @@ TomlReader::TomlReader(const toml::table& table, std::string path, std::string w
     : table_(&table),
       path_(std::move(path)),
       where_(std::move(where)),
-      remarks_(std::make_shared<std::vector<KeyRemark>>()) {}
+      warnings_(std::make_shared<std::vector<KeyWarning>>()) {}
 
 const toml::node* TomlReader::find(const char* key) {
     known_.insert(key);
@@ -51,11 +51,11 @@ void TomlReader::fail(const char* key, const std::string& what) const {
                       fmt::format("{}{}: {}", where_.empty() ? "" : where_ + ".", key, what));
 }
 
-void TomlReader::remark(const char* key, std::string text) {
+void TomlReader::warn(const char* key, std::string text) {
     const auto* node = table_->get(key);
     const auto& place = node ? *node : static_cast<const toml::node&>(*table_);
-    remarks_->push_back({fmt::format("{}:{}", path_, place.source().begin.line),
-                         where_.empty() ? std::string(key) : fmt::format("{}.{}", where_, key), std::move(text)});
+    warnings_->push_back({fmt::format("{}:{}", path_, place.source().begin.line),
+                          where_.empty() ? std::string(key) : fmt::format("{}.{}", where_, key), std::move(text)});
 }
 
 std::string TomlReader::without_zero_byte(const char* key, const std::string& text) const {
@@ -187,7 +187,7 @@ void TomlReader::require_inputs_used() const {
 TomlReader TomlReader::inner(const toml::table& table, std::string where) const {
     TomlReader reader(table, path_, std::move(where));
     reader.named_ = named_;
-    reader.remarks_ = remarks_;
+    reader.warnings_ = warnings_;
     return reader;
 }
 
@@ -285,7 +285,7 @@ void TomlReader::each_table(const char* key, const std::function<void(TomlReader
     }
 }
 
-std::string TomlReader::beside(const std::string& path) const {
+std::string TomlReader::resolved_path(const std::string& path) const {
     const std::filesystem::path given(path);
     return given.is_absolute() ? path
                                : (std::filesystem::path(path_).parent_path() / given).lexically_normal().string();

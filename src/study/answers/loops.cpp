@@ -148,7 +148,7 @@ study::OpenedLoop LoopFiles::open(const std::string& file) const {
         try {
             return study::open_loop(wanted);
         } catch (const FormatError& error) {
-            const auto remark = tables::fitting_mappings_remark(file, mapping_folder);
+            const auto remark = tables::fitting_mappings_hint(file, mapping_folder);
             if (remark.empty()) throw;
             throw InvalidArgument(error.what() + remark);
         }

@@ -17,7 +17,7 @@ void Slab::share(double* all) const {
 }
 
 bool Slab::anywhere(bool here) const {
-    if (alone()) return here;
+    if (in_one_process()) return here;
     std::vector<Index> begins;
     for (Index rank = 0; rank <= ranks(); ++rank) begins.push_back(rank);
     std::vector<double> flags(static_cast<std::size_t>(ranks()), 0.0);

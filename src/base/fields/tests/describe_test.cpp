@@ -95,7 +95,7 @@ struct Described<Sample> {
         made<T>("twice", "computed", [](const T& of) { return 2.0 * of.number; }),
         made<T>("of_its_own_unit", "computed",
                 [](const T& of) { return Quantity{.quantity = "q", .estimate = {.value = of.number}, .unit = "m/s"}; }),
-        written_apart("answer", "by other code"),
+        written_elsewhere("answer", "by other code"),
         inner<&T::hidden>(),
     };
     static constexpr Description description{"", "a sample", rows};

@@ -58,7 +58,7 @@ std::vector<std::string> fitting_mappings(const std::string& file, const std::st
     return names;
 }
 
-std::string fitting_mappings_remark(const std::string& file, const std::string& folder) {
+std::string fitting_mappings_hint(const std::string& file, const std::string& folder) {
     const auto fitting = fitting_mappings(file, folder);
     return fitting.empty() ? ""
                            : fmt::format("; a mapping that came with setae reads it: --mapping {}",

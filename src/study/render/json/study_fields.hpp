@@ -570,7 +570,7 @@ struct Described<output::StudyEntry> {
                 [](const T& of) -> std::optional<Quantity> {
                     const auto& slope = of.result->loss_slope_of_works;
                     if (!slope) return std::nullopt;
-                    return resting_on(slope->pairs, slope->work_per_true_area);
+                    return with_count(slope->pairs, slope->work_per_true_area);
                 })
             .as("work_per_true_area")
             .from("loops with the measured W_app and W_ret, through the origin")

@@ -148,7 +148,7 @@ struct Described<output::GeneralisedWork> {
     using T = output::GeneralisedWork;
     static constexpr std::array rows{
         made<T>("work_of_adhesion", "W_int", "J/m2", "work of adhesion of the smooth interface",
-                [](const T& of) { return resting_on(of.n, of.work_of_adhesion); }),
+                [](const T& of) { return with_count(of.n, of.work_of_adhesion); }),
         inner<&T::work_of_adhesion>(),
         inner<&T::n>(),
         quantity<&T::r_squared>("r_squared", "R2", "1", "1 − SS_res/SS_tot"),
@@ -212,7 +212,7 @@ struct Described<output::FittedWork> {
     static constexpr std::array rows{
         made<T>("work_of_adhesion", "W_int", "J/m2", "W_int by least squares, each pair with the same weight",
                 [](const T& of) {
-                    auto work = resting_on(of.fit->n, of.fit->work_of_adhesion);
+                    auto work = with_count(of.fit->n, of.fit->work_of_adhesion);
                     work.source = of.source;
                     return work;
                 }),

@@ -24,7 +24,7 @@ void remark_implausible(bytes::TomlReader& reader, const char* key, double value
                                    : std::string();
     const auto range = std::isinf(upper) ? fmt::format("is below {}", in_unit(lower))
                                          : fmt::format("lies outside {} to {}", in_unit(lower), in_unit(upper));
-    reader.remark(key, fmt::format("{} {}{}", in_unit(value), range, factor));
+    reader.warn(key, fmt::format("{} {}{}", in_unit(value), range, factor));
 }
 
 }  // namespace setae::study

@@ -135,11 +135,11 @@ public:
     Keys& file(const char* key, Field field, std::string meaning) {
         if constexpr (std::same_as<Plain<Field>, std::vector<std::string>>)
             return add({key, "list of files", "", "", std::move(meaning)}, [=](Reader& reader, T& of) {
-                for (const auto& name : reader.texts(key)) std::invoke(field, of).push_back(reader.beside(name));
+                for (const auto& name : reader.texts(key)) std::invoke(field, of).push_back(reader.resolved_path(name));
             });
         else
             return add({key, "file", "", "", std::move(meaning)}, [=](Reader& reader, T& of) {
-                if (const auto name = reader.text(key)) std::invoke(field, of) = reader.beside(*name);
+                if (const auto name = reader.text(key)) std::invoke(field, of) = reader.resolved_path(*name);
             });
     }
 

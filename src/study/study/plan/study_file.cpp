@@ -27,7 +27,7 @@ using bytes::TomlReader;
 void read_pipeline_of(TomlReader& reader, MeasurementInput& input) {
     const auto file = reader.text("pipeline");
     if (!file) return;
-    input.pipeline = reader.beside(*file);
+    input.pipeline = reader.resolved_path(*file);
     input.steps = step_lines(read_pipeline(*input.pipeline));
 }
 
@@ -423,7 +423,7 @@ void require_same_shared_fit(const TomlReader& reader, const ExperimentInput& ex
 void find_mapping(const TomlReader& reader, const char* key, std::optional<std::string>& mapping,
                   const std::string& folder) {
     const auto name = mapping ? fs::path(*mapping).filename() : fs::path();
-    const bool bare = mapping && name.extension().empty() && reader.beside(name.string()) == *mapping;
+    const bool bare = mapping && name.extension().empty() && reader.resolved_path(name.string()) == *mapping;
     if (!bare || folder.empty() || fs::exists(*mapping)) return;
     try {
         mapping = tables::mapping_path(name.string(), folder);
@@ -719,7 +719,7 @@ Study read_study(const std::string& path, const std::string& mapping_folder) {
     Study study;
     study.path = path;
     study.title = fs::path(path).stem().string();
-    study.output = reader.beside(study.title + "_results");
+    study.output = reader.resolved_path(study.title + "_results");
     reader.name_inputs("inputs");
     top_keys().read(reader, study);
     reader.table("analysis", [&](TomlReader inner) { study.analysis = analysis_keys().from(std::move(inner)); });
@@ -758,7 +758,7 @@ Study read_study(const std::string& path, const std::string& mapping_folder) {
     });
     reader.finish();
     reader.require_inputs_used();
-    for (const auto& remark : reader.remarks())
+    for (const auto& remark : reader.warnings())
         study.alerts.push_back({"UNITS_IMPLAUSIBLE", remark.place, remark.key + " = " + remark.text, "check its unit"});
     if (!study.elastomers.empty() && !(study.counter_youngs_modulus > 0.0))
         throw FormatError(

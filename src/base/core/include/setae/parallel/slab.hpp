@@ -33,7 +33,7 @@ public:
     Slab(const Ranks* ranks, std::vector<Index> begins);
 
     [[nodiscard]] int ranks() const { return static_cast<int>(begins_.size()) - 1; }
-    [[nodiscard]] bool alone() const { return ranks_ == nullptr; }
+    [[nodiscard]] bool in_one_process() const { return ranks_ == nullptr; }
     [[nodiscard]] Index begin(int rank) const { return begins_[static_cast<std::size_t>(rank)]; }
     [[nodiscard]] Index rows(int rank) const { return begin(rank + 1) - begin(rank); }
     /// Of this process.

@@ -298,7 +298,7 @@ consteval Row made_value(std::string_view name, std::string_view unit, std::stri
 }
 
 /// A quantity with its number of points n.
-[[nodiscard]] inline Quantity resting_on(Index n, const Estimate& estimate) {
+[[nodiscard]] inline Quantity with_count(Index n, const Estimate& estimate) {
     return {.estimate = estimate, .n = static_cast<int>(n)};
 }
 
@@ -357,12 +357,12 @@ template <>
 struct Described<Alert> {
     using T = Alert;
     static constexpr std::array rows{
-        field<&T::code>("code", "which alert: docs/reference/alerts.md"),
-        field<&T::subject>("subject", "what it is about"),
-        field<&T::message>("message", "what is the case"),
-        field<&T::action>("action", "what to do about it; empty where that is nothing"),
+        field<&T::code>("code", "code of the warning: docs/reference/alerts.md"),
+        field<&T::subject>("subject", "subject of the warning"),
+        field<&T::message>("message", "cause and size of the effect"),
+        field<&T::action>("action", "action; empty if none is needed"),
     };
-    static constexpr Description description{"alert", "something the reader of a number must know", rows};
+    static constexpr Description description{"alert", "a warning on a result", rows};
 };
 
 template <>
@@ -476,11 +476,11 @@ consteval Row objects_filled_later(std::string_view name, std::string_view meani
 }
 
 /// A field that other code writes; only schemas contain it.
-consteval Row written_apart(std::string_view name, std::string_view meaning) {
+consteval Row written_elsewhere(std::string_view name, std::string_view meaning) {
     return {.name = name, .meaning = meaning, .kind = Kind::text};
 }
 /// An object that other code writes; only schemas contain it.
-consteval Row written_apart(std::string_view name, std::string_view meaning, const Description& object) {
+consteval Row written_elsewhere(std::string_view name, std::string_view meaning, const Description& object) {
     return {.name = name, .meaning = meaning, .kind = Kind::object, .inner = &object};
 }
 

@@ -180,10 +180,10 @@ template <>
 struct Described<loops::JkrFit> {
     using T = loops::JkrFit;
     static constexpr std::array moduli_rows{
-        made<T>("contact_modulus", "E*", "Pa", "E*", [](const T& of) { return resting_on(of.n, of.contact_modulus); }),
-        made<T>("youngs_modulus", "E", "Pa", "E", [](const T& of) { return resting_on(of.n, of.youngs_modulus); }),
+        made<T>("contact_modulus", "E*", "Pa", "E*", [](const T& of) { return with_count(of.n, of.contact_modulus); }),
+        made<T>("youngs_modulus", "E", "Pa", "E", [](const T& of) { return with_count(of.n, of.youngs_modulus); }),
         made<T>("work_of_adhesion", "W", "J/m2", "W",
-                [](const T& of) { return resting_on(of.n, of.work_of_adhesion); }),
+                [](const T& of) { return with_count(of.n, of.work_of_adhesion); }),
     };
     static constexpr Description moduli{"", "E*, E and W of a fit", moduli_rows};
     static constexpr std::array rows{

@@ -70,7 +70,7 @@ struct Described<loops::RetractionFit> {
     using T = loops::RetractionFit;
     static constexpr std::array rows{
         made<T>("work_of_adhesion", "W_ret", "J/m2", "W",
-                [](const T& of) { return resting_on(of.n, of.work_of_adhesion); })
+                [](const T& of) { return with_count(of.n, of.work_of_adhesion); })
             .from("at pull-off, [D19] (S2) on the last points"),
         quantity<&T::contact_modulus>("contact_modulus", "E*", "Pa", "E*"),
         field<&T::modulus_free>("contact_modulus_free", "whether E* was fitted, too"),

@@ -62,7 +62,7 @@ struct Described<loops::WorkAlongRetraction> {
         quantity<&T::at_largest_contact>("work_at_largest_contact", "W_ret(a_max)", "J/m2",
                                          "W_ret at the largest contact radius"),
         made<T>("slope", "dW_ret/da", "J/m3", "dW_ret/da; above 0, W_ret falls as the contact shrinks",
-                [](const T& of) { return resting_on(of.n, of.slope); })
+                [](const T& of) { return with_count(of.n, of.slope); })
             .from("line through G(a) = (4E*a^3/3R - F)^2/(8 pi E* a^3) of the receding edge"),
         quantity<&T::smallest_radius>("smallest_contact_radius", "a_po", "m", "a_po"),
         quantity<&T::largest_radius>("largest_contact_radius", "a_max", "m", "a_max"),

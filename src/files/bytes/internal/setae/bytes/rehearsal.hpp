@@ -16,6 +16,6 @@ namespace setae::bytes {
 void rehearse(const std::string& name, const std::string& library, const std::function<void()>& use);
 
 /// Disables rehearse(): for fuzzers of code that uses the library, which detect crashes themselves.
-void leave_out_rehearsals();
+void disable_rehearsals();
 
 }  // namespace setae::bytes

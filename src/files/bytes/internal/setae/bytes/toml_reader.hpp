@@ -31,7 +31,7 @@ struct NamedInputs {
 };
 
 /// A key with a doubtful but valid value.
-struct KeyRemark {
+struct KeyWarning {
     std::string place;  ///< "study.toml:12"
     std::string key;    ///< "elastomers.soft.surface_energy"
     std::string text;
@@ -86,7 +86,7 @@ public:
     void each_table(const char* key, const std::function<void(TomlReader)>& body);
 
     /// A path in the file, relative to the folder of the file unless absolute.
-    [[nodiscard]] std::string beside(const std::string& path) const;
+    [[nodiscard]] std::string resolved_path(const std::string& path) const;
 
     /// Keys of this table, in the order of the file.
     [[nodiscard]] std::vector<std::string> keys() const;
@@ -98,9 +98,9 @@ public:
     [[noreturn]] void fail(const char* key, const std::string& what) const;
 
     /// Records a warning on a key of this table, in the order of the calls.
-    void remark(const char* key, std::string text);
+    void warn(const char* key, std::string text);
     /// Warnings of all readers of the document.
-    [[nodiscard]] const std::vector<KeyRemark>& remarks() const { return *remarks_; }
+    [[nodiscard]] const std::vector<KeyWarning>& warnings() const { return *warnings_; }
 
 private:
     [[nodiscard]] std::string without_zero_byte(const char* key, const std::string& text) const;
@@ -118,7 +118,7 @@ private:
     std::string where_;
     std::set<std::string> known_;
     std::shared_ptr<NamedInputs> named_;
-    std::shared_ptr<std::vector<KeyRemark>> remarks_;
+    std::shared_ptr<std::vector<KeyWarning>> warnings_;
 };
 
 }  // namespace setae::bytes

@@ -18,6 +18,6 @@ namespace setae::tables {
 [[nodiscard]] std::vector<std::string> fitting_mappings(const std::string& file, const std::string& folder);
 
 /// "; a mapping that came with setae reads it: --mapping eoh" for the end of a message; empty if none does.
-[[nodiscard]] std::string fitting_mappings_remark(const std::string& file, const std::string& folder);
+[[nodiscard]] std::string fitting_mappings_hint(const std::string& file, const std::string& folder);
 
 }  // namespace setae::tables
