@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The rectified normal against its closed values and against drawn numbers.
+// The rectified normal distribution compared with closed values and with drawn numbers.
 #include "setae/core/rectified.hpp"
 
 #include <algorithm>

@@ -103,7 +103,7 @@ TEST(Propagated, BalanceOfAdhesionAgreesWithTwentyThousandDraws) {
         squares += difference * difference;
     }
     const double deviation = std::sqrt(squares / draws);
-    // of 20000 draws the mean scatters by σ/141, the standard deviation by σ/200; four of each
+    // the mean of 20000 draws scatters by σ/141, the standard deviation by σ/200; four of each
     EXPECT_NEAR(sum / draws, 0.0, 4.0 * exact / std::sqrt(draws));
     EXPECT_NEAR(deviation / linear.standard_error, 1.0, 4.0 / std::sqrt(2.0 * draws));
 }

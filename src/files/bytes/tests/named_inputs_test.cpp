@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Inputs that several keys of a TOML file mention by one name.
+// Named inputs that several keys of a TOML file refer to.
 #include <gtest/gtest.h>
 
 #include <optional>

@@ -69,7 +69,7 @@ TEST_F(FilesTest, OfOurOwnAreNoInputs) {
     EXPECT_EQ(refusal("input"), "");
 }
 
-// Systems give the number of a removed file to the next one.
+// Systems reuse the number of a removed file.
 TEST_F(FilesTest, ThatWereRemovedAreForgotten) {
     const ProtectedInputs inputs;
     protect_input(path("input"));

@@ -30,7 +30,7 @@ protected:
     void put(const std::string& name, const std::string& content) const {
         std::ofstream(folder / name, std::ios::binary) << content;
     }
-    /// As programs save: a new file takes the place of the old one.
+    /// As programs save: a new file replaces the old one.
     void replace(const std::string& name, const std::string& content) const {
         put(name + ".new", content);
         fs::rename(folder / (name + ".new"), folder / name);
@@ -55,7 +55,7 @@ TEST_F(WholeFileTest, OfDeadWritersLeftoversGoAndAllElseStays) {
     remove_leftovers(folder.string(), {"study.json"});
     EXPECT_FALSE(fs::exists(folder / of_dead));
     for (const auto& name : of_others) EXPECT_TRUE(fs::exists(folder / name)) << name;
-    remove_leftovers(path("none"), {"study.json"});  // no folder, nothing to do
+    remove_leftovers(path("none"), {"study.json"});  // no folder, no action
 }
 
 TEST_F(WholeFileTest, IsReadToItsEndThoughItIsReplaced) {

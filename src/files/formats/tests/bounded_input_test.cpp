@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a hostile file may try with archives, compression and XML, and what walks through headers.
+// Hostile files: archives, compression, XML, and headers.
 #include <zlib.h>
 
 #include <gtest/gtest.h>

@@ -9,34 +9,35 @@
 #include "setae/core/arrays.hpp"
 #include "setae/formats/channel.hpp"
 
-/// Files of every format, made byte by byte, and what they hold. Each format has at least one map that is not square
-/// and whose corners differ, so no axis is taken for another. Tests, fuzzing and timings take their files from here.
+/// Files of every format, built byte by byte, and their content. Each format has at least one map that is not square
+/// and whose corners differ, so exchanged axes are detected. Tests, fuzzing and timings use these files.
 namespace setae::formats::tests {
 
 struct FormatSample {
     std::string format;   ///< identifier in formats()
-    std::string name;     ///< tells samples of a format apart: "int16, big-endian"
+    std::string name;     ///< distinguishes samples of a format: "int16, big-endian"
     std::string content;  ///< the file's bytes
     ReadOptions options = {};
     std::size_t channel = 0;         ///< the one described here
-    std::vector<Index> shape;        ///< as ChannelInfo
-    std::vector<double> size;        ///< [m], as ChannelInfo
+    std::vector<Index> shape;        ///< see ChannelInfo
+    std::vector<double> size;        ///< [m], see ChannelInfo
     Array2D heights;                 ///< [m], h(x, y), NaN undefined; a line has one column
-    double tolerance = 1e-12;        ///< of heights, relative to the largest; of what the file's numbers can hold
-    std::string member_format = {};  ///< of the channel, where it is that of a file inside this one
-    bool may_lose_its_end = false;   ///< nothing in the format tells how long a file is: cut, it is a shorter one
+    double tolerance = 1e-12;        ///< of heights, relative to the largest; limited by the numbers of the file
+    std::string member_format = {};  ///< of the channel, if it is that of a file inside this one
+    bool may_lose_its_end = false;   ///< the format does not contain the length of the file: a truncated file is a
+                                     ///< shorter one
 };
 
-/// As tests name it.
+/// Name in tests.
 inline void PrintTo(const FormatSample& sample, std::ostream* out) { *out << sample.format << ", " << sample.name; }
 
 /// The samples of all formats, in the order of formats().
 [[nodiscard]] std::vector<FormatSample> format_samples();
 
-/// Heights that no turn or mirroring leaves as they are: h(i, j) = unit (1 + 3 i + 100 j + ((7 i + 13 j) mod 11)).
+/// Heights that change with every rotation and reflection: h(i, j) = unit (1 + 3 i + 100 j + ((7 i + 13 j) mod 11)).
 [[nodiscard]] Array2D lopsided_heights(Index nx, Index ny, double unit);
 
-// one function a format, in formats/<name>_samples.cpp
+// one function per format, in formats/<name>_samples.cpp
 [[nodiscard]] std::vector<FormatSample> container_samples();
 [[nodiscard]] std::vector<FormatSample> x3p_samples();
 [[nodiscard]] std::vector<FormatSample> sdf_samples();

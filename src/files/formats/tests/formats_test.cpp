@@ -72,7 +72,7 @@ TEST(Formats, MostMapsCanBeReadByBandsOfLines) {
     EXPECT_GT(2 * tiled_maps, maps);
 }
 
-/// Opens and reads all channels; the error's text, or nothing.
+/// Opens and reads all channels; the text of the error, or empty.
 std::string error_of(const FormatSample& sample, const std::string& content) {
     try {
         for (const auto& channel : open(bytes::memory_source("cut", content), sample.options))
@@ -90,7 +90,7 @@ TEST_P(FormatSamples, AreRefusedWithThePlaceWhereTheyAreCut) {
         std::string error;
         try {
             error = error_of(GetParam(), GetParam().content.substr(0, length));
-        } catch (const InvalidArgument& missing) {  // what is left may be a whole text that lacks its size or unit
+        } catch (const InvalidArgument& missing) {  // the rest may be a complete text without size or unit
             EXPECT_TRUE(GetParam().may_lose_its_end) << "cut at " << length << ": " << missing.what();
             continue;
         } catch (const Error& other) {
@@ -114,7 +114,7 @@ TEST(Formats, EachHasAMapThatIsNotSquareOrALine) {
     std::set<std::string> seen;
     for (const auto& sample : format_samples())
         if (sample.shape.size() == 1 || sample.shape[0] != sample.shape[1]) seen.insert(sample.format);
-    seen.insert("hgt");  // a tile has 3 MB and more, too much to be made for every test: formats/hgt_test.cpp has one
+    seen.insert("hgt");  // a tile has 3 MB or more, too much for every test: formats/hgt_test.cpp has one
     for (const auto& format : formats()) EXPECT_TRUE(seen.contains(format.identifier)) << format.identifier;
 }
 

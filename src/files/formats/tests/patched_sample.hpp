@@ -36,7 +36,7 @@ inline std::vector<Channel> channels_of(const std::string& content, const ReadOp
 
 inline topography::HeightMap map_of(const Channel& channel) { return std::get<topography::HeightMap>(channel.read()); }
 
-/// What opening and reading a file's bytes says, or "no error".
+/// Error of opening and reading the bytes of a file, or "no error".
 inline std::string refusal(const std::string& content, const ReadOptions& options = {}) {
     return message_of([&] {
         for (const auto& channel : channels_of(content, options))

@@ -85,7 +85,7 @@ TEST(ProfileFile, ComesBackToTheLastBit) {
     const TemporaryFolder folder;
     write_profile(folder.path("p.csv"), traced());
     const auto measurement = read(folder.path("p.csv"));
-    ASSERT_TRUE(std::holds_alternative<Profile>(measurement));  // though its steps are equal
+    ASSERT_TRUE(std::holds_alternative<Profile>(measurement));  // although its steps are equal
     expect_same(std::get<Profile>(measurement), traced());
     EXPECT_EQ(as_profile_file(std::get<Profile>(measurement)), text);
 }

@@ -16,7 +16,7 @@ using namespace setae::tests;
 namespace setae::formats::tests::raster_property_test {
 namespace {
 
-/// A number from its bytes, most significant first, without any of the reader's helpers.
+/// A number from its bytes, most significant first, without helpers of the reader.
 template <class Number>
 double number_from(std::string bytes) {
     std::uint64_t bits = 0;
@@ -47,7 +47,7 @@ double raw_number(const std::string& bytes, Sample sample) {
     return 0.0;
 }
 
-/// The height at a place, one number after the other: what read_raster is to give.
+/// The height at a place, computed one by one: reference of read_raster.
 double height_at(const std::string& content, const Raster& raster, const RawScale& scale, Index x, Index y) {
     const Index stored_x = raster.right_to_left ? raster.nx - 1 - x : x,
                 stored_y = raster.bottom_up ? raster.ny - 1 - y : y;
@@ -92,8 +92,7 @@ RawScale any_scale() {
     return scale;
 }
 
-/// Bytes of a file that ends where the raster does; few different ones, so that values that mark undefined points are
-/// met.
+/// Bytes of a file that ends with the raster; few different ones, so markers of undefined points occur.
 std::string content_of(const Raster& raster, std::uint32_t seed) {
     const auto lines = static_cast<std::uint64_t>(raster.columns ? raster.nx : raster.ny),
                values = static_cast<std::uint64_t>(raster.columns ? raster.ny : raster.nx);
@@ -129,7 +128,7 @@ RC_GTEST_PROP(Raster, IsWhatOneNumberAfterTheOtherGives, ()) {
 
 RC_GTEST_PROP(Raster, OfLongLinesIsReadInParts, ()) {
     auto raster = any_raster(70, 2);
-    raster.step = *rc::gen::element<std::uint64_t>(1500, 2500);  // 64 lines are more than is read together
+    raster.step = *rc::gen::element<std::uint64_t>(1500, 2500);  // 64 lines are more than the lines read together
     raster.line_distance = raster.step * static_cast<std::uint64_t>(raster.columns ? raster.ny : raster.nx) +
                            *rc::gen::element<std::uint64_t>(0, 3, 20000);
     const TemporaryFolder folder;

@@ -18,7 +18,7 @@ using namespace setae::tests;
 namespace setae::formats::tests::robustness_test {
 namespace {
 
-/// Opens bytes as any format and reads every channel: nothing but setae's own errors may come out.
+/// Opens bytes as any format and reads every channel: only errors of setae are allowed.
 void must_read_or_refuse(const std::string& content) {
     try {
         for (const auto& channel : open(bytes::memory_source("sample", content), {{{1e-6, 1e-6}}, "nm"})) try {
@@ -119,7 +119,7 @@ std::vector<std::pair<std::string, std::string>> import_samples() {
         {"nt-mdt", nt_mdt_file()}};
 }
 
-/// A copy with a few bits turned.
+/// A copy with a few bits flipped.
 std::string damaged(std::string content, std::mt19937& generator) {
     const auto flips = 1 + generator() % 4;
     for (std::size_t k = 0; k < flips; ++k)

@@ -34,7 +34,7 @@ rc::Gen<std::vector<double>> numbers(std::size_t count) {
 RC_GTEST_PROP(Csv, KeepsEveryDouble, ()) {
     const auto rows = *rc::gen::inRange<std::size_t>(1, 20);
     auto first = *numbers(rows);
-    first.front() = 1.0;  // a table needs one number to be one
+    first.front() = 1.0;  // a table needs at least one number
     const auto second = *numbers(rows);
     Table table;
     table.columns = {{"a", "m", to_array(first)}, {"b", "1/m", to_array(second)}};

@@ -27,7 +27,7 @@ rc::Gen<double> any_number() {
     return rc::gen::oneOf(bits, edges, heights);
 }
 
-/// Cells as files have them: many spellings of numbers, words, and what is none.
+/// Cells of files: many spellings of numbers, words, and invalid ones.
 rc::Gen<std::string> any_cell() {
     const auto number = rc::gen::map(any_number(), [](double value) { return fmt::format("{}", value); });
     const auto spelled = rc::gen::element<std::string>("1", "+2.5", "-.5", "3.", "1e5", "1E-400", "1e400", "-0", "007",

@@ -16,7 +16,7 @@ inline std::string name(std::string_view text) {
     return ByteBuilder().number(static_cast<std::uint32_t>(text.size())).text(text).content();
 }
 
-/// A length in as few bytes as hold it, and what is that long.
+/// A length in the minimum number of bytes, and the content of that length.
 inline std::string sized(const std::string& content) {
     ByteBuilder bytes;
     if (content.size() < 256) bytes.number<std::uint8_t>(1).number(static_cast<std::uint8_t>(content.size()));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whatever writes a measurement reads it back: for every format of the table that writes.
+// Every format that writes a measurement reads it back.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -29,7 +29,7 @@ using topography::Profile;
 
 enum class Kind { map, line, profile };
 
-/// What each format that writes holds; one that is missing here fails.
+/// Data that each writing format can store; a missing format fails.
 bool holds(const Format& format, Kind kind) {
     static const std::map<std::string, std::vector<Kind>> kinds{{"x3p", {Kind::map, Kind::line, Kind::profile}},
                                                                 {"sdf", {Kind::map, Kind::line}},
@@ -59,7 +59,7 @@ bool same(const double* a, const double* b, Index count) {
     return true;
 }
 
-/// Heights as a format keeps them: GSF in float32, and none that is larger than that holds.
+/// Heights that a format can store: GSF in float32, within its range.
 Array2D kept_heights(const Format& format, const Array2D& heights) {
     if (format.identifier != "gsf") return heights;
     return heights.unaryExpr([](double height) {
@@ -68,12 +68,12 @@ Array2D kept_heights(const Format& format, const Array2D& heights) {
     });
 }
 
-/// Text holds no size of a line: it comes from its positions, each rounded.
+/// Text contains no size of a line: it follows from its positions, each rounded.
 bool nearly(double a, double b, const Format& format) {
     return std::abs(a / b - 1.0) <= (format.identifier == "xy" ? 1e-14 : 1e-15);
 }
 
-/// Heights of any binary exponent a length may have, some undefined, the first not.
+/// Heights of any binary exponent of a length, some undefined, except the first.
 Array1D any_heights(Index count) {
     const auto height = rc::gen::oneOf(
         rc::gen::map(rc::gen::arbitrary<double>(), [](double x) { return std::isfinite(x) ? x : 0.0; }),
@@ -98,7 +98,7 @@ topography::Metadata any_metadata() {
     return metadata;
 }
 
-/// Heights of any size, also those that would mark missing ones.
+/// Heights of any size, including those of markers of missing heights.
 Measurement written_and_read(const Format& format, const Measurement& measurement, ReadOptions options) {
     options.keep_values = true;
     const TemporaryFolder folder;
@@ -112,7 +112,7 @@ Measurement written_and_read(const Format& format, const Measurement& measuremen
     return channels[0].read();
 }
 
-/// What each format has a place for.
+/// Metadata that each format can store.
 void check_metadata(const Format& format, const topography::Metadata& before, const topography::Metadata& after) {
     const auto& id = format.identifier;
     if (id == "gwy" || id == "matrix") RC_ASSERT(after.name == before.name);
@@ -174,7 +174,7 @@ RC_GTEST_PROP(WriteRead, IsTheIdentityOfProfilesWhereTheyAreHeld, ()) {
     Profile profile{Array1D(count), any_heights(count), any_metadata()};
     profile.positions[0] = 0.0;
     for (Index i = 1; i < count; ++i) profile.positions[i] = profile.positions[i - 1] + any_length();
-    // the last step is more than three others together, and where those are equal no multiple of them
+    // the last step is longer than three others together, and no multiple of them if they are equal
     const double steps = static_cast<double>(count - 1);
     profile.positions[count - 1] += (3.0 + 0.5 / steps) * (profile.positions[count - 1] - profile.positions[0]);
     for (const auto& format : writers_of(Kind::profile)) {

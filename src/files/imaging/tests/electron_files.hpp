@@ -12,7 +12,7 @@ namespace setae::imaging::tests {
 struct MrcFile {
     bool big_endian = false;
     int mode = 2;
-    std::string pixels;  ///< of all sections, in the file's order of bytes
+    std::string pixels;  ///< of all sections, in the byte order of the file
     std::uint64_t sections = 1;
     float cell_x = 1.5f, cell_y = 0.5f;  ///< [Å]
     std::string extended, extended_kind = std::string(4, '\0');

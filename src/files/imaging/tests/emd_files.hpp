@@ -17,11 +17,11 @@ struct EmdFile {
     bool velox = false;
     hid_t type = H5T_STD_I16LE;                      ///< of the numbers in the file
     std::vector<hsize_t> sides;                      ///< empty: the common picture
-    bool packed = false;                             ///< in pieces, deflated; NCEM's layout alone
-    std::string unit_x = "[n_m]", unit_y = "[n_m]";  ///< as fixed text; Velox takes the pixel's unit from the first
+    bool packed = false;                             ///< in chunks, deflated; only NCEM layout
+    std::string unit_x = "[n_m]", unit_y = "[n_m]";  ///< as fixed text; Velox uses the unit of the first for pixels
     double step_x = 0.5, step_y = 0.25;
     bool pixels_written = true;
-    std::optional<std::string> metadata;  ///< Velox' JSON; unset: of step, unit and a Titan of 300 kV
+    std::optional<std::string> metadata;  ///< Velox JSON; not given: from step, unit and a Titan of 300 kV
 
     [[nodiscard]] std::string bytes() const {
         const hid_t access = H5Pcreate(H5P_FILE_ACCESS);

@@ -12,7 +12,7 @@
 
 namespace setae::imaging::tests {
 
-/// A micrograph from bytes in memory, as read_micrograph reads it from a file.
+/// A micrograph from bytes in memory, read as by read_micrograph.
 inline Micrograph read_bytes(const std::string& bytes, const MicrographOptions& options = {}) {
     return read_micrograph_file(bytes::memory_source("sample", bytes), options);
 }
@@ -35,7 +35,7 @@ inline bool has_alert(const Micrograph& micrograph, const std::string& code) {
                        [&](const Alert& alert) { return alert.code == code; });
 }
 
-/// What reading bytes is refused with; empty if they are read.
+/// Message of the refusal of bytes; empty if they are read.
 inline std::string refusal(const std::string& bytes, const MicrographOptions& options = {}) {
     try {
         (void)read_bytes(bytes, options);

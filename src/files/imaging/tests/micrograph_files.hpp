@@ -24,7 +24,7 @@ struct Bytes {
     [[nodiscard]] std::string real64(double value) const { return whole(std::bit_cast<std::uint64_t>(value), 8); }
 };
 
-/// A picture of three columns and two rows with the values 1, 2, 3 above 4, 5, 6, as every builder here holds it.
+/// A picture of three columns and two rows with the values 1, 2, 3 above 4, 5, 6, used by every builder here.
 constexpr int columns = 3, rows = 2;
 
 /// A DM3 or DM4 with a thumbnail of one pixel, and the image.
@@ -33,7 +33,7 @@ struct DmFile {
     bool big_endian = false;
     int data_type = 2;   ///< of ImageData
     int element = 6;     ///< of its array: float32
-    std::string pixels;  ///< in the file's order of bytes
+    std::string pixels;  ///< in the byte order of the file
     std::vector<std::uint64_t> dimensions{columns, rows};
     std::vector<std::pair<double, std::string>> scales{{0.5, "nm"}, {0.25, "nm"}};  ///< unit as ISO 8859-1
     bool pairs = false;  ///< each pixel is a structure of two numbers, as complex ones are stored
@@ -81,7 +81,7 @@ struct DmFile {
                                ? std::vector<std::uint64_t>{20, 15, 0, 2, 0, number, 0, number, elements}
                                : std::vector<std::uint64_t>{20, number, elements};
         const auto point = tag("Rectangle", {15, 0, 2, 0, 6, 0, 6},
-                               order().real32(1) + order().real32(2));  // a structure to step over
+                               order().real32(1) + order().real32(2));  // a structure to be skipped
         return group(
             "",
             {group("ImageData", {group("Calibrations", {group("Dimension", axes)}), tag("Data", array, data),
@@ -115,10 +115,10 @@ inline DmFile dm_file(int version = 3, bool big_endian = false) {
 struct TiffField {
     int tag, type;
     std::uint64_t count;
-    std::string value;  ///< in the file's order of bytes
+    std::string value;  ///< in the byte order of the file
 };
 
-/// An uncompressed TIFF of pages of 16 bits that hold the common picture, one strip each.
+/// An uncompressed TIFF of pages of 16 bits with the common picture, one strip each.
 struct TiffFile {
     bool big_endian = false, big_tiff = false;
 
@@ -133,7 +133,7 @@ struct TiffFile {
         return {tag, 2, value.size() + 1, value + '\0'};
     }
 
-    /// Fields of each page beside those of the picture; a field given replaces one of the picture.
+    /// Fields of each page in addition to those of the picture; a given field replaces one of the picture.
     [[nodiscard]] std::string bytes(const std::vector<std::vector<TiffField>>& pages = {{}}) const {
         const std::size_t word = big_tiff ? 8 : 4;
         const auto pointer = [&](std::uint64_t value) { return order().whole(value, static_cast<int>(word)); };

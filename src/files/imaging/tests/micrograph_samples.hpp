@@ -83,7 +83,7 @@ inline std::vector<Sample> micrograph_samples() {
     return samples;
 }
 
-/// Headers of pictures so large that their pixels are not there.
+/// Headers of pictures so large that their pixels are missing.
 inline std::vector<Sample> micrographs_of(std::uint64_t side) {
     const TiffFile tiff;
     const Bytes big{true}, little;

@@ -18,7 +18,7 @@
 
 namespace setae::imaging::tests {
 
-/// Pictures of any depth libpng knows: grey, or blue, green and red.
+/// Pictures of any depth supported by libpng: grey, or blue, green and red.
 inline std::string png_bytes(const cv::Mat& image) {
     std::string file;
     auto* png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);

@@ -15,7 +15,7 @@
 
 namespace setae::imaging::tests {
 
-/// A folder of a test's own, removed with it.
+/// A folder of a test, removed with it.
 class Folder {
 public:
     Folder()
@@ -54,7 +54,7 @@ inline cv::Mat as_bytes(const FramePixels& pixels) {
 /// An uncompressed stack of 8 bits, directories before pixels as ImageJ writes them.
 struct PlainTiff {
     std::string description;                             ///< "ImageJ=1.53\nunit=micron\n"
-    std::uint32_t resolution = 0, resolution_below = 1;  ///< pixels a unit; 0: no tags
+    std::uint32_t resolution = 0, resolution_below = 1;  ///< pixels per unit; 0: no tags
     std::uint32_t resolution_unit = 1;
     bool first_directory_only = false;  ///< ImageJ beyond 4 GiB
 

@@ -17,7 +17,7 @@
 
 namespace setae::imaging::tests {
 
-/// What lies under a bar: sample of graphitic layers below, vacuum above, noise on both.
+/// Background of a bar: sample of graphitic layers below, vacuum above, noise on both.
 struct RenderedGround {
     int width = 512, height = 512;
     double vacuum = 150, sample = 115;  ///< grey levels
@@ -43,14 +43,14 @@ struct RenderedGround {
     }
 };
 
-/// A bar as programs draw it. Places as FramePixels.
+/// A bar as drawn by programs. Coordinates as FramePixels.
 struct RenderedBar {
-    double begin_x = 60.5, length = 120;  ///< begin between two pixels: whole pixels where length is whole
+    double begin_x = 60.5, length = 120;  ///< begin between two pixels: whole pixels if length is an integer
     int top = 440, thickness = 6;
     double level = 0;
     int outline = 0;  ///< px around it
     double outline_level = 255;
-    int tick_width = 0, tick_reach = 0;  ///< at the ends, the bar's length between their middles
+    int tick_width = 0, tick_reach = 0;  ///< at the ends, the length of the bar between their middles
     std::u32string label = U"20 nm";
     double letters = 1.0;  ///< magnification of 22 px
     int label_x = 70, label_y = 408;
@@ -99,7 +99,7 @@ struct RenderedBar {
     }
 };
 
-/// Grey levels 0 to 255, rounded as a file of 8 bits has them.
+/// Grey levels 0 to 255, rounded as in a file of 8 bits.
 inline FramePixels eight_bits(const cv::Mat1f& picture) {
     FramePixels pixels(picture.rows, picture.cols);
     for (int y = 0; y < picture.rows; ++y)
@@ -114,7 +114,7 @@ inline FramePixels through_jpeg(const cv::Mat1f& picture, int quality) {
     return decoded_picture(jpeg_bytes(bytes, quality)).pixels;
 }
 
-/// A ground with a bar on it.
+/// A background with a bar on it.
 inline FramePixels picture_with_bar(const RenderedGround& ground, const RenderedBar& bar) {
     auto picture = ground.make();
     bar.draw(picture);

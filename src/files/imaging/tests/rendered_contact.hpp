@@ -11,21 +11,22 @@
 
 namespace setae::imaging::tests {
 
-/// A contact as a camera shows it: area sampled on a grid finer than pixels, blurred, noisy, in 256 levels.
+/// A contact as recorded by a camera: area sampled on a grid finer than pixels, blurred, noisy, in 256 levels.
 struct RenderedContact {
     long width = 160, height = 120;
     double centre_x = 80.3, centre_y = 59.6;
     double semi_major = 30, semi_minor = 0;  ///< 0: a circle
     double angle = 0;
-    double inside = 80, contrast = 60;  ///< grey level; outside less inside
+    double inside = 80, contrast = 60;  ///< grey level; outside minus inside
     double blur = 0.8;                  ///< standard deviation [px]
     double slope_x = 0, slope_y = 0;    ///< of illumination [levels/px]
     double noise = 0;
-    double noise_blur = 0;  ///< of the noise, which keeps its deviation
+    double noise_blur = 0;  ///< of the noise, whose deviation is kept
     bool quantised = true;
     unsigned seed = 1;
     std::function<double(double)> outside;  ///< brightness in [0, 1] by the distance from the edge [px]; none: 1
-    std::function<double(double)> ripple;   ///< of a circle by the angle, what the edge lies further out [px]; none: 0
+    std::function<double(double)> ripple;   ///< for a circle by the angle: outward displacement of the edge [px]; none:
+                                            ///< 0
     double largest_ripple = 0;              ///< [px]
     double void_x = 0, void_y = 0, void_radius = 0;  ///< a hole in the contact
     static constexpr int finer = 6;

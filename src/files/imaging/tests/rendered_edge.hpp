@@ -9,7 +9,7 @@
 
 namespace setae::imaging::tests {
 
-/// A picture whose edge is known by its signed distance [px], positive in vacuum.
+/// A picture with an edge given by its signed distance [px], positive in vacuum.
 struct EdgePicture {
     long width = 256, height = 200;
     double vacuum = 1100, sample = 1000, blur = 0.9, noise = 0;
@@ -32,7 +32,7 @@ inline FramePixels rendered(const EdgePicture& p, const std::function<double(dou
     return pixels;
 }
 
-/// Vacuum above the wave y = level + amplitude sin(2πx/length); the distance is right to second order in its slope.
+/// Vacuum above the wave y = level + amplitude sin(2πx/length); the distance is correct to second order in its slope.
 struct Wave {
     double level = 100, amplitude = 6, length = 60;
     [[nodiscard]] double height(double x) const {

@@ -66,7 +66,7 @@ TEST(AnyTable, OneCellDecidesWhatCommasMean) {
     EXPECT_DOUBLE_EQ(table_of("a\tb\n1,234,567.5\t5\n2,345.25\t6\n").columns[0].values[0], 1234567.5);
     EXPECT_DOUBLE_EQ(table_of("a;b\n1.234,5;5\n2.345,25;6\n").columns[0].values[0], 1234.5);
     EXPECT_DOUBLE_EQ(table_of("a;b\n1,234;5,678\n2,345;6,789\n").columns[0].values[0],
-                     1.234);  // semicolons stand where commas are decimals
+                     1.234);  // semicolons separate where commas are decimals
     EXPECT_DOUBLE_EQ(table_of("a\tb\n1.234\t5.678\n2.345\t6.789\n").columns[0].values[0], 1.234);
 }
 

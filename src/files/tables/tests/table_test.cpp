@@ -117,7 +117,7 @@ TEST(LoopTable, TakesColumnsThatImportWouldKnowAndNamesTheOthers) {
         read_loop_table(folder.write("m.csv", "force [mN],contact area [um2]\n1,314.159265358979\n2,400\n"));
     EXPECT_NEAR(area.table.at("contact_radius")[0], 10e-6, 1e-18);
 
-    // two that may be meant: neither is, and both are named
+    // two candidates: neither is used, and both are reported
     const auto two = read_loop_table(
         folder.write("n.csv", "force [mN],displacement [um],radius left [um],radius right [um]\n1,2,3,4\n2,3,4,5\n"));
     EXPECT_EQ(two.table.find("contact_radius"), nullptr);

@@ -30,7 +30,7 @@ bytes::Source book(const std::vector<std::pair<std::string, std::string>>& sheet
     return bytes::memory_source("b.xlsx", zip_archive(members));
 }
 
-/// Rows of cells one after another, as they stand in XML.
+/// Rows of cells in sequence, as in XML.
 std::string rows(const std::vector<std::vector<std::string>>& cells) {
     std::string text;
     for (const auto& row : cells) {

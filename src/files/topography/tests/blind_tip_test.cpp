@@ -58,7 +58,7 @@ TEST(BlindTip, IsNeverSharperThanTheTipAndExplainsTheImage) {
         const auto blind = blind_tip(image, {.points_x = 11, .points_y = 11});
         EXPECT_TRUE(blind.converged);
         EXPECT_LT((blind.tip.heights - tip.heights).maxCoeff(), 1e-12);
-        EXPECT_GT(blind.tip.heights(4, 5), 0.2);  // of 0.25: rough enough to show the apex
+        EXPECT_GT(blind.tip.heights(4, 5), 0.2);  // of 0.25: rough enough to determine the apex
         const auto opened = dilated(eroded(image, blind.tip), blind.tip);
         EXPECT_LT((image.heights - opened.heights).maxCoeff(), 1e-10);
     }

@@ -37,7 +37,7 @@ TEST(Certainty, OfAScannedSurfaceHoldsWhereItIsClaimed) {
 TEST(Certainty, OfASpikeIsItsTopAndTheGroundOutOfItsShadow) {
     HeightMap surface{Array2D::Zero(41, 41), {41.0, 41.0}, true};
     surface.heights(20, 20) = 3.0;
-    const Tip tip = ParabolicTip{4.0};  // the spike's shadow ends at √(2·4·3) = 4.9
+    const Tip tip = ParabolicTip{4.0};  // the hidden zone of the spike ends at √(2·4·3) = 4.9
     const auto certainty = certainty_map(dilated(surface, tip), tip);
     EXPECT_EQ(certainty.certain(20, 20), 1);
     EXPECT_EQ(certainty.certain(21, 20), 0);
@@ -47,7 +47,7 @@ TEST(Certainty, OfASpikeIsItsTopAndTheGroundOutOfItsShadow) {
 }
 
 TEST(Certainty, ClaimsNothingThatTheSurfaceBeyondTheEndsMayHaveHeld) {
-    // the map is cut from a larger one: what lies outside lifts the tip inside
+    // the map is a part of a larger one: surface outside lifts the tip inside
     const auto whole = rough_map(80, 80, false);
     const Tip tip = ParabolicTip{6.0};
     const auto image = dilated(whole, tip);

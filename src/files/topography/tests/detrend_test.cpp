@@ -34,7 +34,7 @@ TEST(Detrend, RemovesAPlaneFromANonSquareMap) {
 
 TEST(Detrend, RemovesAParaboloidWhateverTheOffset) {
     EXPECT_LT(detrended(paraboloid(17, 33, 0.0), Trend::parabola).heights.abs().maxCoeff(), 1e-13);
-    // 1e6 costs the digits the input itself has lost, no more
+    // 1e6 loses the digits lost by the input, no more
     EXPECT_LT(detrended(paraboloid(17, 33, 1e6), Trend::parabola).heights.abs().maxCoeff(), 1e-9);
 }
 

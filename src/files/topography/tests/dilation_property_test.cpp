@@ -37,7 +37,7 @@ TEST(Dilation, NeverLiesBelowTheSurfaceAndReconstructionNeverBelowIt) {
         RC_ASSERT((image.heights >= surface.heights).all());
         RC_ASSERT((back.heights >= surface.heights - 1e-12).all());
         RC_ASSERT((back.heights <= image.heights).all());
-        // what the tip cannot tell apart it images alike
+        // surfaces that the tip cannot distinguish have equal images
         RC_ASSERT((dilated(back, tip).heights - image.heights).abs().maxCoeff() < 1e-12);
     });
 }

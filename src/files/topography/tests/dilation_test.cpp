@@ -23,7 +23,7 @@ HeightMap rough_map(Index nx, Index ny, bool periodic = false) {
     return {tests::random_map(nx, ny, 7), {static_cast<double>(nx), static_cast<double>(ny)}, periodic};
 }
 
-/// The definition, point by point.
+/// Dilation by its definition, point by point.
 Array2D slow_dilation(const HeightMap& surface, const TipImage& tip) {
     const auto [nx, ny] = surface.shape();
     Array2D result = Array2D::Constant(nx, ny, -infinite);
@@ -58,7 +58,7 @@ TEST(Dilation, OfASpikeIsTheTipUpsideDown) {
 }
 
 TEST(Dilation, OfABallIsTheBallOfSummedRadii) {
-    // contacts fall between grid points: their error is second order, pixel²/8 (1/R + 1/R_s) = 0.0021 of a pixel at the
+    // contacts are between grid points: their error is second order, pixel²/8 (1/R + 1/R_s) = 0.0021 of a pixel at the
     // top
     const double bump = 120.0, tip = 200.0;
     auto surface = flat_map(101, 101);
@@ -76,7 +76,7 @@ TEST(Dilation, OfABallIsTheBallOfSummedRadii) {
 }
 
 TEST(Dilation, OfAGentleCosineFollowsItsParallelCurve) {
-    // z = a cos(kx), a k² < 1/R: each point of the surface is touched, with the ball's centre along its normal
+    // z = a cos(kx), a k² < 1/R: each point of the surface is touched, with the centre of the sphere along its normal
     const Index n = 4000;
     const double amplitude = 0.3, wave = 2.0 * pi, radius = 0.05, step = 1.0 / static_cast<double>(n);
     LineScan surface{Array1D(n), 1.0, true};
@@ -105,7 +105,7 @@ TEST(Dilation, EqualsItsDefinitionOnRoughSurfaces) {
 }
 
 TEST(Dilation, EqualsItsDefinitionForTipsOfAnyShape) {
-    // no flank rises steadily, points are missing: bounds over blocks must not rely on either
+    // flanks are not monotonic, points are missing: bounds over blocks must not depend on either
     ArrayTip tip{tests::random_map(27, 21, 4).abs(), {1.0, 1.0}, 5, 17};
     tip.heights = (tip.heights > 2.0).select(infinite, tip.heights);
     tip.heights(5, 17) = 0.0;
@@ -220,7 +220,7 @@ TEST(Erosion, RecoversASurfaceNoSharperThanTheTip) {
     for (Index k = 0; k < 200; ++k) line.heights[k] = std::cos(2.0 * pi * static_cast<double>(k) / 200.0);
     const Tip tip = ParabolicTip{100.0};  // 1/R = 0.01 > (2π/200)² = 0.001
     const auto back = eroded(dilated(line, tip), tip);
-    // apexes on the grid skip some points: there the reconstruction lies on the tip between, pixel²/(8R) above
+    // apexes on the grid skip some points: there the reconstruction is on the tip between, pixel²/(8R) above
     EXPECT_LT((back.heights - line.heights).maxCoeff(), 1.0 / 800.0);
     EXPECT_GT((back.heights - line.heights).minCoeff(), -1e-12);
 }
@@ -228,7 +228,7 @@ TEST(Erosion, RecoversASurfaceNoSharperThanTheTip) {
 TEST(Erosion, OfALopsidedTipUsesItsMirrorImage) {
     ArrayTip tip{Array2D::Constant(3, 3, infinite), {1.0, 1.0}, 1, 1};
     tip.heights(1, 1) = 0.0;
-    tip.heights(2, 1) = 0.25;  // reaches towards larger x alone
+    tip.heights(2, 1) = 0.25;  // extends only towards larger x
     const auto surface = rough_map(30, 20);
     const auto image = dilated(surface, tip);
     EXPECT_EQ(image.heights(10, 5), std::max(surface.heights(10, 5), surface.heights(11, 5) - 0.25));

@@ -48,7 +48,7 @@ TEST(CleanContour, LeavesAFunctionAlone) {
 }
 
 TEST(CleanContour, DropsRepeatedPointsAndCutsReentrantStretchesWithTheirShare) {
-    // forward 3, back 1 under an overhang and forward again: 2 of 7 length units are cut
+    // forward 3, back 1 under an overhang and forward again: 2 of 7 length units are removed
     const auto clean =
         clean_contour(contour({0.0, 1.0, 2.0, 3.0, 2.0, 3.0, 3.5, 4.0, 4.0, 5.0}, std::vector<double>(10, 0.0)));
     EXPECT_EQ(clean.reentrant_points, 2);

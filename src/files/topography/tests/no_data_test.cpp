@@ -26,7 +26,7 @@ HeightMap rough(Index nx = 128, Index ny = 96) {
     return map;
 }
 
-/// The same with a value at a share of the points, by chance.
+/// The same waves with a value at a random share of the points.
 HeightMap with_marks(HeightMap map, double value, double share, unsigned seed = 1) {
     std::mt19937 engine(seed);
     std::bernoulli_distribution marked(share);

@@ -38,7 +38,7 @@ TracedCurve walk(std::uint64_t seed, Index points) {
     return curve;
 }
 
-/// A walk to the right that turns back now and then and does not cross itself.
+/// A walk to the right that turns back at times and does not cross itself.
 TracedCurve wandering(std::uint64_t seed, Index points) {
     auto curve = walk(seed, points);
     while (crosses_itself(curve)) curve = walk(++seed, points);
@@ -78,7 +78,7 @@ RC_GTEST_PROP(Envelope, TouchesTheHighestOfTheCurveAwayFromJumps, ()) {
     const auto& profile = level.profile;
     validate(profile);
     RC_ASSERT(level.reentrant_share >= 0.0 && level.reentrant_share <= 1.0);
-    // the curve turned as it was; the profile begins where its first x is seen
+    // the curve after the same rotation; the profile begins at its first visible x
     const double c = std::cos(level.rotation), s = std::sin(level.rotation);
     const Array1D x = curve.x * c - curve.y * s, y = curve.x * s + curve.y * c;
     const auto highest = [&](double at) {
@@ -88,15 +88,15 @@ RC_GTEST_PROP(Envelope, TouchesTheHighestOfTheCurveAwayFromJumps, ()) {
                 highest_there = std::max(highest_there, y[i] + (y[i + 1] - y[i]) * ((at - x[i]) / (x[i + 1] - x[i])));
         return highest_there;
     };
-    // heights are about the centroid of the curve's length; the profile's summit is a point of the curve
+    // heights are about the centroid of the length of the curve; the summit of the profile is a point of the curve
     const Index n = points - 1;
     const Array1D length = ((x.tail(n) - x.head(n)).square() + (y.tail(n) - y.head(n)).square()).sqrt();
     const double shift_y = (0.5 * (y.tail(n) + y.head(n)) * length).sum() / length.sum();
     Index summit = 0, point = 0;
     const double top = profile.heights.maxCoeff(&summit) + shift_y;
-    RC_PRE((y - top).abs().minCoeff(&point) < 1e-9);  // no summit cut off with an end
+    RC_PRE((y - top).abs().minCoeff(&point) < 1e-9);  // no summit is removed with an end
     const double shift_x = x[point] - profile.positions[summit];
-    // each overhang makes one jump, which is a slope over one mean step of the envelope
+    // each overhang causes one jump, which is a slope over one mean step of the envelope
     int apart = 0;
     constexpr int places = 200;
     for (int k = 1; k < places; ++k) {

@@ -65,7 +65,7 @@ TEST(Levelled, TurnsASineFromAnyDirectionVacuumUp) {
     const Index n = 2001;
     TracedCurve sine;
     sine.x = Array1D::LinSpaced(n, 0.0, 20.0 * pi);
-    sine.y = 0.3 * sine.x.cos();  // even about its middle: the mean line has no slope
+    sine.y = 0.3 * sine.x.cos();  // symmetric about its middle: the mean line has no slope
     for (const double angle : {0.0, 0.4, pi / 2.0, 2.5, pi, -1.2, -pi / 2.0}) {
         const auto level = levelled(turned(sine, angle), Reentrance::envelope);
         EXPECT_NEAR(std::remainder(level.rotation + angle, 2.0 * pi), 0.0, 1e-12) << angle;
@@ -97,7 +97,8 @@ TEST(Envelope, OfAMushroomHidesBothUndersidesAndTheStem) {
     EXPECT_NEAR(level.reentrant[0].depth, 1.0, 1e-9);
     EXPECT_NEAR(level.reentrant[1].depth, 1.0, 1e-9);
     EXPECT_NEAR(level.reentrant[0].begin, 3.0, 1e-9);
-    EXPECT_NEAR(level.reentrant[0].end, 7.0, 1e-9);  // the edge of the hat stands over one x: hidden with what it ends
+    EXPECT_NEAR(level.reentrant[0].end, 7.0, 1e-9);  // the edge of the hat is over one x: hidden with the part that it
+                                                     // ends
     EXPECT_NEAR(level.reentrant_share, 8.0 / 17.0, 1e-9);
     ASSERT_EQ(level.alerts.size(), 1u);
     EXPECT_EQ(level.alerts[0].code, "REENTRANT");
@@ -112,12 +113,12 @@ TEST(Envelope, OfAMushroomHidesBothUndersidesAndTheStem) {
 }
 
 TEST(Envelope, HasAPointWhereBranchesCross) {
-    // a flank overhangs and falls back onto a slope below it
+    // a flank overhangs and returns to a slope below it
     const auto level = levelled(curve_of({0, 4, 3, 5, 8}, {0, 0, 1, 3, -1}), Reentrance::envelope);
     ASSERT_FALSE(level.reentrant.empty());
     const Profile& profile = level.profile;
     EXPECT_NO_THROW(validate(profile));
-    // turned back by hand: highest over some x of the turned polyline
+    // rotated back explicitly: highest over some x of the rotated polyline
     const double c = std::cos(level.rotation), s = std::sin(level.rotation);
     const Array1D x = array({0, 4, 3, 5, 8}), y = array({0, 0, 1, 3, -1});
     const Array1D u = x * c - y * s, v = x * s + y * c;
@@ -139,13 +140,12 @@ TEST(Cut, LeavesOutWhatCleanContourCuts) {
     const auto clean = clean_contour({trace.x, trace.y, {}});
     ASSERT_EQ(level.profile.positions.size(), clean.profile.positions.size());
     EXPECT_LT((level.profile.positions - clean.profile.positions).abs().maxCoeff(), 1e-9);
-    EXPECT_NEAR(level.reentrant_share, clean.reentrant_share, 0.02);  // that leaves walls out, too, as repeated points
+    EXPECT_NEAR(level.reentrant_share, clean.reentrant_share, 0.02);  // this also removes walls, as repeated points
     EXPECT_NEAR(level.reentrant[0].depth, 1.0, 1e-9);
 }
 
 TEST(Levelled, TakesNoiseOnASteepFlankForNoise) {
-    // a wall that leans by a twentieth of a step a step, seen with noise of a third of a step: it turns back all the
-    // time
+    // a wall inclined by a twentieth of a step per step, with noise of a third of a step: it turns back frequently
     std::mt19937 random(5);
     std::normal_distribution<double> normal;
     auto wall = densely(curve_of({0, 20, 20.5, 40.5}, {0, 0, 10, 10}), 0.2);
@@ -178,7 +178,7 @@ TEST(Levelled, OverhangsDeeperThanNoiseAreFoundInNoise) {
     const auto level = levelled(trace, Reentrance::envelope);
     ASSERT_EQ(level.reentrant.size(), 2u);
     EXPECT_NEAR(level.reentrant[0].depth, 1.0, 0.1);             // five standard errors
-    EXPECT_NEAR(level.reentrant_share, 7.0 / 17.0, 1.2 / 17.0);  // either edge of the hat may be seen in part
+    EXPECT_NEAR(level.reentrant_share, 7.0 / 17.0, 1.2 / 17.0);  // either edge of the hat may be partly visible
 }
 
 TEST(Levelled, ClosedOutlineIsSeenFromAboveAndNotTurned) {
@@ -194,7 +194,7 @@ TEST(Levelled, ClosedOutlineIsSeenFromAboveAndNotTurned) {
     EXPECT_EQ(level.alerts[0].code, "CLOSED_OUTLINE");
     EXPECT_NE(level.alerts[0].message.find("50 %"), std::string::npos) << level.alerts[0].message;
     EXPECT_NEAR(level.profile.size(), 4.0, 1e-3);
-    // a half circle's mean height is 2R/π above its middle
+    // the mean height of a half circle is 2R/π above its middle
     EXPECT_NEAR(height_at(level.profile, 0.5 * level.profile.size()), 2.0 - 4.0 / pi, 1e-3);
     circle.x = circle.x.reverse().eval();
     circle.y = circle.y.reverse().eval();
@@ -246,7 +246,7 @@ TEST(Levelled, NoiseAlongNormalsHasTheStatedDensityAlongTheHeight) {
     const Index n = truth.x.size();
     std::mt19937 random(11);
     std::normal_distribution<double> normal;
-    // C1D of the difference between noisy and true heights, over modes far below the points' step
+    // C1D of the difference between noisy and true heights, over modes far below the step of the points
     double power = 0.0;
     const int runs = 40, modes = 60;
     for (int run = 0; run < runs; ++run) {
@@ -259,7 +259,7 @@ TEST(Levelled, NoiseAlongNormalsHasTheStatedDensityAlongTheHeight) {
         }
         const double length = truth.x[n - 1];
         for (int k = 1; k <= modes; ++k) {
-            // ∫ h e^{−iqx} dx along both, by the trapezoid over points: steps are far below 1/q
+            // ∫ h e^{−iqx} dx along both, by the trapezoidal rule over points: steps are far below 1/q
             std::complex<double> sum;
             const double q = 2.0 * pi * k / length;
             for (Index i = 0; i + 1 < n; ++i) {
@@ -306,7 +306,7 @@ TEST(ParametricStatistics, OfAZigzagAreItsAngle) {
     EXPECT_NEAR(statistics.tortuosity, std::sqrt(2.0), 1e-12);
     EXPECT_NEAR(statistics.rms_angle, pi / 4.0, 1e-12);
     EXPECT_NEAR(statistics.rms_normal_distance, 1.0 / std::sqrt(12.0), 1e-12);
-    EXPECT_NEAR(statistics.rms_curvature, 0.5 * pi / std::sqrt(2.0), 1e-12);  // a right angle a side
+    EXPECT_NEAR(statistics.rms_curvature, 0.5 * pi / std::sqrt(2.0), 1e-12);  // a right angle per side
 }
 
 TEST(ParametricStatistics, OfACircularArcAreClosedForms) {

@@ -14,7 +14,7 @@
 namespace setae::processing::order_statistic_test {
 namespace {
 
-/// Enough numbers that a sample of them is taken.
+/// Enough numbers for a sample.
 constexpr Index columns = 300, rows = 500, many = rows * columns;
 
 ComputedRows rows_of(const Array1D& values) {
@@ -65,7 +65,7 @@ TEST(Quantile, OfAFieldThatRepeatsIsThatOfTheSortedOnes) {
     expect_sorted_quantiles(Array1D::LinSpaced(many, -1.0, 2.0));
 }
 
-/// A sample that misses the quantile: all numbers but those it looks at are larger.
+/// A sample without the quantile: all numbers outside the sample are larger.
 TEST(Quantile, WhereTheSampleMissesItIsThatOfTheSortedOnes) {
     Array1D values = Array1D::LinSpaced(many, 1.0, 2.0);
     std::vector<Index> places;

@@ -10,7 +10,7 @@
 
 namespace setae::processing {
 
-/// A number of a record by its name; a failed test where it is not there.
+/// A number of a record by its name; the test fails if it is missing.
 inline double number_of(const StepRecord& record, const std::string& name) {
     for (const auto& number : record.numbers)
         if (number.quantity == name) return number.estimate.value;

@@ -54,7 +54,7 @@ TEST(Region, OfAPolygonFollowsTheEvenOddRule) {
     HeightMap map{Array2D::Zero(200, 300), {2.0, 3.0}};
     EXPECT_NEAR(static_cast<double>(chosen("include polygon 0.1 m, 0.2 m, 1.9 m, 0.3 m, 0.7 m, 2.8 m", map)) * 1e-4,
                 0.5 * std::fabs(1.8 * 2.6 - 0.6 * 0.1), 0.01);
-    // a pentagram's core is outside of it
+    // the core of a pentagram is outside
     std::string star = "include polygon ";
     for (int k = 0; k < 5; ++k) {
         const double angle = 0.1 + 4.0 * pi / 5.0 * k;

@@ -14,7 +14,7 @@ namespace {
 constexpr Index points = 20000;
 constexpr double step = 1e-7;
 
-/// Power that a filter leaves of a wave, far from the ends.
+/// Power of a wave after a filter, far from the ends.
 double kept_power(const Step& filter, double wavevector) {
     topography::LineScan scan{Array1D(points), points * step, false, {}};
     for (Index i = 0; i < points; ++i) scan.heights[i] = 1e-9 * std::sin(wavevector * step * static_cast<double>(i));
@@ -23,7 +23,7 @@ double kept_power(const Step& filter, double wavevector) {
     return std::pow((after.heights.segment(points / 4, points / 2) * before).sum() / before.square().sum(), 2);
 }
 
-// At its ends the band keeps 99 %, and hardly more: half as far again much less.
+// At its ends the band keeps 99 %, and little more: much less at half the distance beyond.
 TEST(Untouched, BandsOfFiltersKeepWhatTheySay) {
     const double cutoff = 20e-6;
     for (const Step& filter : {Step(GaussianFilter{.cutoff = cutoff, .keep = Kept::short_waves}),

@@ -15,7 +15,7 @@ namespace {
 
 using spectra::Spectrum;
 
-/// A self-affine surface to 4 Å, known to a longer wavelength alone.
+/// A self-affine surface to 4 Å, known only to a longer wavelength.
 spectra::Spectrum curve(double shortest) {
     const spectra::SelfAffine model{.plateau = 5e-27,
                                     .rolloff_wavevector = 2.0 * pi / 0.3e-6,
@@ -42,7 +42,7 @@ TEST(BeyondData, OfAPowerLawIsWhatIsThere) {
         EXPECT_LT(found.rms_slope.interval->lower, found.rms_slope.value);
         EXPECT_GT(found.rms_slope.interval->upper, found.rms_slope.value);
     }
-    // the further, the less is known
+    // the extrapolation is less certain with distance
     const auto near = beyond_data(curve(8e-10), 2.0 * pi / 4e-10), far = beyond_data(curve(5e-9), 2.0 * pi / 4e-10);
     EXPECT_GT(far.rms_slope.standard_error, 3.0 * near.rms_slope.standard_error);
 }
@@ -61,7 +61,7 @@ TEST(BeyondData, OfLinesHasTheClosedForm) {
     EXPECT_THROW((void)beyond_data(line, 1e7), InvalidArgument);
 }
 
-/// A roll-off at 5 µm, of which a map of 1 µm sees nothing.
+/// A roll-off at 5 µm, beyond a map of 1 µm.
 TEST(BeyondData, LongWavesOfAPowerLawAreWhatIsThere) {
     const spectra::SelfAffine model{.plateau = 5e-27,
                                     .rolloff_wavevector = 2.0 * pi / 5e-6,
@@ -81,7 +81,7 @@ TEST(BeyondData, LongWavesOfAPowerLawAreWhatIsThere) {
     EXPECT_NEAR(found.elastic_energy_per_modulus.value / whole.elastic_energy_per_modulus, 1.0, 1e-4);
     EXPECT_LT(found.rms_height.interval->lower, found.rms_height.value);
     EXPECT_GT(found.rms_height.interval->upper, found.rms_height.value);
-    // where the roll-off is seen, longer waves add little
+    // if the roll-off is visible, longer waves add little
     const auto flat = between(1e-4);
     const auto more = beyond_data(flat, 2.0 * pi / 1e-3);
     EXPECT_LT(more.rms_height.value / spectral_parameters(flat).rms_height, 1.001);
@@ -100,7 +100,7 @@ TEST(BeyondData, LongWavesOfLinesFollowTheAbelIntegral) {
     EXPECT_NEAR(found.exponent.value, -4.0, 1e-9);
     // C_iso = 4 q⁻⁴: h² = (1/π) (1/a² − 1/b²)
     EXPECT_NEAR(found.rms_height.value, std::sqrt(1.0 / pi / (0.01 * q0 * q0)), 1e-3 * found.rms_height.value);
-    // where lines do not fall there are no longer waves to speak of
+    // if C1D does not decrease there are almost no longer waves
     auto flat = lines;
     flat.density = Array1D::Constant(300, 1e-24);
     EXPECT_EQ(beyond_data(flat, 0.1 * q0).rms_height.value, spectral_parameters(flat).rms_height);

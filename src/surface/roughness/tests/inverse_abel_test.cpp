@@ -24,7 +24,7 @@ TEST(InverseAbel, KeepsTheMomentsOfTheSurface) {
     EXPECT_NEAR(from_C_iso.rms_slope / truth.rms_slope, 1.0, 0.01);
     EXPECT_NEAR(from_C_iso.rms_curvature / truth.rms_curvature, 1.0, 0.01);
     EXPECT_NEAR(from_C_iso.elastic_energy_per_modulus / truth.elastic_energy_per_modulus, 1.0, 0.01);
-    // of C1D: lines see all that lies across them, the whole band but for waves beyond its end
+    // of C1D: lines contain all waves across them, the whole band except for waves beyond its end
     const auto from_C1D = spectral_parameters({q, C1D, band, spectra::Density::C1D});
     EXPECT_NEAR(from_C_iso.rms_height / from_C1D.rms_height, 1.0, 0.01);
     EXPECT_NEAR(from_C_iso.elastic_energy_per_modulus / from_C1D.elastic_energy_per_modulus, 1.0, 0.05);

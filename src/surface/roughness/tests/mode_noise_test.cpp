@@ -26,7 +26,7 @@ spectra::MeasuredSpectrum modes(Index n) {
     return spectrum;
 }
 
-/// The same one mode after the other: every replica as a spectrum of its own.
+/// The same modes one by one: every replica is a separate spectrum.
 std::vector<SpectralParameters> one_by_one(const spectra::MeasuredSpectrum& spectrum, const Array1D& freedom,
                                            const ModeNoiseOptions& options) {
     const Array2D drawn = spectra::parametric_noise(spectrum, freedom, options.count, options.seed);
@@ -76,7 +76,7 @@ double scatter(const std::vector<SpectralParameters>& replicas, const Value& val
     return std::sqrt(squares) / mean;
 }
 
-// 400 replicas know a standard deviation to 3.5 %
+// the error of a standard deviation from 400 replicas is 3.5 %
 TEST(ModeNoise, OfManyModesScattersAsTheModesDo) {
     const auto spectrum = modes(6000);
     const Array1D freedom = Array1D::Constant(6000, spectra::share_under_hann);

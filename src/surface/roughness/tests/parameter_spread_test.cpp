@@ -59,10 +59,10 @@ TEST(ParameterSpread, GivesSumsOfVariancesItsFreedom) {
     EXPECT_TRUE(std::isinf(ParameterSpread{}.variance_term(height).degrees_of_freedom));
 }
 
-// ± and interval of one number speak of the same scatter: SE of f is s of ln f times f, to first order.
+// ± and interval of one number have the same scatter: SE of f is s of ln f times f, to first order.
 TEST(ParameterSpread, StandardErrorIsThatOfTheInterval) {
     ParameterSpread spread;
-    spread.replicas = {of_height(1.0), of_height(3.0)};  // not looked at next to the jackknife
+    spread.replicas = {of_height(1.0), of_height(3.0)};  // not used together with the jackknife
     spread.left_out = {{of_height(1.001), of_height(1.003), of_height(0.998)}};
     spread.sources = {{"tip radius", of_height(1.002), of_height(0.998)}};
     const auto estimate = spread.estimate(1.0, height);
@@ -75,7 +75,8 @@ TEST(ParameterSpread, StandardErrorIsThatOfTheInterval) {
 
 TEST(ParameterSpread, CovarianceOfTheJackknifeIsItsVarianceForTheSameFunction) {
     ParameterSpread spread;
-    spread.left_out = {{of_height(1.0), of_height(1.2), of_height(1.4)}, {of_height(0.9)}};  // one alone has no scatter
+    spread.left_out = {{of_height(1.0), of_height(1.2), of_height(1.4)},
+                       {of_height(0.9)}};  // a single one has no scatter
     const auto twice = [](const SpectralParameters& p) { return 2.0 * p.rms_height; };
     EXPECT_NEAR(spread.covariance(height, twice), 2.0 * 2.0 / 3.0 * 0.08, 1e-12);
 }
@@ -92,7 +93,7 @@ TEST(ParameterSpread, FallsBackOnReplicasWithoutStrata) {
     EXPECT_EQ(spread.estimate(1.0, height).method, "likelihood");
 }
 
-// Draws of variance 0.1² + 0.1² over one degree of freedom, an input of 0.3: each is in it once.
+// Draws of variance 0.1² + 0.1² over one degree of freedom, an input of 0.3: each is included once.
 TEST(ParameterSpread, AddsInputsToDraws) {
     ParameterSpread spread;
     spread.replicas = {of_height(1.1), of_height(0.9)};

@@ -50,7 +50,7 @@ TEST(RealSpaceParameters, OfAParaboloidHaveItsCurvatureAtOpenBorders) {
 }
 
 TEST(RealSpaceParameters, DropEveryDifferenceThatTouchesAHole) {
-    // one hole costs 2 differences along x, 2 along y and 5 Laplacians: the plane's slopes stay exact
+    // one hole removes 2 differences along x, 2 along y and 5 Laplacians: the slopes of the plane remain exact
     topography::HeightMap map{Array2D(10, 12), {1.0, 1.2}};
     for (Index i = 0; i < 10; ++i)
         for (Index j = 0; j < 12; ++j)

@@ -13,7 +13,7 @@
 namespace setae::roughness::slope_shape_test {
 namespace {
 
-/// Many plane waves of sixteen to a hundred points, so that slopes are Gaussian and differences are derivatives.
+/// Many plane waves of sixteen to a hundred points, so slopes are Gaussian and differences are derivatives.
 topography::HeightMap smooth_map(double stretch) {
     constexpr Index points = 256;
     constexpr int waves = 120;
@@ -48,7 +48,7 @@ TEST(SlopeShape, IsTheTriangulatedAreaAtItsOwnSlope) {
     const auto area = triangulated_area(map, {1});
     const auto shape = slope_shape(map, {1});
     EXPECT_NEAR((shape.area_ratio(area.rms_slope) - 1.0) / (area.area_ratio - 1.0), 1.0, 1e-4);
-    // and, the surface stretched in height, the area of that
+    // and that of the surface stretched in height
     map.heights *= 3.0;
     const auto higher = triangulated_area(map, {1});
     EXPECT_NEAR((shape.area_ratio(higher.rms_slope) - 1.0) / (higher.area_ratio - 1.0), 1.0, 1e-4);

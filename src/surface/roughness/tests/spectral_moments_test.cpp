@@ -19,7 +19,7 @@ Array1D log_spaced(double lower, double upper, Index n) {
     return Array1D::LinSpaced(n, std::log(lower), std::log(upper)).exp();
 }
 
-/// The model's C_iso is a power law on either side of its roll-off, so two nodes a side hold it exactly.
+/// C_iso of the model is a power law on either side of its roll-off, so two nodes per side represent it exactly.
 spectra::Spectrum isotropic_curve() {
     Array1D q(3);
     q << 2.0 * pi, model.rolloff_wavevector, model.short_wavevector;
@@ -63,8 +63,8 @@ TEST(SpectralParameters, IntegrateAPowerLawInClosedForm) {
     EXPECT_NEAR(p.elastic_energy_per_modulus / (1e-20 * 1e12 * std::log(1e3) / 8.0), 1.0, 1e-8);
 }
 
-// Of lines that show waves to 72 nm, the surface's own waves between two others: what C_iso gives. The identities,
-// which hold over 0 … ∞ alone, read 3 to 27 % more at the short end and less at the long one.
+// For lines with waves to 72 nm, the waves of the surface between two others: result of C_iso. The identities, valid
+// only over 0 … ∞, give 3 to 27 % more at the short end and less at the long one.
 TEST(SpectralParameters, OfLinesCutAreThoseOfTheSurfaceCut) {
     for (const Band& band : {Band{1e4, 2e7}, Band{2e6, 8e7}, Band{3e6, 5e7}}) {
         auto lines = profile_curve(), surface = isotropic_curve();
@@ -75,7 +75,7 @@ TEST(SpectralParameters, OfLinesCutAreThoseOfTheSurfaceCut) {
         EXPECT_NEAR(a.rms_curvature / b.rms_curvature, 1.0, 5e-4);
         EXPECT_NEAR(a.elastic_energy_per_modulus / b.elastic_energy_per_modulus, 1.0, 5e-4);
     }
-    // known to 2e7 1/m alone: the last power law continues
+    // known only to 2e7 1/m: the last power law continues
     auto lines = profile_curve(), surface = isotropic_curve();
     const auto known =
         std::upper_bound(lines.wavevector.begin(), lines.wavevector.end(), 2e7) - lines.wavevector.begin();
@@ -86,7 +86,7 @@ TEST(SpectralParameters, OfLinesCutAreThoseOfTheSurfaceCut) {
     const auto a = spectral_parameters(lines), b = spectral_parameters(surface);
     EXPECT_NEAR(a.rms_slope / b.rms_slope, 1.0, 5e-3);
     EXPECT_NEAR(a.rms_curvature / b.rms_curvature, 1.0, 2e-2);
-    // as a sum over modes, which knows the identities alone
+    // as a sum over modes, by the identities only
     lines.nodes = spectra::Nodes::modes;
     EXPECT_GT(spectral_parameters(lines).rms_curvature / b.rms_curvature, 1.1);
 }

@@ -36,7 +36,7 @@ TEST(ProfileFromIsotropic, OfAnInverseFourthPowerIsItsClosedForm) {
 }
 
 TEST(ProfileFromIsotropic, OfAGaussianIsAGaussian) {
-    // power laws between nodes a ratio e^0.0022 apart err by 2.4e-6 q²
+    // power laws between nodes a ratio e^0.0022 apart have an error of 2.4e-6 q²
     const auto nodes = log_spaced(4000, 1e-3, 6.0);
     const Array1D q = log_spaced(30, 1e-3, 2.0);
     const auto profile = profile_from_isotropic(nodes, (-nodes.square()).exp(), q);

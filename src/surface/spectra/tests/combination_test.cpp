@@ -116,7 +116,7 @@ TEST(Combine, WeightsPerInstrumentMakeManyScansCountAsOne) {
 }
 
 TEST(Combine, InverseVarianceFavoursWhatHasMoreModesInABin) {
-    // of a hundred times the length: a hundred times the modes
+    // for a hundred times the length: a hundred times the modes
     const std::vector<MeasuredSpectrum> spectra{power_law(1.0, 0.0, 1.0, 100.0), power_law(2.0, 0.0, 0.01, 100.0)};
     const auto combined = combine(spectra, {.weighting = Weighting::inverse_variance, .slope_correction = false});
     const Index last = combined.density.size() - 2;
@@ -166,7 +166,7 @@ TEST(Bootstrap, ScatterIsTheStandardErrorOfTheMean) {
 }
 
 TEST(Bootstrap, FillsLostBinsWithTheShapeOfTheFullCombination) {
-    // only the second member covers the middle and the end; alone, the first must lend its level
+    // only the second member covers the middle and the end; without it, the first gives its level
     auto first = power_law(1.0, -2.0, 1.0, 10.0), second = power_law(4.0, -2.0, 1.0, 100.0);
     const std::vector<MeasuredSpectrum> spectra{first, second};
     const auto members = binned(spectra, {.slope_correction = false});

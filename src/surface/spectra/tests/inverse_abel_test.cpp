@@ -50,7 +50,7 @@ TEST(InverseAbel, OfASelfAffineSurfaceIsItsSpectrum) {
         const bool bend = std::abs(std::log10(q[k] / 1e6)) < 0.16;  // C_iso bends there within one interval
         EXPECT_NEAR(result.density[k] / exact[k], 1.0, bend ? 0.12 : 0.01) << q[k];
     }
-    // the approximation π C1D/q misses the plateau: there C1D rises towards q = 0 no more and C_iso q/π is below it
+    // the approximation π C1D/q misses the plateau: C1D no longer rises there towards q = 0 and C_iso q/π is below it
     EXPECT_LT(result.ratio[0], 0.2);
     EXPECT_NEAR(result.ratio[60], 2.0 / std::sqrt(pi) * std::tgamma(1.8) / std::tgamma(1.3), 0.01);
 }
@@ -75,7 +75,8 @@ TEST(InverseAbel, UndoesTheIntegralOverLines) {
 TEST(InverseAbel, StatesTheErrorsItsValuesScatterWith) {
     const spectra::SelfAffine model{1e-26, 1e6, 0.8, 1e13};
     const Array1D q = decades(1e6, 1e9, 10),
-                  C1D = spectra::profile_power_spectrum(model, q);  // where C1D is flat it hardly tells of C_iso
+                  C1D = spectra::profile_power_spectrum(model, q);  // where C1D is constant it contains little
+                                                                    // information on C_iso
     const Index n = q.size();
     constexpr int trials = 300;
     const double relative = 0.08;

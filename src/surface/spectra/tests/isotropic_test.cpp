@@ -62,7 +62,7 @@ TEST(PowerSpectrumMap, OfARadialWindowIsThatOfTheFormula) {
     EXPECT_LT((power_spectrum_map(map, {.window = Window::radial_hann}) - expected).abs().maxCoeff(), 1e-14);
 }
 
-/// Radial mean by asking every mode for its bin.
+/// Radial mean by computing the bin of every mode.
 std::map<Index, std::array<double, 3>> radial_sums(const HeightMap& map, const LogGrid& grid,
                                                    const SpectrumOptions& options) {
     const auto spectrum = power_spectrum_map(map, options);
@@ -119,7 +119,7 @@ TEST(IsotropicPowerSpectrum, DoesNotDependOnTheDirectionOfAWave) {
     EXPECT_NEAR((one.density * one.count).sum(), 0.5, 1e-12);
 }
 
-// A cos(q·r) stores |q| A²/8 whatever its direction, over modes inside the band alone; sums of waves store the sum.
+// A cos(q·r) stores |q| A²/8 for any direction, only over modes inside the band; sums of waves store the sum.
 TEST(EnergyOfModes, IsThatOfEachWave) {
     constexpr Index nx = 48, ny = 35;
     constexpr double size_x = 2e-6, size_y = 1e-6;

@@ -44,9 +44,9 @@ TEST(Jackknife, FillsBinsOnlyTheOneLeftOutCovers) {
                                 {"stylus", "stylus", "afm", "afm"});
     const auto left_out = jackknife(binned);
     ASSERT_EQ(left_out.C1D.size(), 2u);
-    // without the third: bin 1 is the mean of 1, 3, 2, as with it, so the lost bin keeps its value
+    // without the third: bin 1 is the mean of 1, 3, 2, as with it, so the missing bin keeps its value
     EXPECT_NEAR(left_out.C1D[0](0, 2), 8.0, 1e-14);
-    // without the first: bin 1 rises to 7/3, a single bin next to the lost one does not exist, so nothing else changes
+    // without the first: bin 1 rises to 7/3, there is no single bin next to the missing one, so nothing else changes
     EXPECT_NEAR(left_out.C1D[1](0, 0), 3.0, 1e-14);
     EXPECT_NEAR(left_out.C1D[1](0, 1), 7.0 / 3.0, 1e-14);
     EXPECT_NEAR(left_out.C1D[1](0, 2), 8.0, 1e-14);

@@ -18,7 +18,7 @@ namespace {
 
 using topography::HeightMap;
 
-/// A piece of a Gaussian surface with the autocorrelation exp(−(r/T)²), free of the surface's own period.
+/// A part of a Gaussian surface with the autocorrelation exp(−(r/T)²), without the period of the surface.
 HeightMap piece(Index points, double size, double T, std::uint64_t seed) {
     const SpectralDensity C_iso = [=](double q) { return std::exp(-0.25 * q * q * T * T); };
     const auto whole =
@@ -42,8 +42,7 @@ TEST(LineCoherence, OfWhiteNoiseIsTheNumberOfLines) {
         std::normal_distribution<double> normal;
         return HeightMap{Array2D::NullaryExpr(128, 128, [&] { return normal(random); }), {1.0, 1.0}, false, {}};
     };
-    // one line less adds 0.008, cutting n at N where its error of 7 % lets it exceed N adds 0.4 × 0.07; statistical
-    // 0.004
+    // one line fewer adds 0.008, limiting n to N where its error of 7 % exceeds N adds 0.4 × 0.07; statistical 0.004
     EXPECT_NEAR(mean_inverse(20, white) * 128.0, 1.036, 0.012);
 }
 
@@ -82,7 +81,7 @@ TEST(LineCoherence, StandardErrorIsTheScatterBetweenMaps) {
         variance += (densities.col(k) / mean[k] - 1.0).square().sum() / (maps - 1.0) / static_cast<double>(modes);
         covered += static_cast<double>((lower.col(k) < mean[k] && upper.col(k) > mean[k]).count());
     }
-    // as many lines as pixels would say 0.09
+    // as many lines as pixels would give 0.09
     EXPECT_NEAR(std::sqrt(errors.square().mean() / variance), 1.0, 0.1);
     EXPECT_GT(covered / static_cast<double>(maps * modes), 0.92);
 }

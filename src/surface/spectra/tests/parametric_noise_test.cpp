@@ -18,7 +18,7 @@ MeasuredSpectrum three_modes() {
     return spectrum;
 }
 
-// 4000 replicas know a mean to √(1/4000ν) and a variance of a gamma variate to √((2 + 6/ν)/4000).
+// The errors from 4000 replicas are √(1/4000ν) for a mean and √((2 + 6/ν)/4000) for a variance of a gamma variate.
 TEST(ParametricNoise, HasTheMeanAndTheVarianceOfAPeriodogram) {
     Array1D freedom(3);
     freedom << 0.514, 1.0, 20.0;

@@ -58,7 +58,7 @@ RC_GTEST_PROP(PolylinePowerSpectrumProperty, CollinearPointsChangeNothing, ()) {
 RC_GTEST_PROP(PolylinePowerSpectrumProperty, AShiftChangesNothing, (std::uint16_t shift)) {
     const auto n = *rc::gen::inRange(3, 200);
     auto profile = random_profile(n, 1.0, 0.8, *rc::gen::arbitrary<unsigned>());
-    // positions that a shift leaves exact: multiples of 2^-20
+    // positions that are exact after a shift: multiples of 2^-20
     profile.positions = (profile.positions * 1048576.0).round() / 1048576.0;
     const auto window = any_window();
     const auto q = log_spaced(60, 1.0 / static_cast<double>(n), 30.0);

@@ -84,7 +84,7 @@ INSTANTIATE_TEST_SUITE_P(All, PolylineWindows, testing::Values(Window::none, Win
                          [](const auto& test) { return name(test.param); });
 
 TEST(PolylinePowerSpectrum, AgreesOfBothFormsWhereTheyMeet) {
-    // a dense sweep crosses q*, wherever it lies
+    // a dense sweep crosses q*, at any position
     const auto profile = topography::detrended(random_profile(300), topography::Trend::mean);
     EXPECT_LT(largest_deviation(profile, Array1D::LinSpaced(200, 0.02, 1.0), Window::hann), 1e-10);
 }

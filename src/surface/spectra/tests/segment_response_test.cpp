@@ -38,8 +38,8 @@ Array1D positions(Index n, const std::function<double(std::mt19937_64&)>& step, 
     return x;
 }
 
-/// Mean over phases of the spectrum that segments between the points show of waves of spectrum |p|^−exponent up to the
-/// band's end, over the spectrum itself: what SegmentResponse predicts, by sampling every wave.
+/// Mean over phases of the spectrum of segments between the points for waves of spectrum |p|^−exponent up to the end of
+/// the band, over the spectrum itself: prediction of SegmentResponse, by sampling every wave.
 Array1D sampled_response(const Array1D& x, const Array1D& q, double exponent) {
     const double length = x[x.size() - 1], end = pi * static_cast<double>(x.size() - 1) / length;
     const double spacing = 2.0 * pi / (3.0 * length);

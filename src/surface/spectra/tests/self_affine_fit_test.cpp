@@ -152,7 +152,7 @@ MeasuredSpectrum modes_of(const SelfAffine& model, double length, double upper) 
 }
 
 TEST(SelfAffineFit, OfMeasurementsThatMeetInNoBinIsOfAllTheirModes) {
-    // a scan that sees the plateau and one that sees the power law: neither knows the roll-off alone, both do
+    // a scan with the plateau and one with the power law: neither determines the roll-off alone, both together do
     auto endless = surface;
     endless.short_wavevector = 1e13;
     const std::array<MeasuredSpectrum, 2> apart{modes_of(endless, 1e-3, 4e6), modes_of(endless, 2e-6, 3e8)};
@@ -204,7 +204,7 @@ TEST(SelfAffineFit, SaysWhereReliableValuesBeyondItDepart) {
     const auto fit = fit_self_affine(bad);
     EXPECT_NEAR(fit.hurst_exponent.estimate.value, 0.72, 0.02);
     EXPECT_TRUE(has_alert(fit, "MODEL_MISSES_BEYOND"));
-    // a range of one's own leaves values out on purpose
+    // a given range excludes values deliberately
     EXPECT_FALSE(has_alert(fit_self_affine(bad, {.range = Band{1e6, 1.5e7}}), "MODEL_MISSES_BEYOND"));
 }
 

@@ -63,7 +63,7 @@ TEST(ProfileDensity, IsTheAbelIntegralOfTheModel) {
     const auto C1D = profile_density(density(model), {0.01, 1e4});
     auto q = tests::log_spaced(400, 1e-5, 299.9);
     const auto expected = profile_power_spectrum(model, q);
-    // power laws between nodes, 1e-5 wrong halfway between, also at the bend and close to the cutoff
+    // power laws between nodes, error 1e-5 halfway between, also at the bend and close to the cutoff
     for (Index k = 0; k < q.size(); ++k) EXPECT_NEAR(C1D(q[k]) / expected[k], 1.0, 2e-5) << q[k];
     EXPECT_EQ(C1D(300.0), 0.0);
     EXPECT_EQ(C1D(301.0), 0.0);
@@ -77,7 +77,7 @@ TEST(ProfileDensity, RisesBelowABandThatBeginsAtTheRolloff) {
     const auto expected = profile_power_spectrum(model, q);
     for (Index k = 0; k < q.size(); ++k) EXPECT_NEAR(C1D(q[k]) / expected[k], 1.0, 2e-5) << q[k];
     EXPECT_GT(C1D(1e-6) / C1D(1.0), 1.5);
-    // a plateau alone: C1D = sqrt(q_s^2 - q^2)/pi
+    // only a plateau: C1D = sqrt(q_s^2 - q^2)/pi
     const auto flat = profile_density([](double wavevector) { return wavevector <= 5.0 ? 1.0 : 0.0; }, {2.0, 10.0});
     for (const double x : {0.0, 0.01, 1.0, 2.0, 3.0, 4.9, 4.9999})
         EXPECT_NEAR(flat(x), std::sqrt(25.0 - x * x) / pi, 1e-5 * flat(x)) << x;
@@ -125,7 +125,8 @@ TEST(SurfaceDensity, IsTheSurfaceWhoseLinesWereTabulated) {
 }
 
 TEST(MomentOfADensity, IsTheClosedFormOfTheModel) {
-    // below the band the plateau gives lower^(n+2)/(n+2); the band begins and ends pieces at its kinks, a decade apart
+    // below the band the plateau contributes lower^(n+2)/(n+2); the band has ends of pieces at its kinks, a decade
+    // apart
     const SelfAffine model{2.0, 1.0, 0.7, 1000.0};
     for (const double order : {0.0, 1.0, 2.0, 4.0}) {
         const double below = 2.0 * std::pow(0.1, order + 2.0) / (order + 2.0);

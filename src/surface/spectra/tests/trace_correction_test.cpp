@@ -35,7 +35,7 @@ topography::LineScan line(const spectra::SpectralDensity& C1D, Index refinement,
     return synthesis::random_line(C1D, {4096 * refinement, 4096.0}, options);
 }
 
-/// A curve of spectrum `truth` as traced: blurred, smoothed, with smoothed noise from point to point.
+/// A curve of true spectrum as traced: blurred, smoothed, with smoothed point-to-point noise.
 Profile traced(std::uint64_t seed, bool irregular, bool noisy = true) {
     const Index refinement = irregular ? 4 : 1;
     const auto curve =
@@ -59,7 +59,7 @@ Profile traced(std::uint64_t seed, bool irregular, bool noisy = true) {
 }
 
 struct HalfDecade {
-    double mean = 0.0, error = 0.0;  ///< of C1D/truth
+    double mean = 0.0, error = 0.0;  ///< of C1D over the true value
 };
 
 /// Over curves, between neighbouring edges.
@@ -143,7 +143,7 @@ TEST(TraceCorrection, FreesALevelledCurveOfNoiseAlongItsNormalsAndSmoothingAlong
                     counts[i] += 1.0;
                 }
     }
-    // periodograms under a Hann window: two modes are worth about one
+    // periodograms with a Hann window: two modes are equivalent to about one
     for (std::size_t i = 0; i < 2; ++i)
         EXPECT_NEAR(sums[i] / counts[i], 1.0, std::max(0.1, 2.0 * std::sqrt(2.0 / counts[i]))) << i;
 }
@@ -151,7 +151,7 @@ TEST(TraceCorrection, FreesALevelledCurveOfNoiseAlongItsNormalsAndSmoothingAlong
 TEST(TraceCorrection, IsNeededAndCanBeLeftOut) {
     SpectrumOptions as_traced;
     as_traced.trace_response = false;
-    // blur and smoothing lower the spectrum, noise lifts it; what is left over would be an accident
+    // blur and smoothing lower the spectrum, noise raises it; a remaining deviation would be accidental
     const auto smooth = ratios_to_truth({0.3, 0.45}, false, as_traced, 40, false),
                both = ratios_to_truth({0.3, 0.45}, false, as_traced, 40);
     EXPECT_LT(smooth[0].mean, 0.9);
@@ -166,7 +166,7 @@ TEST(TraceCorrection, IsNeededAndCanBeLeftOut) {
 }
 
 TEST(TraceCorrection, EndsTheBandWhereNoiseTakesOver) {
-    // C1D = 2 N exp((q blur)²) is met at q = 0.46
+    // C1D = 2 N exp((q blur)²) is true at q = 0.46
     std::vector<double> ends;
     for (std::uint64_t seed = 0; seed < 30; ++seed) ends.push_back(power_spectrum(traced(seed, false)).band.upper);
     std::sort(ends.begin(), ends.end());
@@ -191,7 +191,7 @@ TEST(TraceCorrection, SaysWhatItDid) {
                                     [](const auto& a) { return a.code == "TRACE_NOISE"; });
     ASSERT_NE(alert, spectrum.alerts.end());
     EXPECT_NE(alert->message.find("1.00×10⁻⁵ m³"), std::string::npos) << alert->message;
-    // at the end of the band a third of what is left of the traced power is noise
+    // at the end of the band a third of the remaining traced power is noise
     EXPECT_NE(alert->message.find("noise was 3"), std::string::npos) << alert->message;
 }
 
@@ -206,7 +206,7 @@ TEST(TraceCorrection, FindsTheBandAlsoAtChosenWavevectors) {
 }
 
 TEST(TraceCorrection, OfSegmentsTakesOffTheirShareOfTheNoise) {
-    // nothing but noise between equal steps, taken for segments: on average nothing is left
+    // only noise between equal steps, treated as segments: zero on average
     SpectrumOptions segments;
     segments.contour = ContourTreatment::segments;
     double sum = 0.0;

@@ -88,7 +88,7 @@ TEST(ContainerDraft, SourcesOfAContainerAreTakenAlong) {
     EXPECT_EQ(std::get<topography::Profile>(open(written(folder, other), {}).at(0).read()).standard_error[2], 7e-11);
 }
 
-// Others read value and unit of the radius; the ± stands next to them.
+// Other programs read value and unit of the radius; the ± is next to them.
 TEST(ContainerDraft, KeepsWhatIsKnownOfErrors) {
     const TemporaryFolder folder;
     const auto container = one_file(

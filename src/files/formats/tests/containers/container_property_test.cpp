@@ -8,7 +8,8 @@
 #include "sample_files.hpp"
 #include "setae/formats/container.hpp"
 
-// Indices of every generation, made by other code than the library's: what is read, written and read again is the same.
+// Indices of every generation, created by code independent of the library: reading, writing and reading again gives the
+// same content.
 using namespace setae::tests;
 
 namespace setae::formats::tests::container_property_test {
@@ -135,7 +136,7 @@ std::string as_old_yaml(const json& index) {
     return text;
 }
 
-/// Characters beyond the first plane stand as pairs in ASCII JSON, which YAML takes for two: there they are left out.
+/// Characters beyond the first plane are pairs in ASCII JSON, which YAML reads as two: they are left out there.
 json without_pairs(const json& index) {
     auto text = index.dump();
     for (auto at = text.find("😀"); at != std::string::npos; at = text.find("😀"))

@@ -5,7 +5,7 @@
 
 namespace setae::formats::tests {
 
-/// Indices of one container in each generation's words; the members are "line.txt" and "map.nc".
+/// Indices of one container in the keys of each generation; the members are "line.txt" and "map.nc".
 [[nodiscard]] std::string old_yaml_index();
 [[nodiscard]] std::string transitional_json_index();
 [[nodiscard]] std::string json_index_text();

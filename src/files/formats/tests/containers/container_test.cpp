@@ -32,7 +32,7 @@ bytes::Source one_line(const std::string& index_fields) {
          {"line.txt", line_text}});
 }
 
-/// The members of a container as they stand in it.
+/// The members of a container, unchanged.
 std::vector<ContainerMember> members_of(const bytes::Source& source) {
     std::vector<ContainerMember> members;
     for (const auto& name : read_container(source).members)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// NetCDF, NPY, NPZ and MAT: what the tests of all formats do not check.
+// NetCDF, NPY, NPZ and MAT: additions to the tests of all formats.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -62,7 +62,7 @@ TEST(NetCdf,
     EXPECT_EQ(channel.info.unit, "nm");
 }
 
-TEST(NetCdf, Version4IsReadToo) {  // SurfaceTopography reads the classic format alone
+TEST(NetCdf, Version4IsReadToo) {  // SurfaceTopography reads only the classic format
     const auto map = std::get<HeightMap>(channels_of(named(netcdf_samples(), "version 4, packed")).at(0).read());
     EXPECT_TRUE(map.periodic);
     EXPECT_DOUBLE_EQ(map.size[1], 1e-6);
@@ -178,7 +178,7 @@ TEST(Npy, RecordsAndForeignNumbersAreRefused) {
     EXPECT_NE(message(npy_of("'<f8'", "()", std::string(8, '\0'))).find("0 dimensions"), std::string::npos);
 }
 
-TEST(Npy, ArraysOfOneDimensionAreLines) {  // SurfaceTopography reads two dimensions alone
+TEST(Npy, ArraysOfOneDimensionAreLines) {  // SurfaceTopography reads only two dimensions
     const auto line = std::get<LineScan>(
         channels_of(named(npy_samples(), "line of uint64"), {.size = {{2e-6}}, .unit = "nm"}).at(0).read());
     EXPECT_DOUBLE_EQ(line.heights[4], 7e-9);
@@ -226,12 +226,12 @@ TEST(Mat, ARowIsALineOfThePicture) {  // SurfaceTopography takes the row as x
 TEST(Mat, Version73IsReadAsWell) {  // SurfaceTopography 1.22 reads up to version 7.2
     const auto sample = named(mat_samples(), "version 7.3");
     const auto channels = channels_of(sample, sample.options);
-    ASSERT_EQ(channels.size(), 1u);  // neither the text nor what stands in the struct
+    ASSERT_EQ(channels.size(), 1u);  // neither the text nor the content of the struct
     EXPECT_EQ(channels[0].info.name, "height");
     EXPECT_EQ(channels[0].info.orientation, "rows of the matrix from the top, as stored");
 }
 
-TEST(Mat, SizeAndUnitAreAskedFor) {  // SurfaceTopography has none and asks for nothing
+TEST(Mat, SizeAndUnitAreAskedFor) {  // SurfaceTopography has none and does not require any
     for (const auto& sample : mat_samples()) {
         const auto channel = channels_of(sample).at(sample.channel);
         EXPECT_EQ(missing(channel.info)[0], "size");

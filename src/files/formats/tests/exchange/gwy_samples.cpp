@@ -48,7 +48,7 @@ std::vector<FormatSample> gwy_samples() {
     for (int k = 0; k < 12; ++k)
         many += gwy_component(fmt::format("/{}/data", k), 'o',
                               gwy_field((k == 11 ? 1.0 : 2.0) * heights, 5e-6, 2e-6, "m", "m"));
-    // besides the map: every type of component there is
+    // in addition to the map: every type of component
     std::string all = gwy_component("/0/data", 'o', field) + gwy_text("/0/data/title", "Topography ↑") +
                       gwy_component("/0/data/visible", 'b', "\x01");
     all += gwy_component("letter", 'c', "x") +

@@ -16,7 +16,7 @@ std::vector<hsize_t> extents_of(const Array2D& map) {
     return {static_cast<hsize_t>(map.rows()), static_cast<hsize_t>(map.cols())};
 }
 
-/// A map [nm] in a group with unit, its size given by who reads.
+/// A map [nm] in a group with unit, its size given by the user.
 FormatSample map_sample(const std::string& name, hid_t type, const Layout& layout,
                         const Hdf5Builder::Options& options = {}) {
     const auto map = lopsided_heights(7, 5, 1.0);
@@ -78,8 +78,8 @@ FormatSample datx_sample(const std::string& name, const std::string& unit, doubl
             .heights = map * metres};
 }
 
-/// `frames` frames of 5 × 3 pixels, the k-th 1000 k higher; heights = 2e-9 raw + 1e-9 m. The last frame is the
-/// sample's.
+/// `frames` frames of 5 × 3 pixels, the k-th 1000 k higher; heights = 2e-9 raw + 1e-9 m. The last frame is that of the
+/// sample.
 FormatSample jpk_sample(const std::string& name, hsize_t frames, const Layout& layout) {
     const auto map = lopsided_heights(5, 3, 1.0);
     std::vector<double> values;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// HDF5 and the formats made of it: what the tests of all formats do not check.
+// HDF5 and the formats based on it: additions to the tests of all formats.
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -123,7 +123,7 @@ TEST(Hdf5, DatasetThatTheLibraryCannotOpenIsTold) {
     Hdf5Builder file({.newest = true});
     file.dataset("/a", H5T_STD_I16LE, {4, 5}, numbers(20)).dataset("/b", H5T_STD_I16LE, {4, 5}, numbers(20));
     auto content = file.bytes();
-    content[content.rfind("OHDR") + 12] ^= 1;  // its checksum then tells the header's damage
+    content[content.rfind("OHDR") + 12] ^= 1;  // its checksum then shows the damage of the header
     const auto channels = channels_of(content);
     ASSERT_EQ(channels.size(), 2u);
     const std::size_t damaged = channels[0].info.alerts.empty() ? 1 : 0;
@@ -140,7 +140,7 @@ TEST(Hdf5, HeapsThatDoNotAddUpAreRefusedBeforeTheLibrarySeesThem) {
     ASSERT_NE(heap, std::string::npos);
     EXPECT_EQ(channels_of(content).size(), 1u);
     for (const std::size_t byte :
-         {8, 10, 24, 26, 56 + 8, 56 + 9}) {  // of the heap's size, of the text's, of the free space after it
+         {8, 10, 24, 26, 56 + 8, 56 + 9}) {  // of the size of the heap, of the text, of the free space after it
         auto damaged = content;
         damaged[heap + byte] ^= 0x40;
         EXPECT_NE(message_of([&] { (void)channels_of(damaged); }).find("a heap"), std::string::npos) << byte;
@@ -189,7 +189,7 @@ TEST(Hdf5, BombsAreRefused) {
     const auto content = file.bytes();
     ASSERT_LT(content.size(), side * side * 8 / 100);
     const auto channels = channels_of(content);
-    ASSERT_EQ(channels.size(), 2u);  // what is next to it is read
+    ASSERT_EQ(channels.size(), 2u);  // adjacent data are read
     EXPECT_NE(message_of([&] { (void)channels[0].read(); }).find("it is damaged, or a map of one value"),
               std::string::npos);
     EXPECT_EQ(std::get<HeightMap>(channels[1].read()).heights(1, 2), 5.0 * units::nm);
@@ -318,9 +318,10 @@ TEST(JpkHdf5, PixelsThatAreNoLinesAreRefused) {
               std::string::npos);
 }
 
-// ---- what does not look like heights --------------------------------------------------------------------------------
+// ---- data that are unlikely to be heights
+// ------------------------------------------------------------------------------
 
-/// Why the only array of a file is taken for no heights.
+/// Why the only array of a file is not read as heights.
 std::string why(const std::string& path, hid_t type, const std::vector<hsize_t>& extents,
                 const std::vector<double>& values, bool beside = false) {
     Hdf5Builder file;

@@ -10,8 +10,8 @@
 #include "hdf5_builder.hpp"
 #include "setae/core/constants.hpp"
 
-// Built from MathWorks' description: a matrix is stored column after column. A map h(x, y) is the matrix of its lines,
-// M(row y, column x).
+// Built from the description by MathWorks: a matrix is stored column after column. A map h(x, y) is the matrix of its
+// lines, M(row y, column x).
 using namespace setae::tests;
 
 namespace setae::formats::tests {
@@ -54,7 +54,7 @@ std::string level4(const Array2D& map, std::endian order, std::uint32_t precisio
     return file.content();
 }
 
-/// An element of level 5: type, length, content filled up to 8 bytes.
+/// An element of level 5: type, length, content padded to 8 bytes.
 std::string element(std::uint32_t type, const std::string& content, std::endian order) {
     ByteBuilder file(order);
     file.number(type).number(static_cast<std::uint32_t>(content.size())).text(content);

@@ -9,7 +9,7 @@
 #include "setae/core/constants.hpp"
 
 // Built from the specification of the classic format: magic and version, records, dimensions, attributes, variables,
-// values; all big-endian, counts 4 bytes wide, 8 in version 5; offsets 4 bytes wide in version 1, else 8.
+// values; all big-endian, counts 4 bytes wide, 8 in version 5; offsets 4 bytes wide in version 1, otherwise 8.
 using namespace setae::tests;
 
 namespace setae::formats::tests {
@@ -41,8 +41,7 @@ public:
         attributes_.push_back(attribute);
         return *this;
     }
-    /// `values` as they stand in the file; of a record variable those of one record after another, each of `record`
-    /// bytes.
+    /// `values` as in the file; for a record variable those of the records in sequence, each of `record` bytes.
     Classic& variable(const std::string& name, std::uint32_t type, std::vector<std::uint32_t> dimensions,
                       std::vector<std::string> attributes, std::string values, std::size_t record = 0) {
         variables_.push_back({name, type, std::move(dimensions), std::move(attributes), std::move(values), record});
@@ -104,7 +103,7 @@ private:
         part.number(entries ? tag : std::uint32_t{0});
         count(part, entries);
     }
-    /// The header; record variables come last, and offsets in the order of variables (zero where none are given).
+    /// The header; record variables come last, and offsets in the order of variables (zero if not given).
     [[nodiscard]] std::string header_with(const std::vector<std::uint64_t>& offsets) const {
         ByteBuilder part(std::endian::big);
         part.text("CDF").number(static_cast<std::uint8_t>(version_));
@@ -182,7 +181,7 @@ FormatSample map_sample(int version) {
             .heights = map * units::nm};
 }
 
-/// The first index unlimited, its records padded: 3 heights of int16 and a byte that stands between.
+/// The first index unlimited, its records padded: 3 heights of int16 and a byte between.
 FormatSample records_sample() {
     const auto map = lopsided_heights(5, 3, 1.0);
     Classic file(2);

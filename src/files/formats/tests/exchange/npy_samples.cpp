@@ -14,7 +14,7 @@ using namespace setae::tests;
 namespace setae::formats::tests {
 namespace {
 
-/// The header of NEP 1: magic, version, length, dictionary filled up to a multiple of 64 and a line end.
+/// The header of NEP 1: magic, version, length, dictionary padded to a multiple of 64 and a line end.
 ByteBuilder npy_header(int version, const std::string& type, const std::string& fortran, const std::string& shape,
                        std::endian order = std::endian::little) {
     auto dictionary = fmt::format("{{'descr': '{}', 'fortran_order': {}, 'shape': ({}), }}", type, fortran, shape);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Gwyddion Simple Field, heights in TIFF, TopoStats: what the tests of all formats do not check.
+// Gwyddion Simple Field, heights in TIFF, TopoStats: additions to the tests of all formats.
 #include <gtest/gtest.h>
 
 #include "byte_builder.hpp"
@@ -26,7 +26,7 @@ std::string refusal(const std::string& content, const ReadOptions& options = {})
 TEST(Gsf, IsWrittenAsItIsRead) {
     const TemporaryFolder folder;
     const topography::HeightMap map{lopsided_heights(5, 3, 1e-9), {2e-6, 3e-6}, false, {}};
-    for (const char* name : {"t", "ti", "tit", "titl"}) {  // every length of what fills the header up
+    for (const char* name : {"t", "ti", "tit", "titl"}) {  // every length of the padding of the header
         auto named = map;
         named.metadata.name = name;
         format_to_write("a.gsf").write(folder.path("a.gsf"), named);

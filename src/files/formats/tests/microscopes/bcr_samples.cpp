@@ -29,7 +29,7 @@ std::string header(const std::string& format, const std::string& more) {
         format, nx, ny, nx * 100.0, ny * 200.0, more);
 }
 
-/// Sizes of 100 and 200 nm a point; where the file counts between the first point and the last, n/(n − 1) as much.
+/// Sizes of 100 and 200 nm per point; n/(n − 1) times as much if the file counts from the first to the last point.
 std::vector<double> sizes(bool between_points) {
     return {nx * 100.0 * units::nm * (between_points ? nx / (nx - 1.0) : 1.0),
             ny * 200.0 * units::nm * (between_points ? ny / (ny - 1.0) : 1.0)};

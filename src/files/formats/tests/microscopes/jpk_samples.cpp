@@ -58,7 +58,7 @@ TiffPageBuilder channel(std::endian order, const char* name, bool retrace, bool 
     return page;
 }
 
-/// Raw values as the file stores them: from the bottom, or from the top of a reflected grid.
+/// Raw values as in the file: from the bottom, or from the top of a reflected grid.
 template <class Integer>
 std::string rows(const Array2D& raw, std::endian order, bool reflected) {
     ByteBuilder builder(order);
@@ -66,7 +66,7 @@ std::string rows(const Array2D& raw, std::endian order, bool reflected) {
     return builder.content();
 }
 
-/// PackBits of rows that do not repeat: runs of at most 128 bytes as they are, each after its length less one.
+/// PackBits of rows without repetitions: literal runs of at most 128 bytes, each after its length minus one.
 std::string packed_rows(const std::string& content, std::size_t row) {
     std::string packed;
     for (std::size_t at = 0; at < content.size(); at += row)
@@ -74,7 +74,7 @@ std::string packed_rows(const std::string& content, std::size_t row) {
     return packed;
 }
 
-/// Four tiles that reach over right and upper border, each value stored as its difference to the one left of it.
+/// Four tiles that extend beyond right and upper border, each value stored as its difference to the one on its left.
 FormatSample sample_of_tiles() {
     constexpr int tile = 16, wide = 20, high = 18;
     const Array2D raw = lopsided_heights(wide, high, -700.0);
@@ -141,7 +141,7 @@ std::vector<FormatSample> jpk_qi_samples() {
     auto plain = channel(big, "Height (measured)", false, false, 32);
     plain.strips(ny, {rows<std::int32_t>(raw, big, false)})
         .text(0x8053, "algorithm.object-name.fancy-name : Ref. Force Height at 40%\nchannel.name : measuredHeight");
-    constexpr int tile = 16;  // the least TIFF knows
+    constexpr int tile = 16;  // the minimum for TIFF
     ByteBuilder padded(big);
     for (int j = 0; j < tile; ++j)
         for (int i = 0; i < tile; ++i)

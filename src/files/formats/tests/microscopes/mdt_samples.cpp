@@ -55,7 +55,7 @@ std::string calibration(const std::string& name, const std::string& unit, double
     return file.text(name).text(unit).content();
 }
 
-/// A frame that describes itself, with the measurands' calibrations and the cells row after row from the bottom.
+/// A self-describing frame, with the calibrations of the measurands and the cells row after row from the bottom.
 std::string mda_frame(const std::string& title, const std::vector<std::string>& measurands, const std::string& cells) {
     constexpr std::uint32_t head = 4 + 4 + 32 + 4 + 8 * 4;
     const std::string comment = "c\0o\0", view(5, 'v'), specification(3, 's'), origin(2, 'o');

@@ -40,7 +40,7 @@ std::string binary(const Array2D& raw) {
     return ByteBuilder().rows<Integer>(Array2D::Zero(nx, ny)).template rows<Integer>(raw.rowwise().reverse()).content();
 }
 
-/// Numbers of both channels in words: one after the other, or each a column.
+/// Numbers of both channels as text: in sequence, or one column each.
 std::string words(const Array2D& values, bool columns) {
     std::string first, second, both;
     for (Index j = ny - 1; j >= 0; --j)

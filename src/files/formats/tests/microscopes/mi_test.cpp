@@ -28,15 +28,15 @@ std::string message(const std::string& content) {
     });
 }
 
-/// The field's reader took lengths in metres for micrometres.
+/// SurfaceTopography read lengths in metres as micrometres.
 TEST(Mi, SizesAreMetresWhateverTheUnitOfHeights) {
     const auto info = opened(sample_of("BINARY").content).at(1).info;
     EXPECT_DOUBLE_EQ(info.size.at(0), 16 * units::um);
     EXPECT_EQ(info.unit, "µm");
 }
 
-/// "FALSE" is a text that is not empty: the field's reader took it for true. Rows lie the same way for both directions
-/// of the scan.
+/// "FALSE" is a nonempty text: SurfaceTopography read it as true. Rows have the same order for both directions of the
+/// scan.
 TEST(Mi, RowsAreTurnedForScansUpwardsAndDownwards) {
     const auto sample = sample_of("BINARY_32");
     const auto down = opened(sample.content).at(1),
@@ -48,7 +48,7 @@ TEST(Mi, RowsAreTurnedForScansUpwardsAndDownwards) {
             .all());
 }
 
-/// The field's reader stopped at the first number in words.
+/// SurfaceTopography stopped at the first number as text.
 TEST(Mi, NumbersInWordsAreRead) {
     const auto map = std::get<topography::HeightMap>(opened(sample_of("ASCII").content).at(1).read());
     EXPECT_NEAR(map.heights(0, 0), 7.0 * 3.0 * units::um / 32768.0, 1e-20);

@@ -7,7 +7,7 @@
 
 namespace setae::formats::tests {
 
-/// A scan with the channels Z [m], both ways, and Current [A], forward; `z` as seen, first y at the top.
+/// A scan with the channels Z [m], both directions, and Current [A], forward; `z` as displayed, first y at the top.
 [[nodiscard]] std::string nanonis_file(const Array2D& z, const std::string& direction, const std::string& range,
                                        const std::string& type = "FLOAT            MSBFIRST");
 

@@ -18,7 +18,7 @@ using topography::HeightMap;
 std::vector<Channel> opened(const std::string& content) {
     return formats::open(bytes::memory_source("a.di", content), {});
 }
-/// A part replaced and what follows kept in its place: zeros pad the header.
+/// Replaces a part without moving the following bytes: zeros pad the header.
 std::string replaced(std::string content, const std::string& from, const std::string& to) {
     const auto grown = static_cast<long>(to.size()) - static_cast<long>(from.size());
     content.replace(content.find(from), from.size(), to);
@@ -31,7 +31,7 @@ std::string message(const std::string& content) {
     return message_of([&] { (void)opened(content); });
 }
 
-/// The field's reader broke on maps that are not square.
+/// SurfaceTopography failed for maps that are not square.
 TEST(Nanoscope, WidthAndHeightKeepTheirAxes) {
     const auto map = std::get<HeightMap>(opened(sample()).at(0).read());
     EXPECT_EQ(map.shape(), (std::array<Index, 2>{7, 4}));
@@ -91,7 +91,7 @@ TEST(Nanoscope, SensitivityPerMillivoltIsConverted) {
     EXPECT_NEAR(milli.heights(3, 2), plain.heights(3, 2), 1e-12 * plain.heights(3, 2));
 }
 
-/// Version 5.30 may state another number of points for an image than its block holds; pixels stay square.
+/// Version 5.30 may state another number of points for an image than its block contains; pixels remain square.
 TEST(Nanoscope, PointsOfTheScanHoldWhereThoseOfTheImageDoNotFillItsBlock) {
     const auto content = replaced(
         replaced(sample(), "\\Samps/line: 7\r\n\\Number of lines: 4", "\\Samps/line: 14\r\n\\Number of lines: 8"),

@@ -21,7 +21,7 @@ std::string message(const std::string& content) {
     return message_of([&] { (void)opened(content).back().read(); });
 }
 
-/// The field's reader left Dim2Min out.
+/// SurfaceTopography ignored Dim2Min.
 TEST(Nanosurf, LeastIntegerIsDim2Min) {
     for (const auto& sample : nanosurf_samples()) {
         const auto map = std::get<topography::HeightMap>(opened(sample.content).at(2).read());
@@ -31,7 +31,7 @@ TEST(Nanosurf, LeastIntegerIsDim2Min) {
     }
 }
 
-/// The field's reader took the axes' units for the heights'.
+/// SurfaceTopography used the units of the axes for the heights.
 TEST(Nanosurf, EachAxisHasItsOwnUnit) {
     const auto info = opened(nanosurf_samples().at(2).content).at(2).info;
     EXPECT_DOUBLE_EQ(info.size.at(0), 3 * units::um);
@@ -53,7 +53,7 @@ TEST(Nanosurf, ChannelsFollowInOrderOfTheirNumbers) {
     EXPECT_EQ(channels[2].info.metadata.attributes.at("line_direction"), "backward");
 }
 
-/// The field's reader had its test of the first line the wrong way round.
+/// SurfaceTopography had its test of the first line inverted.
 TEST(Nanosurf, OnlyFilesThatBeginWithTheFirstSectionAreTaken) {
     const auto content = nanosurf_samples().at(2).content;
     EXPECT_EQ(detect_format(bytes::memory_source("a.nid", content)).identifier, "nanosurf");

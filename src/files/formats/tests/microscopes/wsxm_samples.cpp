@@ -13,7 +13,7 @@ namespace {
 
 constexpr int nx = 6, ny = 4;
 
-/// The header with the size it announces, which counts its own digits.
+/// The header with its stated size, which includes its own digits.
 std::string header(const WsxmFile& file) {
     std::string text;
     for (std::size_t announced = 0; text.size() != announced || announced == 0;) {

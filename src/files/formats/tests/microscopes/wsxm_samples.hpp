@@ -8,7 +8,7 @@
 
 namespace setae::formats::tests {
 
-/// What of a WSxM header varies; lines end with CR LF.
+/// Variable parts of a WSxM header; lines end with CR LF.
 struct WsxmFile {
     std::string first_line = "WSxM file copyright Nanotec Electronica";
     std::string second_line = "SxM Image file";

@@ -112,8 +112,8 @@ std::vector<FormatSample> zon_samples() {
     judged.validity = Array2D::Zero(nx, ny);
     judged.validity(1, 2) = 1.0;
     judged.validity(3, 0) = 2.0;
-    judged.validity(6, 3) = 131.0;  // judged and not measured
-    judged.validity(0, 1) = 128.0;  // judged only
+    judged.validity(6, 3) = 131.0;  // rated and not measured
+    judged.validity(0, 1) = 128.0;  // only rated
     judged.colour = true;
     ZonFile packed = judged;
     packed.packed = true;

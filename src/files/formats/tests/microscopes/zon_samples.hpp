@@ -11,7 +11,7 @@ namespace setae::formats::tests {
 
 using namespace setae::tests;
 
-/// A ZON file; 2 µm a pixel, 10 nm a unit.
+/// A ZON file; 2 µm per pixel, 10 nm per unit.
 struct ZonFile {
     Array2D raw;
     Array2D validity = {};  ///< one byte per point; empty: no such member
@@ -23,7 +23,7 @@ struct ZonFile {
 /// Members after a picture: KPK0, or KPK1 where packed, each member then by Zstandard.
 [[nodiscard]] std::string keyence_package(Members members, bool packed);
 [[nodiscard]] std::string zon_file(const ZonFile& file);
-/// A ZAG file of ZON files under their names; those that begin with "hidden" are not to be shown.
+/// A ZAG file of ZON files with their names; those that begin with "hidden" must not be listed.
 [[nodiscard]] std::string zag_file(const Members& files);
 
 }  // namespace setae::formats::tests

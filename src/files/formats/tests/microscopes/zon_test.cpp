@@ -29,7 +29,7 @@ TEST(Zon, PointsWithoutMeasurementAreUndefined) {
     ZonFile file{.raw = raw, .validity = Array2D::Zero(5, 4)};
     file.validity(1, 1) = 1.0;   // out of range
     file.validity(2, 1) = 2.0;   // not to be measured
-    file.validity(3, 1) = 0xc0;  // judged, yet measured
+    file.validity(3, 1) = 0xc0;  // rated, but measured
     const auto heights = heights_of(zon_file(file));
     EXPECT_TRUE(std::isnan(heights(1, 1)));
     EXPECT_TRUE(std::isnan(heights(2, 1)));

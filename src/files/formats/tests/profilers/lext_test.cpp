@@ -19,7 +19,7 @@ std::string message(const std::string& content) {
     return message_of([&] { (void)opened(content); });
 }
 
-/// The field's reader left its arrays as rows by columns.
+/// SurfaceTopography left its arrays as rows by columns.
 TEST(Lext, FirstIndexIsX) {
     const auto map = std::get<topography::HeightMap>(opened(sample()).at(1).read());
     EXPECT_EQ(map.shape(), (std::array<Index, 2>{7, 5}));

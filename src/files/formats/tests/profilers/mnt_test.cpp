@@ -41,8 +41,8 @@ TEST(Mnt, SizeIsPointsTimesStep) {
     EXPECT_EQ(channel.info.metadata.attributes.at("software_version"), "9.2.0.9994");
 }
 
-/// Entry 1 next to the list of objects is their number, 12 or 39 in files that were taken to tell what a zero means:
-/// the mask does.
+/// Entry 1 next to the list of objects is their number, 12 or 39 in files in which it seemed to define the meaning of
+/// zero: the mask does.
 TEST(Mnt, ZeroIsUndefinedWhereTheMaskSaysSoHoweverManyObjectsThereAre) {
     auto surface = surface_with_a_zero();
     for (const int others : {11, 38}) {

@@ -11,7 +11,8 @@ namespace setae::formats::tests {
 
 using namespace setae::tests;
 
-/// Members of an archive of the nanomeasuring machine: scans of the same shape with heights [m], 0.5 µm × 2 µm a pixel.
+/// Members of an archive of the nanomeasuring machine: scans of the same shape with heights [m], 0.5 µm × 2 µm per
+/// pixel.
 [[nodiscard]] Members nmm_members(const std::vector<Array2D>& scans);
 
 }  // namespace setae::formats::tests

@@ -11,7 +11,7 @@ namespace setae::formats::tests {
 struct OirFile {
     Array2D raw;
     int depth = 2;
-    int parts = 1;  ///< in which the points of the heights lie
+    int parts = 1;  ///< name of the image with the points of the heights
     bool camera = false;
 };
 

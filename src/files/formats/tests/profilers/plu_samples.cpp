@@ -27,7 +27,7 @@ FormatSample sample(const std::string& name, std::uint32_t kind, const std::vect
         sample.shape.push_back(heights.cols());
         sample.size.push_back(2.0 * units::um * static_cast<double>(heights.cols()));
     }
-    // after the last layer's heights there is a picture that is not read
+    // after the heights of the last layer there is a picture that is not read
     sample.may_lose_its_end = true;
     return sample;
 }

@@ -10,7 +10,7 @@
 namespace setae::formats::tests {
 
 /// A PLu file of the kind numbered (1 profile, 3 topography), its layers' heights [µm] with NaN if undefined; 1.5 × 2
-/// µm a pixel. Each layer has a picture after it.
+/// µm per pixel. Each layer has a picture after it.
 [[nodiscard]] std::string plu_file(std::uint32_t kind, const std::vector<Array2D>& layers);
 
 }  // namespace setae::formats::tests

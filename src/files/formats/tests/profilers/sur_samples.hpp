@@ -9,7 +9,7 @@
 
 namespace setae::formats::tests {
 
-/// What differs from object to object of a SUR file; spacings 0.5 µm, 0.25 µm and 2 nm, z offset 3 nm.
+/// Variable parts of the objects of a SUR file; spacings 0.5 µm, 0.25 µm and 2 nm, z offset 3 nm.
 struct SurObject {
     Array2D raw;  ///< h(x, y)
     std::uint16_t type = 2, objects = 1, channels = 1, bits = 16, special_points = 0, inversion = 0;

@@ -8,7 +8,7 @@
 
 namespace setae::formats::tests {
 
-/// A VK3 or VK4 file with images of heights; pitch 500 nm and 250 nm, 2 nm a digit.
+/// A VK3 or VK4 file with images of heights; pitch 500 nm and 250 nm, 2 nm per digit.
 struct VkFile {
     std::vector<Array2D> heights;  ///< raw, up to three
     int version = 4, bits = 16;
@@ -17,7 +17,7 @@ struct VkFile {
 };
 
 [[nodiscard]] std::string vk4_file(const VkFile& file);
-/// The same after a picture, as VK6 or VK7.
+/// A VK file after a picture, as VK6 or VK7.
 [[nodiscard]] std::string vk6_file(const VkFile& file, char version = '6');
 /// A picture of 2 × 2 points as BMP.
 [[nodiscard]] std::string bmp_picture();

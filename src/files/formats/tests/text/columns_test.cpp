@@ -40,7 +40,7 @@ std::string refusal(const std::string& text, const ReadOptions& options = micron
     return message_of([&] { (void)channel_of(text, options).read(); });
 }
 
-TEST(XyzText, NodesWithoutAPointAreUndefined) {  // the other reader refuses such a list and then takes it for a map of
+TEST(XyzText, NodesWithoutAPointAreUndefined) {  // the other reader refuses such a list and then reads it as a map of
                                                  // three columns
     const auto map = map_of("0 0 1\n0 1 2\n1 0 3\n1 1 4\n2 0 5\n");
     EXPECT_EQ(map.shape(), (std::array<Index, 2>{3, 2}));
@@ -107,8 +107,8 @@ TEST(MatrixText, ARowOfAMarkIsNoIndex) {  // 1e30 + 1 is 1e30
     EXPECT_TRUE(channel_of(text, {}).info.not_heights.empty());
 }
 
-TEST(XyzText, StepsAreComparedWithTheStepNotWithALength) {  // the other reader compares with 1e-6 of the file's unit:
-                                                            // metres always pass
+TEST(XyzText, StepsAreComparedWithTheStepNotWithALength) {  // the other reader compares with 1e-6 of the unit of the
+                                                            // file: metres always pass
     EXPECT_EQ(
         channel_of("0 0 1e-9\n0 1e-7 2e-9\n1e-7 0 3e-9\n1e-7 1e-7 4e-9\n3.5e-7 0 1e-9\n3.5e-7 1e-7 2e-9\n", {{}, "m"})
             .info.shape,

@@ -7,7 +7,7 @@
 #include "sample_files.hpp"
 #include "setae/formats/format.hpp"
 
-/// Labels beside and above the heights of a table.
+/// Labels next to and above the heights of a table.
 using namespace setae::tests;
 
 namespace setae::formats::tests::labels_test {

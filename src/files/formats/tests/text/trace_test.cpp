@@ -8,7 +8,7 @@
 #include "setae/formats/format.hpp"
 #include "text/trace.hpp"
 
-/// Profiles whose positions are rounded, repeated, missing, or run back and forth, and tables of several.
+/// Profiles with positions that are rounded, repeated, missing, or run back and forth, and tables of several profiles.
 using namespace setae::tests;
 
 namespace setae::formats::tests::trace_test {
@@ -57,7 +57,7 @@ TEST(Trace, RoundedPositionsOfEqualStepsAreThoseOfALine) {
         x.push_back(0.0533 * static_cast<double>(i));
         h.push_back(height(i));
     }
-    const auto scan = std::get<LineScan>(channels_of(curve(x, h, 2)).at(0).read());  // strays by a tenth of a step
+    const auto scan = std::get<LineScan>(channels_of(curve(x, h, 2)).at(0).read());  // deviates by a tenth of a step
     EXPECT_EQ(scan.heights.size(), 300);
     EXPECT_NEAR(scan.pixel_size(), 0.0533e-3, 1e-8);
     EXPECT_TRUE(scan.metadata.alerts.empty());

@@ -12,7 +12,7 @@ namespace {
 
 const double heights_of_line[] = {1.5, -2.25, 3.0, 4.125, 5.0};
 
-/// The least that readers of OpenDocument need: one table of two columns below their names.
+/// The minimum for readers of OpenDocument: one table of two columns below their names.
 std::string ods_file() {
     std::string rows =
         R"(<table:table-row><table:table-cell office:value-type="string"><text:p>x [um]</text:p></table:table-cell>)"
@@ -34,7 +34,7 @@ std::string ods_file() {
               rows + "</table:table></office:spreadsheet></office:body></office:document-content>"}});
 }
 
-/// Shared strings, numbers and the result of a formula, below and right of empty cells.
+/// Shared strings, numbers and the result of a formula, below and to the right of empty cells.
 std::string xlsx_file() {
     std::string rows = R"(<row r="3"><c r="C3" t="s"><v>0</v></c><c r="D3" t="s"><v>1</v></c></row>)";
     for (int i = 0; i < 5; ++i)

@@ -45,7 +45,7 @@ TEST_F(SidePicture, GivesTheOutlineToAFractionOfAPixel) {
     constexpr double pixel = 2e-6;
     const auto outline = lens_outline(path_, pixel);
     ASSERT_GT(outline.x.size(), 280);
-    // distances from the drawn circle, whose centre lies below the picture
+    // distances from the drawn circle, whose centre is below the picture
     const Array1D from_circle =
         ((outline.x / pixel - 150.3).square() + (199.0 - outline.z / pixel - 440.6).square()).sqrt() - 400.0;
     EXPECT_LT(std::abs(from_circle.mean()), 0.02);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pictures of rulings drawn here: the scale, aspect and distortion that were planted come back.
+// Pictures of rulings drawn here: scale, aspect and distortion agree with the known input.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,11 +18,11 @@ struct Camera {
     double distortion = 0.0;                 ///< at the corners
     double noise = 4.0;                      ///< grey levels, of a contrast of 120
     bool lying = false, grid = false;
-    double line_error = 0.0;  ///< of each line's place [m]
+    double line_error = 0.0;  ///< of the place of each line [m]
     unsigned seed = 1;
 };
 
-/// 640 × 480 pixels of lines 20 µm apart, a quarter of it dark; light falls off to the corners.
+/// 640 × 480 pixels of lines 20 µm apart, a quarter of each period dark; light decreases towards the corners.
 FramePixels picture_of(const Camera& camera) {
     constexpr long columns = 640, rows = 480;
     constexpr double pitch = 20e-6;
@@ -115,7 +115,7 @@ TEST(StageMicrometer, ItsErrorsHoldTheTruthWhereTheRulingItselfIsUneven) {
 }
 
 TEST(StageMicrometer, TakesALeaningRulingForNoSecondOne) {
-    // seen from the side, lines that lean are lines farther apart
+    // in projection, inclined lines have a larger distance
     for (const double angle : {0.03, 0.06, 0.12}) {
         const auto scale = camera_scale(std::vector<FramePixels>{picture_of({.angle = angle, .noise = 1.0})}, pitch);
         EXPECT_TRUE(scale.across_x);

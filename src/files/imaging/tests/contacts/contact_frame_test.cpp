@@ -50,8 +50,8 @@ Errors errors_of(Make make, unsigned seeds, const ContactFrameOptions& options =
 }
 
 // A pixel's share of an edge of blur w tells its place to σ/C sqrt(2 sqrt(π) w) = 0.2 sqrt(3.54 · 0.85) = 0.35 px, so a
-// radius of 24 px with its 151 px of perimeter is known to 0.028 px at best; 0.1 px is then 3 standard deviations of
-// what we reach.
+// radius of 24 px with its 151 px of perimeter is determined to 0.028 px at best; 0.1 px is then 3 standard deviations
+// of the actual error.
 TEST(ContactRadius, IsWithinATenthOfAPixelAtSnrFive) {
     for (const double radius : {17.0, 24.0, 33.0}) {
         const auto errors = errors_of([&](unsigned seed) { return at_snr_5(seed, radius); }, 12);
@@ -82,7 +82,7 @@ void expect_stated_errors(double noise_blur) {
         },
         100);
     EXPECT_EQ(errors.measured, 100);
-    EXPECT_GT(errors.pull, 0.8);  // of 100 pulls the root mean square is known to 0.07
+    EXPECT_GT(errors.pull, 0.8);  // the root mean square of 100 pulls has an error of 0.07
     EXPECT_LT(errors.pull, 1.25);
 }
 
@@ -227,7 +227,7 @@ TEST(ContactFrame, ToleratesDustAndGlareOnTheEdge) {
 TEST(ContactFrame, StatesContrastAndWidthOfTheEdge) {
     const auto found = measure_contact_frame(at_snr_5(7, 33).make());
     EXPECT_NEAR(found.contrast_to_noise, 5.0, 0.4);
-    EXPECT_NEAR(found.edge_width, std::hypot(0.8, std::sqrt(1.0 / 12)), 0.15);  // the blur and a pixel's own area
+    EXPECT_NEAR(found.edge_width, std::hypot(0.8, std::sqrt(1.0 / 12)), 0.15);  // the blur and the area of a pixel
 }
 
 TEST(ContactFrame, RefusesOptionsOutsideTheirDomain) {

@@ -55,7 +55,7 @@ TEST(ContactOutline, FollowsAnEdgeThatIsNoEllipse) {
     EXPECT_LT(errors_of(traced(bright)).abs().maxCoeff(), 0.3);
 }
 
-// what noise adds to the error is what is stated, of three contrasts
+// the contribution of noise to the error agrees with the stated one, for three contrasts
 TEST(ContactOutline, StatesTheNoiseOfItsPlaces) {
     const auto clean = errors_of(traced(rough_contact()));
     for (const double noise : {3.0, 6.0, 12.0}) {
@@ -100,8 +100,8 @@ TEST(ContactOutline, RefusesWhatItCannotSee) {
     EXPECT_THROW((void)trace_contact_outline(pixels, contact, 99.7, 100.4, 256), InvalidArgument);
 }
 
-/// Root mean square of an edge without its mean and its harmonics of once and twice a turn: those of its centre and of
-/// an ellipse.
+/// Root mean square of an edge without its mean and its first and second harmonics: those of its centre and of an
+/// ellipse.
 double deviation_from_ellipse(const Array1D& edge) {
     const Array1D angle =
         Array1D::LinSpaced(edge.size(), 0.0, 2.0 * pi * (1.0 - 1.0 / static_cast<double>(edge.size())));

@@ -22,7 +22,7 @@ struct Errors {
     double rms = 0, mean = 0, largest = 0, within_two = 0;
 };
 
-/// Distances of a segment from where `distance` is 0, away from the picture's sides.
+/// Distances of a segment from the zero of `distance`, away from the sides of the picture.
 Errors errors_of(const ContourSegment& segment, const EdgePicture& picture,
                  const std::function<double(double, double)>& distance) {
     Errors found;
@@ -72,11 +72,11 @@ TEST(ContourTrace, AtTwiceTheNoiseKeepsWithinHalfAPixelAndSaysHowFar) {
         share += found.within_two / seeds;
         density += trace.segments[0].noise_density / seeds;
     }
-    // one column fixes the edge to σ² 2√π w/step² (Cramér and Rao); a picture measures it to 30 %: sums over 17
+    // one column determines the edge to σ² 2√π w/step² (Cramér and Rao); a picture measures it to 30 %: sums over 17
     // neighbours, 260 places
     EXPECT_NEAR(density, 0.25 * 2 * std::sqrt(3.14159265) * 0.9, 0.3 * 0.8);
     EXPECT_LT(std::sqrt(squares), 0.4);
-    EXPECT_GT(share, 0.88);  // of 95 % for normal errors; about 30 independent places a picture
+    EXPECT_GT(share, 0.88);  // of 95 % for normal errors; about 30 independent places per picture
 }
 
 TEST(ContourTrace, DarkVacuumIsToldByItsLackOfStructureOrByTheUser) {
@@ -191,7 +191,7 @@ TEST(ContourTrace, OneAnchorLeadsTheNearestEdgeThroughIt) {
     const auto& s = trace.segments.at(0);
     const auto at = static_cast<Index>(s.anchors.at(0));
     EXPECT_LT(std::hypot(s.x[at] - 130, s.y[at] - (wave.height(130) - 2)), 0.6);
-    EXPECT_GT(s.length, 250);  // the whole edge, not the anchor's part alone
+    EXPECT_GT(s.length, 250);  // the whole edge, not only the part near the anchor
 }
 
 TEST(ContourTrace, CrossesHiddenPartsSmoothly) {
@@ -261,8 +261,8 @@ TEST(ContourTrace, OfAMaskEnclosesItsPixelsExactly) {
     disc(34, 30, 6, 0);
     disc(60, 20, 9, 255);
     mask.block(28, 42, 2, 20) = 255;                           // a neck
-    mask(50, 70) = 255, mask(51, 71) = 255, mask(51, 70) = 0;  // joined by a corner alone
-    mask.block(55, 0, 5, 12) = 255;                            // at the picture's sides
+    mask(50, 70) = 255, mask(51, 71) = 255, mask(51, 70) = 0;  // joined only by a corner
+    mask.block(55, 0, 5, 12) = 255;                            // at the sides of the picture
     const auto trace = trace_contour(mask);
     EXPECT_TRUE(trace.binary);
     EXPECT_EQ(trace.vacuum, Vacuum::dark);

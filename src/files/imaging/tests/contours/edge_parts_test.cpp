@@ -26,7 +26,7 @@ PlaneCurve circle(double radius, Index points) {
 }
 
 TEST(PlaneCurve, IsResampledOnACubicToFourthOrder) {
-    // a circle's polygon misses it by step²/(8 R), the cubic by far less
+    // the polygon of a circle deviates by step²/(8 R), the cubic by far less
     double coarse = 0, fine = 0;
     for (const Index points : {40, 80}) {
         const auto curve = resampled(circle(30, points), 1.0, true);
@@ -135,7 +135,7 @@ TEST(PhaseCut, LeavesFixedSquaresAlone) {
     labels.rightCols(4) = 1;
     PixelMask free = PixelMask::Zero(3, 9);
     free.middleCols(3, 3) = 1;
-    const auto cut = minimum_cut(CellMap::Constant(3, 9, 100.0), 1.0, free, labels);  // all would rather be vacuum
+    const auto cut = minimum_cut(CellMap::Constant(3, 9, 100.0), 1.0, free, labels);  // all prefer vacuum
     EXPECT_TRUE((cut.rightCols(3) == 1).all());
     EXPECT_TRUE((cut.leftCols(6) == 0).all());
 }

@@ -6,7 +6,7 @@
 namespace setae::imaging::mask_outline_test {
 namespace {
 
-/// The area on the right hand of a closed curve, by the shoelace formula with y downwards: positive around the sample.
+/// The area to the right of a closed curve, by the shoelace formula with y downwards: positive around the sample.
 double area(const PlaneCurve& curve) {
     double sum = 0;
     for (Index i = 0; i < curve.size(); ++i) {

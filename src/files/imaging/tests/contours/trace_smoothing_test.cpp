@@ -48,7 +48,7 @@ TEST(TraceSmoothing, SpectrumOfAWaveHasItsSquareAtItsPlace) {
 
 TEST(TraceSmoothing, ExpectedErrorOfNoiseAloneIsWhatTheSplineLetsThrough) {
     const auto places = place_spectrum(Array1D::Zero(500));
-    double through = 0.08;  // ∫ K² dq, longer waves untouched
+    double through = 0.08;  // ∫ K² dq, longer waves unchanged
     for (double q = 0.08 + 5e-5; q < pi; q += 1e-4) through += 1e-4 * std::pow(spline_transfer(q, 2.0), 2);
     EXPECT_NEAR(expected_squares(places, 0.3, 2.0), 0.3 * through / pi, 0.01 * 0.3);
 }
@@ -64,7 +64,7 @@ TEST(TraceSmoothing, LongRunVarianceCountsCorrelation) {
     Array1D mean(noise.size() - 2);  // of three neighbours: variance 1/3, its longest waves still 1
     for (Index k = 0; k < mean.size(); ++k) mean[k] = (noise[k] + noise[k + 1] + noise[k + 2]) / 3;
     EXPECT_NEAR(long_run_variance(mean), 3.0 / 9 + 2 * (8.0 / 9 * 2 / 9 + 7.0 / 9 * 1 / 9),
-                0.06);  // Bartlett's weights take a tenth
+                0.06);  // Bartlett's weights remove a tenth
 }
 
 }  // namespace

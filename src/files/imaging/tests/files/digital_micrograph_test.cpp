@@ -137,7 +137,7 @@ TEST(DigitalMicrograph, RefusesWhatBreaksTheTreeOfTags) {
     many[14] = 127;  // tags of the root
     expect_refusal(many, "damaged");
     auto few = dm_file();
-    few.data_type = 12;  // twice the bytes that are there
+    few.data_type = 12;  // twice the existing bytes
     expect_refusal(few.bytes(), "24 bytes of pixels, but 3 × 2 of 8 bytes need 48");
     auto unknown = dm_file();
     unknown.data_type = 5;

@@ -9,7 +9,7 @@
 namespace setae::imaging::tests::frames_test {
 namespace {
 
-/// Frames no two pixels of which are alike in any simple order.
+/// Frames without two pixels equal in any simple order.
 FramePixels pattern(int seed, long width = 37, long height = 23) {
     FramePixels pixels(height, width);
     for (long i = 0; i < height; ++i)
@@ -161,7 +161,7 @@ TEST(FrameSource, GivesOnlyTheRegionAndFramesAskedFor) {
     const FrameSource source(folder / "stack.tif", options);
     ASSERT_EQ(source.size(), 3U);
     EXPECT_EQ(source.number(0), 3);
-    EXPECT_DOUBLE_EQ(source.time(0), 2.0 / 20);  // since the recording's first
+    EXPECT_DOUBLE_EQ(source.time(0), 2.0 / 20);  // since the first frame of the recording
     const FramePixels expected = patterns(6)[2].block(3, 5, 17, 20);
     EXPECT_LE((source.read(0).pixels - expected).abs().maxCoeff(), 0.0f);
     options.region = PictureRegion{30, 0, 20, 10};
@@ -222,7 +222,7 @@ TEST(FrameSource, RefusesFramesTooLargeBeforeReadingThem) {
     expect_holds(message_of([&] { FrameSource(folder / "huge.png", at_20_per_second()); }), "30000 × 30000");
 }
 
-/// Opens and reads all; errors of setae are answers too.
+/// Opens and reads all; errors of setae are valid results.
 void read_all(const std::string& path) {
     try {
         const FrameSource source(path, {.pixel_size = 1e-6, .frame_rate = 20, .max_pixels = 20000});

@@ -7,7 +7,7 @@ namespace {
 /// A page's reading with fields of an instrument.
 Micrograph read_with(const std::vector<TiffField>& fields) { return read_bytes(TiffFile{}.bytes({fields})); }
 
-/// The block of Olympus' programs at a place of the file: pixels of 24 and 12 pm, 600 000 times magnified.
+/// The data block of Olympus software at a place of the file: pixels of 24 and 12 pm, magnification 600 000.
 std::string olympus_block(std::uint64_t at) {
     const Bytes little;
     const std::string head = "SIS0" + std::string(54, '\0') + little.whole(1, 2);
@@ -145,7 +145,7 @@ TEST(TiffMicrograph, MarksInstrumentsUntestedOnRealFiles) {
     EXPECT_TRUE(has_alert(sightx, "UNTESTED_FORMAT"));
 }
 
-/// Found by fuzzing: memory for a strip was taken before the file was requested it.
+/// Found by fuzzing: memory for a strip was allocated before its size was compared with the file.
 TEST(TiffMicrograph, TakesNoMemoryForAStripThatTheFileCannotHold) {
     const TiffFile tiff{.big_tiff = true};
     expect_refusal(tiff.bytes({{TiffField{279, 16, 1, Bytes{}.whole(std::uint64_t{1} << 60, 8)}, tiff.shorts(259, 5)}}),

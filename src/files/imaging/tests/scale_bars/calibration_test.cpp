@@ -11,7 +11,7 @@
 namespace setae::imaging::tests::calibration_test {
 namespace {
 
-/// A picture with a bar of 120 px that says 20 nm: 1/6 nm a pixel.
+/// A picture with a bar of 120 px labelled 20 nm: 1/6 nm per pixel.
 constexpr double by_bar = 20e-9 / 120;
 
 Micrograph micrograph(const FramePixels& pixels) {
@@ -72,7 +72,7 @@ TEST(Calibration, TakesWhatIsGivenFirst) {
 }
 
 TEST(Calibration, TakesTheFilesThenThatOfTheBar) {
-    const auto stated = calibrate(stating(with_bar(), 1.002 * by_bar, 1.5 * by_bar));  // bars say nothing of y
+    const auto stated = calibrate(stating(with_bar(), 1.002 * by_bar, 1.5 * by_bar));  // bars give no information on y
     EXPECT_EQ(stated.source, "file: DM4 calibration");
     EXPECT_DOUBLE_EQ(stated.pixel_size.y, 1.5 * by_bar);
     EXPECT_EQ(codes(stated), "");

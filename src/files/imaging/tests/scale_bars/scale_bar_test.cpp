@@ -23,7 +23,7 @@ struct Style {
     int jpeg = 0;     // quality; 0: no JPEG
 };
 
-/// Ways to draw a bar. Bars and outlines cover whole pixels unless said otherwise.
+/// Kinds of bars. Bars and outlines cover whole pixels unless stated otherwise.
 const std::vector<Style>& styles() {
     static const std::vector<Style> all{
         {"black", {}},
@@ -59,7 +59,7 @@ class BarsOfAllStyles : public testing::TestWithParam<std::tuple<std::size_t, do
 TEST_P(BarsOfAllStyles, AreFoundToHalfAPixel) {
     const auto [index, noise] = GetParam();
     auto style = styles()[index];
-    style.bar.label.clear();  // the reader is looked at elsewhere
+    style.bar.label.clear();  // the reader is tested elsewhere
     for (unsigned seed = 1; seed <= 3; ++seed) {
         const auto bars =
             find_scale_bars(rendered(style, {.noise = noise, .seed = seed + 10 * static_cast<unsigned>(index)}));
@@ -102,8 +102,8 @@ TEST(ScaleBars, OfWholePixelsAreExact) {
 }
 
 TEST(ScaleBars, EndWithinPixelsWhereTheGroundIsEven) {
-    // without texture the covered share of the last pixel is known to a grey level in 150: 0.01 px, and the steps of
-    // 0.05 px
+    // without texture the covered share of the last pixel is determined to a grey level in 150: 0.01 px, and the steps
+    // of 0.05 px
     for (const double begin : {60.1, 60.25, 60.8}) {
         const auto bars = find_scale_bars(picture_with_bar({.vacuum = 150, .sample = 150, .layers = 0, .noise = 0},
                                                            {.begin_x = begin, .length = 100.3, .label = U""}));

@@ -22,7 +22,7 @@ TEST(JpkForce, FollowsTheConversionsOfTheFile) {
         SCOPED_TRACE(shared);
         const auto table = curve(jpk_force_file(shared));
         ASSERT_EQ(table.rows(), 6);
-        // heights 1e-6 (0.5 raw + 1), deflection 50 nm/V (0.001 raw + 0.25 V): offsets of the slots do not enter the
+        // heights 1e-6 (0.5 raw + 1), deflection 50 nm/V (0.001 raw + 0.25 V): offsets of the slots do not affect the
         // sensitivity
         EXPECT_NEAR(table.at("height")[0], 3e-6, 1e-20);
         EXPECT_NEAR(table.at("deflection")[1], 50e-9 * 0.35, 1e-22);
@@ -76,7 +76,7 @@ TEST(JpkForce, DamageIsNamedByMember) {
 
 TEST(AfmWorkshop, ReadsBothBranches) {
     const auto table = curve(afm_workshop_file());
-    ASSERT_EQ(table.rows(), 5);  // the shorter branch is filled up with empty cells
+    ASSERT_EQ(table.rows(), 5);  // the shorter branch is padded with empty cells
     EXPECT_DOUBLE_EQ(table.at("force")[2], 40e-9);
     EXPECT_DOUBLE_EQ(table.at("force")[4], 15e-9);
     EXPECT_NEAR(table.at("displacement")[1], 110e-9 - 2e-9 / 2.5, 1e-20);

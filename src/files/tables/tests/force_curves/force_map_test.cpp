@@ -25,7 +25,7 @@ TEST(JpkForceOf2015, IsToldByItsTypeAndReadsWhatStandsByReference) {
     const auto table = read_force_curve(source);
     ASSERT_EQ(table.rows(), 3);
     EXPECT_NEAR(table.at("force")[2], 0.2 * 50e-9 * 0.45, 1e-22);
-    EXPECT_NEAR(table.at("time")[1], 0.5 / 3.0, 1e-15);  // the duration stands in the shared header alone
+    EXPECT_NEAR(table.at("time")[1], 0.5 / 3.0, 1e-15);  // the duration is only in the shared header
     EXPECT_EQ(table.metadata.at("segments"), "extend");
     EXPECT_EQ(table.metadata.at("position_y"), "-2e-6 m");
 }
@@ -81,7 +81,7 @@ TEST(MapGrid, FindsPixelsFromTheTopLeft) {
     EXPECT_EQ(grid.pixel(11.5, 19.5), (std::array<Index, 2>{3, 1}));
     EXPECT_EQ(grid.pixel(12.5, 19.5), std::nullopt);
     EXPECT_EQ(grid.pixel(std::nan(""), 19.5), std::nullopt);
-    // the same, turned by a quarter about its centre: what was to the right is above
+    // the same, rotated by 90° about its centre: what was to the right is above
     const MapGrid turned{.columns = 4, .rows = 2, .width = 4.0, .height = 2.0, .x = 10.0, .y = 20.0, .angle = 0.5 * pi};
     EXPECT_EQ(turned.pixel(10.5, 21.5), (std::array<Index, 2>{3, 1}));
     EXPECT_EQ(turned.pixel(9.5, 18.5), (std::array<Index, 2>{0, 0}));
@@ -101,7 +101,7 @@ TEST(NanosurfForce, ReadsALineACurve) {
     EXPECT_NEAR(table.at("height")[0], 8e-6, 1e-18);
     EXPECT_NEAR(table.at("deflection")[2], 60e-9, 1e-20);
     EXPECT_NEAR(table.at("force")[2], 48.0 * 60e-9, 1e-18);
-    EXPECT_NEAR(table.at("displacement")[2], -4e-6 - 60e-9, 1e-18);  // heights fall on approach
+    EXPECT_NEAR(table.at("displacement")[2], -4e-6 - 60e-9, 1e-18);  // heights decrease on approach
     EXPECT_NEAR(table.at("time")[4], 0.3 + 0.3, 1e-15);
     EXPECT_EQ(table.metadata.at("segments"), "extend, retract");
     EXPECT_EQ(table.metadata.at("probe"), "Tap190");

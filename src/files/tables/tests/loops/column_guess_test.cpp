@@ -18,7 +18,7 @@ ColumnGuess guess_of(const std::string& text) {
     return guess_columns(read_raw_table(bytes::memory_source("t", text)), "t");
 }
 
-/// Columns from 1 for force, displacement, contact radius, time; 0 if none, negative where undecided.
+/// Columns from 1 for force, displacement, contact radius, time; 0 if none, negative if undecided.
 std::vector<int> found(const std::string& names) {
     std::vector<int> columns;
     std::string numbers = "1";

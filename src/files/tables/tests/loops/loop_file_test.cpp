@@ -44,7 +44,7 @@ TEST(LoopFile, ComesBackWithQuantitiesInSi) {
     EXPECT_FALSE(loop_quantity(loop, "lens_height").has_value());
     EXPECT_EQ(loop.metadata.at("surface"), "UNCD: polished");
     EXPECT_THROW((void)loop_quantity(loop, "surface"), InvalidArgument);
-    EXPECT_NO_THROW((void)read_loop_table(folder.path("l.csv")));  // any reader of tables takes it
+    EXPECT_NO_THROW((void)read_loop_table(folder.path("l.csv")));  // any reader of tables reads it
 }
 
 TEST(LoopFile, SaysWhatIsKnownWithAnError) {

@@ -31,7 +31,7 @@ HeightMap self_affine(Index n, double hurst_exponent, std::uint64_t seed) {
     return synthesis::random_surface(spectra::density(model), {n, n, size, size}, options);
 }
 
-/// Points far enough from each other, within the map, that get ± `height`.
+/// Points sufficiently far from each other, within the map, changed by ± `height`.
 std::set<Index> plant(HeightMap& map, double height, Index count, unsigned seed) {
     std::mt19937 engine(seed);
     std::set<Index> planted;
@@ -44,14 +44,14 @@ std::set<Index> plant(HeightMap& map, double height, Index count, unsigned seed)
     return planted;
 }
 
-/// The number in the middle, by sorting.
+/// The median, by sorting.
 double middle_of(std::vector<double> values) {
     std::sort(values.begin(), values.end());
     const auto n = values.size();
     return n % 2 == 1 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
 }
 
-/// Median of the rises from a point to those around it without the tilt, point by point.
+/// Median of the rises from a point to those around it minus the tilt, point by point.
 double median_around(const HeightMap& map, Index i, Index j, Index reach, double down, double along) {
     const auto [nx, ny] = map.shape();
     const auto narrowed = [reach](Index place, Index n) { return std::min({reach, place, n - 1 - place}); };
@@ -161,7 +161,7 @@ TEST(FindSpikes, FindsASpikeOnAFlatGroundAndNoneOnAConstantMap) {
 TEST(FindSpikes, LooksPastUndefinedPoints) {
     auto map = self_affine(64, 0.8, 3);
     for (Index i = 20; i < 40; ++i) map.heights.row(i).segment(10, 30).setConstant(undefined);
-    map.heights(30, 25) = 1.0;  // with nothing around it, it stands out of nothing
+    map.heights(30, 25) = 1.0;  // without surroundings it is no spike
     map.heights(19, 20) += 1e-7;
     const auto spikes = find_spikes(map);
     EXPECT_EQ(spikes.mask(19, 20), 1);

@@ -25,7 +25,7 @@ Array2D noise(Index nx, Index ny, unsigned seed = 1) {
     return Array2D::NullaryExpr(nx, ny, [&] { return normal(generator); });
 }
 
-/// The equations of all undefined points at once, dense.
+/// The equations of all undefined points simultaneously, dense.
 Array2D by_definition(const HeightMap& map) {
     const Index nx = map.heights.rows(), ny = map.heights.cols();
     const auto pixel = map.pixel_size();
@@ -135,7 +135,7 @@ TEST(FillUndefined, FillsWhereHolesCrossTheWrap) {
                   true,
                   {}};
     const Array2D heights = map.heights;
-    map.heights.middleCols(40, 120).setConstant(undefined_height);  // all the way round along x
+    map.heights.middleCols(40, 120).setConstant(undefined_height);  // all around along x
     EXPECT_LT(difference(filled(map).heights, heights), 1e-12 * (heights.maxCoeff() - heights.minCoeff()));
     // the same hole seen from another corner
     const auto rolled = [&](const Array2D& field) {

@@ -26,7 +26,7 @@ ComputedRows rows_of(const Array1D& values, std::atomic<Index>& loads) {
             [&](Index i, Index j) { return values[i * columns + j]; }};
 }
 
-/// The definition, by sorting.
+/// The definition of outliers, by sorting.
 double deviation_by_sorting(const Array1D& values) {
     std::vector<double> sorted;
     for (const double value : values)

@@ -81,7 +81,7 @@ TEST(RemoveScars, LooksPastUndefinedPoints) {
     auto map = ground();
     stroke(map, 10, 60, 20, 1, 2e-8);
     map.heights.row(40).setConstant(undefined);
-    map.heights.block(15, 21, 3, 1).setConstant(undefined);  // below the stroke: nothing there ends it
+    map.heights.block(15, 21, 3, 1).setConstant(undefined);  // below the stroke: no point there ends it
     const auto scars = find_scars(RemoveScars{.length = 5}, map);
     EXPECT_EQ((scars != 0).count(), 46);
     const auto done = map_of(apply(RemoveScars{.length = 5}, map));

@@ -192,7 +192,7 @@ TEST(GaussianFilter, SplitsHeightsIntoLongAndShortWaves) {
 }
 
 TEST(GaussianFilter, NeverLooksUnderTheMask) {
-    // SurfaceTopography's filters of masked maps use the values hidden there; here nothing is hidden: a hole is a hole
+    // SurfaceTopography's filters of masked maps use the hidden values; here holes are not used
     HeightMap map{noise(30, 30), {30.0, 30.0}, true, {}};
     HeightMap other = map;
     other.heights(10, 10) = 1e3;

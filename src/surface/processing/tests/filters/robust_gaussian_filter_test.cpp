@@ -110,9 +110,9 @@ TEST(RobustGaussianFilter, OfMapsIgnoresHoles) {
 }
 
 TEST(RobustGaussianFilter, TransmitsAsTheLinearFilterDoesWhereAllWeightsAreAlike) {
-    // heights of ±1 in turn have equal weights δ(1); a small sine s on them changes h δ by δ' (s − w) on average, so
-    // that w is at first G s and then, weighted once for the scale does not change, G (δ s + δ' (s − G s))/δ, with the
-    // linear transmission G = 1/2 at the cutoff for every order
+    // alternating heights of ±1 have equal weights δ(1); a small sine s on them changes h δ by δ' (s − w) on average,
+    // so w is at first G s and then, weighted once because the scale does not change, G (δ s + δ' (s − G s))/δ, with
+    // the linear transmission G = 1/2 at the cutoff for every order
     const Index n = 1200;
     const double c = 4.4478, delta = std::pow(1.0 - 1.0 / (c * c), 2.0), slope = -4.0 / (c * c) * (1.0 - 1.0 / (c * c));
     const double expected = 0.5 * (delta + 0.5 * slope) / delta;

@@ -17,7 +17,7 @@ using topography::HeightMap;
 using topography::LineScan;
 using topography::Measurement;
 
-/// A rough surface known everywhere: cosines of random wavevectors, amplitude ~ 1/q².
+/// A rough surface defined everywhere: cosines of random wavevectors, amplitude ~ 1/q².
 class Surface {
 public:
     Surface() {
@@ -129,7 +129,7 @@ TEST(CombineMaps, CountsMetresWhateverUnitTheFilesHave) {
 }
 
 TEST(CombineMaps, InterpolatesOtherGridsOnTheCommonArea) {
-    // a coarser map ends earlier: SurfaceTopography raises there, here the points beyond are undefined
+    // a coarser map ends earlier: SurfaceTopography raises an error, here the points beyond are undefined
     const HeightMap fine{Array2D::Constant(12, 12, 1.0), {6.0, 6.0}, false, {}};
     const HeightMap coarse{Array2D::NullaryExpr(6, 6, [](Index i, Index j) { return static_cast<double>(i + 2 * j); }),
                            {6.0, 6.0},

@@ -143,7 +143,7 @@ TEST(FourierInterpolation, SplitsTheNyquistModeIntoACosine) {
     const LineScan scan{Array1D{{1.0, -1.0, 1.0, -1.0}}, 4.0, true, {}};
     const Array1D fine = fourier_interpolated(scan, 8).heights;
     EXPECT_LT((fine - Array1D{{1.0, 0.0, -1.0, 0.0, 1.0, 0.0, -1.0, 0.0}}).abs().maxCoeff(), 1e-15);
-    // a mode that is at the Nyquist wavevector of the coarser grid keeps what its points see
+    // a mode at the Nyquist wavevector of the coarser grid keeps its values at the points
     LineScan wave{Array1D::LinSpaced(12, 0.0, 11.0), 12.0, true, {}};
     wave.heights = (wave.heights * (std::numbers::pi / 2.0) + 0.3).cos();  // three periods
     const Array1D coarse = fourier_interpolated(wave, 6).heights;

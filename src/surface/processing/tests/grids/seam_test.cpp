@@ -74,7 +74,7 @@ TEST(Window, ClosesASeamAndLeavesTheMiddleAlone) {
     EXPECT_TRUE(map.periodic);
     EXPECT_LT(seam_of(map).height_step, 1e-2 * seam_of(piece).height_step);
     EXPECT_TRUE((map.heights.block(32, 32, 64, 64) == piece.heights.block(32, 32, 64, 64)).all());
-    EXPECT_NEAR(number_of(result.record, "windowed_share"), 1.0 - 0.64, 0.02);  // 0.8² is left alone
+    EXPECT_NEAR(number_of(result.record, "windowed_share"), 1.0 - 0.64, 0.02);  // 0.8² is unchanged
     EXPECT_NEAR(number_of(result.record, "height_step_at_seam"), seam_of(piece).height_step, 1e-20);
 }
 

@@ -30,7 +30,7 @@ HeightMap islands(Index nx, Index ny, double share) {
     return map;
 }
 
-/// The same with a random jump of each line.
+/// The same islands with a random jump of each line.
 HeightMap jumped(HeightMap map) {
     std::mt19937 engine(11);
     std::normal_distribution<double> normal(0.0, 5e-9);
@@ -48,11 +48,11 @@ TEST(AlignRows, ByMedianTakesJumpsOutAndKeepsIslandsOnLessThanHalfOfALine) {
 }
 
 TEST(AlignRows, ByMedianOfDifferencesKeepsIslandsOnMostOfALine) {
-    // where an island begins, most points of the line step up: 40 % of the lines' points do not
+    // where an island begins, most points of the line step up: 40 % of the points do not
     const auto truth = islands(200, 80, 0.45);
     EXPECT_LT(left_over(map_of(apply(AlignRows{.method = RowAlignment::median_of_differences}, jumped(truth))), truth),
               0.03e-8);
-    // an island that grows line by line covers most of a line at last, which the median then takes for the ground
+    // an island that grows line by line finally covers most of a line, and the median then treats it as the background
     HeightMap wedge{Array2D::Zero(200, 80), {1e-6, 1e-6}};
     for (Index j = 0; j < 80; ++j)
         for (Index i = 0; i < std::min<Index>(160, 2 * j + 2); ++i) wedge.heights(i, j) = 1e-8;
@@ -82,7 +82,7 @@ TEST(AlignRows, DestroysStructureAlongTheSlowAxis) {
     for (const auto method :
          {RowAlignment::mean, RowAlignment::median, RowAlignment::median_of_differences, RowAlignment::polynomial})
         EXPECT_LT(rms_of(map_of(apply(AlignRows{.method = method}, map)).heights), 1e-14);
-    // along the fast axis it stays
+    // along the fast axis it is kept
     EXPECT_NEAR(rms_of(map_of(apply(AlignRows{.method = RowAlignment::mean, .direction = Direction::y}, map)).heights),
                 std::sqrt(0.5), 1e-12);
 }

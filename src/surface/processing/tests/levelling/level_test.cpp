@@ -82,7 +82,7 @@ TEST(LevelPolynomial, LimitsDegreesOfEachDirection) {
     const auto height = [](double x, double y) { return 1e-7 + 0.1 * x + 1e4 * x * x + 0.2 * y + 1e4 * y * y; };
     const auto level =
         apply(LevelPolynomial{.degree = 3, .degree_x = 2, .degree_y = 1}, map_from(40, 40, {3e-6, 3e-6}, height));
-    // what is left is y² without its best straight line
+    // the rest is y² minus its best straight line
     Array1D y2(40);
     for (Index j = 0; j < 40; ++j) y2[j] = 1e4 * std::pow(3e-6 * static_cast<double>(j) / 40.0, 2);
     const auto expected = topography::detrended(LineScan{y2, 3e-6}, topography::Trend::tilt);
@@ -135,7 +135,7 @@ TEST(LevelPolynomial, KeepsItsDigitsWhereHeightsHaveALargeOffset) {
     auto raised = map;
     raised.heights += 0.1;  // 10⁷ rms
     const auto plain = map_of(apply(LevelPolynomial{}, map)), high = map_of(apply(LevelPolynomial{}, raised));
-    EXPECT_LT(largest(plain.heights - high.heights), 1e-16);  // what 0.1 m holds: 1.4e-17 m
+    EXPECT_LT(largest(plain.heights - high.heights), 1e-16);  // rounding of 0.1 m: 1.4e-17 m
 }
 
 TEST(LevelPolynomial, OfAPolylineFarFromTheOriginOfXLeavesNothingOfItsParabola) {
@@ -144,7 +144,7 @@ TEST(LevelPolynomial, OfAPolylineFarFromTheOriginOfXLeavesNothingOfItsParabola) 
     const auto far = profile_of(apply(LevelPolynomial{}, profile));
     Profile near = profile;
     near.positions -= 1e6;
-    // the interpolating polyline of a parabola is not one: both are off it by 1e-7
+    // the interpolating polyline of a parabola is not a parabola: both deviate from it by 1e-7
     EXPECT_LT((far.heights - profile_of(apply(LevelPolynomial{}, near)).heights).abs().maxCoeff(), 1e-10);
     EXPECT_LT(far.heights.abs().maxCoeff(), 1e-6);
 }
@@ -188,7 +188,7 @@ TEST(LevelPlane, RefusesAPolylineThatTurnsBack) {
                 << error.what();
         }
     }
-    profile.positions << 0.0, 1.0, 1.0, 2.0;  // a vertical step is no function either
+    profile.positions << 0.0, 1.0, 1.0, 2.0;  // a vertical step is no function, either
     EXPECT_THROW((void)apply(LevelPlane{}, profile), InvalidArgument);
 }
 
@@ -209,7 +209,7 @@ TEST(LevelPlane, HidesUndefinedHeightsFromTheFit) {
     const auto region = region_from_text("exclude rectangle 1 um to 2 um, 0.5 um to 1 um");
     const auto chosen = mask_of(region, other);
     for (Index k = 0; k < chosen.size(); ++k)
-        if (!chosen.data()[k]) other.heights.data()[k] += 1e3;  // values that do not count change nothing elsewhere
+        if (!chosen.data()[k]) other.heights.data()[k] += 1e3;  // unused values change nothing elsewhere
     const auto one = map_of(apply(LevelPlane{region}, map)), two = map_of(apply(LevelPlane{region}, other));
     for (Index k = 0; k < chosen.size(); ++k) {
         if (chosen.data()[k] && one.heights.data()[k] == one.heights.data()[k]) {

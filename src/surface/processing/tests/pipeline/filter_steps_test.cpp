@@ -16,7 +16,7 @@
 namespace setae::processing::filter_steps_test {
 namespace {
 
-/// Notes the names of a step's parameters and gives each a value that is not its default.
+/// Records the names of the parameters of a step and gives each a value other than its default.
 struct Changing {
     std::vector<std::string> names;
 

@@ -170,7 +170,7 @@ TEST(StepDescriptions, NameEveryStepAndParameterOnce) {
         EXPECT_FALSE(description.sentence.empty());
         for (const auto& parameter : description.parameters) {
             EXPECT_FALSE(parameter.meaning.empty()) << description.name;
-            // what documents call the default is read back
+            // the default in documents is read back
             auto step = step_named(description.name);
             if (!parameter.default_value.empty()) {
                 EXPECT_NO_THROW(set_parameter(step, {parameter.name, parameter.default_value}))

@@ -74,7 +74,7 @@ TEST(Diagnose, SaysWhatSpikesDo) {
     };
     EXPECT_NEAR(value(found, "SPIKES", "rms_height_with_spikes"), rms(spiked), 1e-3 * rms(spiked));
     EXPECT_NEAR(value(found, "SPIKES", "rms_height_without_spikes"), rms(map), 2e-3 * rms(map));
-    // at the shortest wavelengths the spikes' white spectrum n h²Δ/N stands above the surface's own
+    // at the shortest wavelengths the white spectrum of the spikes n h²Δ/N exceeds that of the surface
     const auto C1D = last_modes(map), lifted = last_modes(spiked);
     EXPECT_NEAR(value(found, "SPIKES", "psd_factor") / (lifted / C1D), 1.0, 0.1);
     EXPECT_GT(value(found, "SPIKES", "psd_lifted_below_wavelength"), 2.0 * map.pixel_size()[0]);
@@ -151,7 +151,7 @@ TEST(Diagnose, FindsOffsetsOfScanLines) {
         const auto offset = quantity(found, "SCAN_DIRECTION", "line_offset_rms").estimate;
         EXPECT_NEAR(offset.value, sigma, 3.0 * offset.standard_error);
         EXPECT_LT(offset.standard_error, 0.2 * sigma);
-        // offsets that are independent make steps of twice their mean square
+        // independent offsets give steps of twice their mean square
         const double share = 2.0 * std::pow(offset.value / map.pixel_size()[1], 2) /
                              mean_square_slope_y(topography::detrended(map, topography::Trend::tilt));
         EXPECT_NEAR(value(found, "SCAN_DIRECTION", "offset_share_of_mean_square_slope_y"), share, 1e-12 * share);
@@ -180,7 +180,7 @@ TEST(Diagnose, FindsTheStepOfADigitiser) {
     EXPECT_NEAR(value(found, "QUANTISED", "height_step"), step, 1e-6 * step);
     EXPECT_NEAR(value(found, "QUANTISED", "rounding_rms_height"), step / std::sqrt(12.0), 1e-6 * step);
     EXPECT_GT(value(found, "QUANTISED", "plateau_share"), 0.05);
-    // steps far below the difference of neighbours are no fault
+    // steps far below the difference of neighbours are no problem
     auto fine = surface({});
     fine.heights = 1e-3 * step * (fine.heights / (1e-3 * step)).round();
     EXPECT_EQ(codes(diagnose(fine)), "");

@@ -8,7 +8,7 @@
 #include "planted_faults.hpp"
 #include "setae/diagnostics/diagnose.hpp"
 
-// sanitizers keep what is freed
+// sanitizers keep freed memory
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 
 namespace setae::diagnostics::memory_test {
@@ -22,10 +22,10 @@ double memory(const std::string& name) {
     return undefined;
 }
 
-/// Most memory that is held beyond the map while its faults are looked for [bytes].
+/// Peak memory in addition to the map during the diagnosis [bytes].
 double additional_memory(const topography::HeightMap& heights) {
     const topography::Measurement map = heights;
-    std::ofstream("/proc/self/clear_refs") << 5;  // the largest memory counts from here
+    std::ofstream("/proc/self/clear_refs") << 5;  // the peak is counted from here
     const double before = memory("VmRSS:");
     EXPECT_FALSE(diagnose(map, {.threads = {1}}).empty());
     return memory("VmHWM:") - before;

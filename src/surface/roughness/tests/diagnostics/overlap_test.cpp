@@ -35,7 +35,7 @@ TEST(DiagnoseOverlap, DoesNotTakeAnotherSlopeForAScale) {
                                           surface({.seed = 2, .hurst_exponent = 0.95})};
     const auto found = diagnose_overlap(pair);
     ASSERT_EQ(codes(found), "DISAGREE");
-    // C_iso of both is alike at the roll-off, a wavevector x times larger gives x^(2 (0.95 − 0.3)) times more
+    // C_iso of both is equal at the roll-off, a wavevector x times larger gives x^(2 (0.95 − 0.3)) times more
     EXPECT_GT(value(found, "DISAGREE", "psd_ratio_at_shortest"),
               4.0 * value(found, "DISAGREE", "psd_ratio_at_longest"));
 }

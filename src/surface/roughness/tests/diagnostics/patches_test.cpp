@@ -22,7 +22,7 @@ Mask random_mask(Index nx, Index ny, double share, std::uint64_t seed) {
     });
 }
 
-/// Flood fill with a list, in storage order: slow and obvious.
+/// Flood fill with a list, in storage order: a slow, simple reference.
 PatchNumbers flooded(const Mask& mask, Neighbours neighbours, bool periodic) {
     const Index nx = mask.rows(), ny = mask.cols();
     PatchNumbers numbers = PatchNumbers::Zero(nx, ny);

@@ -18,13 +18,13 @@ namespace setae::diagnostics {
 struct SurfaceKind {
     std::uint64_t seed = 1;
     double hurst_exponent = 0.8;
-    double rolloff_in_sizes = 0.125;  ///< roll-off's wavelength over the size
+    double rolloff_in_sizes = 0.125;  ///< wavelength of the roll-off over the size
     double stretch = 1.0;
     double angle = 0.0;
 };
 
-/// A window of 128² points, 1 µm, of a Gaussian self-affine surface; h_rms about 10 nm where its roll-off is an eighth
-/// of the size.
+/// A window of 128² points, 1 µm, of a Gaussian self-affine surface; h_rms about 10 nm for a roll-off at an eighth of
+/// the size.
 inline topography::HeightMap surface(const SurfaceKind& kind) {
     constexpr Index points = 128;
     constexpr double size = 1e-6;

@@ -19,7 +19,7 @@ using topography::HeightMap;
 using topography::LineScan;
 using topography::Profile;
 
-/// Of every distance of a result, by the double loop.
+/// For every distance of a result, by the double loop.
 void expect_pairs_of_lines(const FunctionOfScale& result, const HeightMap& map, double tolerance) {
     ASSERT_GT(result.distance.size(), 0);
     for (Index k = 0; k < result.distance.size(); ++k) {
@@ -99,7 +99,7 @@ TEST(Autocorrelation, KeepsNineDigitsUnderOffsetsOfTenMillionRms) {
         const HeightMap map{heights, {1.0, 1.0}, periodic, {}};
         HeightMap lifted = map;
         lifted.heights += 1e7;
-        lifted.heights -= 1e7;  // the digits that the offset costs in storage are no fault of the analysis
+        lifted.heights -= 1e7;  // the digits lost by the offset in storage are no error of the analysis
         HeightMap offset = lifted;
         offset.heights += 1e7;
         const auto area = autocorrelation_of_area(lifted), area_offset = autocorrelation_of_area(offset);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Slow and obviously correct: definitions as double loops.
+// Simple, slow references: definitions as double loops.
 #pragma once
 
 #include <cmath>
@@ -43,7 +43,7 @@ inline double height_at(const topography::Profile& profile, double x) {
     return profile.heights[k] + share * (profile.heights[k + 1] - profile.heights[k]);
 }
 
-/// Heights of a random walk whose steps are given.
+/// Heights of a random walk with given steps.
 inline Array1D walk(Array1D steps) {
     for (Index k = 1; k < steps.size(); ++k) steps[k] += steps[k - 1];
     return steps;

@@ -57,7 +57,7 @@ TEST(Combination, BinsDoNotMoveWithOtherMembers) {
                     EXPECT_EQ(alone.value[b], combined.value[c]);
                 }
     }
-    // a distance on a decade lies at an edge, whatever the range of the data
+    // a distance of a power of ten is at an edge, for any range of the data
     EXPECT_EQ(grid.bin_of(10.0), 10);
     EXPECT_EQ(grid.bin_of(10.0 * (1.0 - 1e-9)), 9);
 }
@@ -146,7 +146,7 @@ TEST(Combination, NamesTheGapBetweenMembers) {
     const auto combined = combine(members);
     ASSERT_EQ(combined.alerts.size(), 1u);
     EXPECT_EQ(combined.alerts[0].code, "COVERAGE_GAP");
-    // distances that were not asked for are no gap
+    // distances that were not requested are no gap
     const auto asked = difference_statistics(line(1), {.distances = log_spaced(3, 0.01, 1.0)});
     EXPECT_TRUE(combine(std::vector{function_of(asked, Statistic::rms)}).alerts.empty());
 }

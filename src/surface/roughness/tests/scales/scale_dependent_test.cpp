@@ -110,7 +110,7 @@ TEST(Differences, OfAHoleLoseOnlyThoseThatUseIt) {
 }
 
 TEST(Differences, HiddenValuesDoNotMatter) {
-    // what lies under a hole is NaN and nothing else: no difference may see a neighbour of weight zero
+    // the value under a hole is NaN: no difference may use a neighbour of weight zero
     LineScan scan{Array1D::LinSpaced(9, 0.0, 8.0), 9.0, false, {}};
     scan.heights[4] = undefined;
     const auto found = difference_statistics(scan, {.distances = list({1.0, 2.0})});

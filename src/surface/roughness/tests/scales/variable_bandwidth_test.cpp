@@ -172,8 +172,8 @@ TEST(VariableBandwidth, OfPlanesIsZeroAndOffsetsCostNothing) {
 
 TEST(VariableBandwidth, CellsWithTooFewPointsLeaveWhatTheirBestPlaneDoes) {
     HeightMap map{Array2D::Constant(8, 8, undefined), {1.0, 1.0}, false, {}};
-    map.heights(0, 0) = 5.0;                           // one point: nothing left
-    map.heights(0, 4) = 1.0, map.heights(2, 6) = 2.0;  // two: nothing
+    map.heights(0, 0) = 5.0;                           // one point: no residual
+    map.heights(0, 4) = 1.0, map.heights(2, 6) = 2.0;  // two: none
     map.heights(4, 0) = 0.0, map.heights(5, 1) = 3.0,
                    map.heights(6, 2) = 0.0;  // three on a diagonal: about their mean 1, squares 1 + 4 + 1
     const auto result = variable_bandwidth_of_area(map);

@@ -80,8 +80,8 @@ TEST(ArealParameters, FiltersLeaveTheWavesBetweenThem) {
 }
 
 TEST(ArealParameters, StandardErrorsCoverTheSpreadOfGaussianMaps) {
-    // white noise smoothed over a few pixels: the error from one map's autocorrelation against the spread over many
-    // maps
+    // white noise smoothed over a few pixels: the error from the autocorrelation of one map compared with the spread
+    // over many maps
     std::vector<double> values;
     double error = 0.0;
     constexpr int maps = 40;
@@ -99,7 +99,7 @@ TEST(ArealParameters, StandardErrorsCoverTheSpreadOfGaussianMaps) {
     }
     const Eigen::Map<const Array1D> all(values.data(), maps);
     const double spread = std::sqrt((all - all.mean()).square().sum() / (maps - 1));
-    EXPECT_NEAR(error / spread, 1.0, 0.3);  // the spread of 40 is known to 11 %
+    EXPECT_NEAR(error / spread, 1.0, 0.3);  // the error of a spread of 40 is 11 %
 }
 
 TEST(ArealParameters, WarnOfAMapThatHoldsFewPatches) {

@@ -14,7 +14,7 @@ namespace {
 
 using topography::HeightMap;
 
-/// cos(q x) + cos(q y) with so many waves a side.
+/// cos(q x) + cos(q y) with so many waves per side.
 HeightMap egg_box(Index n, int waves, double size, double amplitude, bool periodic) {
     HeightMap map{Array2D(n, n), {size, size}, periodic, {}};
     const double q = 2.0 * pi * waves / static_cast<double>(n);

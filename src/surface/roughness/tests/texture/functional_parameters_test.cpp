@@ -67,7 +67,7 @@ TEST(FunctionalParameters, OfGaussianHeightsAreKnownMultiplesOfTheirRms) {
     for (Index k = 0; k < n; ++k) scan.heights[k] = rms * normal_quantile((static_cast<double>(k) + 0.5) / n);
     const auto result = functional_parameters(scan, {}, Between::nothing);
     const auto density = [](double x) { return std::exp(-0.5 * x * x) / std::sqrt(2.0 * pi); };
-    // the core lies about p = 1/2; with p = Φ(−z) and x = Φ⁻¹(0.7): Sk/rms = 24/0.4³ ∫_0^x (Φ(z) − 1/2) z φ(z) dz, by
+    // the core is about p = 1/2; with p = Φ(−z) and x = Φ⁻¹(0.7): Sk/rms = 24/0.4³ ∫_0^x (Φ(z) − 1/2) z φ(z) dz, by
     // parts
     const double x = normal_quantile(0.7);
     const double moment = (normal_probability(x * std::sqrt(2.0)) - 0.5) / (2.0 * std::sqrt(pi)) - 0.2 * density(x);

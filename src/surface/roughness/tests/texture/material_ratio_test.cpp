@@ -36,7 +36,8 @@ void expect_all_near(const Array1D& values, const Array1D& expected, double tole
     for (Index k = 0; k < values.size(); ++k) EXPECT_NEAR(values[k], expected[k], tolerance) << "entry " << k;
 }
 
-/// Share above h of a triangle by cutting it into strips between sorted corners: no formula of the library.
+/// Share above h of a triangle by dividing it into strips between sorted corners: independent of the formulas of the
+/// library.
 double share_by_quadrature(double a, double b, double c, double height) {
     constexpr int n = 400;
     int above = 0;

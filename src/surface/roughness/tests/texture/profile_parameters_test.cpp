@@ -167,7 +167,7 @@ TEST(ProfileParameters, FiltersPartRoughnessFromWaviness) {
         profile_parameters(scan, {.kind = ProfileKind::waviness, .filters = filters, .section_length = 8e-3}));
     const auto P = by_symbol(profile_parameters(scan, {.kind = ProfileKind::primary, .section_length = 8e-3}));
     EXPECT_NEAR(value(R, "Rq"), 1e-6 / std::sqrt(2.0),
-                0.02e-6);  // the wave passes with 2^−(0.4/4)² = 0.7 %: 25 nm of rms beside 707
+                0.02e-6);  // the wave passes with 2^−(0.4/4)² = 0.7 %: 25 nm of rms in addition to 707
     EXPECT_NEAR(value(W, "Wq"), 5e-6 / std::sqrt(2.0), 0.05e-6);
     EXPECT_NEAR(value(P, "Pq"), std::sqrt(13.0) * 1e-6, 0.01e-6);
     EXPECT_EQ(R.at("Rq").filter, "Gaussian L-filter 400 µm");
@@ -211,7 +211,7 @@ TEST(DefaultSetting, FollowsTheTableOfRoughness) {
 TEST(DefaultSetting, OfALineIsTheOneItsRoughnessAsksForItself) {
     auto fine = sine(10000, 1e-6, 30e-6, 0.05e-6);  // Ra = 32 nm: 0.25 mm
     EXPECT_EQ(default_setting(fine).section_length, 0.25e-3);
-    fine.heights += sine(10000, 1e-6, 9e-3, 5e-6).heights;  // waviness does not count
+    fine.heights += sine(10000, 1e-6, 9e-3, 5e-6).heights;  // waviness has no effect
     EXPECT_EQ(default_setting(fine).section_length, 0.25e-3);
     EXPECT_EQ(default_setting(sine(10000, 1e-6, 100e-6, 5e-6)).section_length, 2.5e-3);
     EXPECT_EQ(default_setting(sine(1000, 1e-6, 100e-6, 5e-6)).section_length, 0.8e-3);  // 2.5 mm do not fit into 1 mm

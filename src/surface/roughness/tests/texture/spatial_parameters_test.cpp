@@ -45,7 +45,7 @@ TEST(SpatialParameters, OfTwoCrossedCosinesFollowFromTheirAutocorrelation) {
 }
 
 TEST(SpatialParameters, OfAGaussianAutocorrelationAreItsTwoLengths) {
-    // random phases do not matter to the wrapped autocorrelation: f = exp(−(t_x/a)² − (t_y/b)²)
+    // random phases do not affect the wrapped autocorrelation: f = exp(−(t_x/a)² − (t_y/b)²)
     std::mt19937 engine(3);
     std::uniform_real_distribution<double> phase(0.0, 2.0 * pi);
     const double a = 0.08, b = 0.16;
@@ -128,7 +128,7 @@ TEST(SpatialParameters, AreTheSameForAnyNumberOfThreads) {
     EXPECT_EQ(one.Std, three.Std);
 }
 
-// Two islands, one high and one low: pairs within an island are alike, pairs of its size do not exist.
+// Two islands, one high and one low: pairs within an island are similar, pairs of its size do not exist.
 TEST(SpatialParameters, OfIslandsThatAreFlatHaveNoLength) {
     HeightMap map{Array2D::Constant(24, 24, undefined), {1.0, 1.0}, false, {}};
     map.heights.block(4, 4, 2, 2) = 1.0;

@@ -43,7 +43,8 @@ TEST(ContourKernel, ExpectsTheMeanPeriodogramOfRandomCurves) {
         sines.col(k) = ((contour.positions * q[k]).sin() * amplitude[k]).matrix();
     }
     const Array1D nodes = nodes_up_to(pi, 150);
-    // the operator does not see the heights, so one kernel serves all curves: only the periodogram is made again
+    // the operator does not depend on the heights, so one kernel applies to all curves: only the periodogram is
+    // computed again
     constexpr int curves = 400;
     Array1D mean;
     std::vector<Array1D> periodograms;
@@ -63,7 +64,7 @@ TEST(ContourKernel, ExpectsTheMeanPeriodogramOfRandomCurves) {
     for (Index k = 0; k < ratio.size(); ++k)
         EXPECT_NEAR(ratio[k], 1.0, 4.5 / std::sqrt(double(curves))) << "group " << k;
     EXPECT_NEAR(ratio.mean(), 1.0, 3.0 * 0.05 / std::sqrt(0.5 * static_cast<double>(ratio.size())));
-    // Var Σ_k P_k/E_k = Σ_kk' |ρ_kk'|² = Σ_k 1/ω_k, known to √(2/400) = 7 % from so many curves
+    // Var Σ_k P_k/E_k = Σ_kk' |ρ_kk'|² = Σ_k 1/ω_k, with an error of √(2/400) = 7 % from this number of curves
     const Array1D share = independent_share(contour, nodes, spectra::isotropic_power_spectrum(model, nodes));
     const Array1D counts =
         Array1D::NullaryExpr(share.size(), [&](Index b) { return static_cast<double>(kernel.bins.count(b)); });
@@ -74,11 +75,11 @@ TEST(ContourKernel, ExpectsTheMeanPeriodogramOfRandomCurves) {
         squares += s * s / curves;
     }
     EXPECT_NEAR((squares - sum * sum) / (counts / share).sum(), 1.0, 0.25);
-    EXPECT_LT(share.tail(3).maxCoeff(), 0.45);  // irregular steps scatter power at the band's end
+    EXPECT_LT(share.tail(3).maxCoeff(), 0.45);  // irregular steps scatter power at the end of the band
 }
 
 TEST(ContourKernel, ExpectsTheNoiseOfATraceAndWhatItLeavesOfTheCurve) {
-    // irregular points with errors that differ, noise smoothed from point to point, curve and noise of like power at
+    // irregular points with different errors, noise smoothed from point to point, curve and noise of similar power at
     // the end
     std::mt19937_64 random(4);
     std::uniform_real_distribution<double> step(0.6, 1.4);
@@ -148,7 +149,7 @@ TEST(ContourKernel, OfWhiteNoiseOnEqualStepsIsItsDensity) {
     topography::Profile contour{Array1D::LinSpaced(201, 0.0, 100.0), Array1D::Zero(201), {}};
     contour.response = topography::TraceResponse{0.0, 0.0, 0.5, 2e-3};
     const auto kernel = contour_kernel(contour, nodes_up_to(2.0 * pi, 100));
-    // below half of Nyquist the spline passes all of it; the first modes lose the line taken off
+    // below half of Nyquist the spline passes all of it; the first modes lose the subtracted line
     for (const Index b : {6, 8, 10}) EXPECT_NEAR(kernel.noise[b] / 2e-3, 1.0, 0.02) << b;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Heights that are missing, and curves that an instrument with a tip and noise has read.
+// Missing heights, and curves read by an instrument with a tip and noise.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -20,8 +20,8 @@ namespace {
 
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
-/// Single gaps of white lines: a bridged height is the mean of two others. Of n heights a share f is e = (a + b)/2, of
-/// variance 1/2 and covariance 1/2 with each neighbour:
+/// Single gaps of white lines: an interpolated height is the mean of two others. A share f of n heights is e = (a +
+/// b)/2, of variance 1/2 and covariance 1/2 with each neighbour:
 ///
 ///   ratio = 1 − f/2 + 2 f cos k
 TEST(GapFactor, OfSingleGapsInWhiteLinesIsTheOneDerived) {
@@ -81,7 +81,7 @@ LikelihoodSpectrum fit(const std::vector<ObservedSurface>& observed) {
     return likelihood_spectrum(observed, {.shortest_wavelength = shortest_wavelength, .threads = {1}});
 }
 
-/// Of ln C_iso within the band of the first.
+/// Differences of ln C_iso within the band of the first.
 struct Difference {
     double max_errors = 0.0;  ///< in standard errors of the first
     double mean = 0.0;        ///< weighted by their inverse squares
@@ -117,9 +117,9 @@ TEST(LikelihoodSpectrum, UsesWhatIsDefinedOfMaps) {
     }
     const auto all = fit(whole), most = fit(gapped);
     const auto change = difference(all, most);
-    EXPECT_LT(change.max_errors, 1.0);  // a sixth of the data is not there
+    EXPECT_LT(change.max_errors, 1.0);  // a sixth of the data is missing
     EXPECT_LT(std::abs(change.mean), 0.025);
-    // bridged lines taken for whole ones
+    // interpolated lines treated as complete ones
     std::vector<ObservedSurface> filled;
     for (const auto& o : gapped) {
         auto copy = std::get<topography::HeightMap>(o.measurement);
@@ -131,7 +131,7 @@ TEST(LikelihoodSpectrum, UsesWhatIsDefinedOfMaps) {
 
 constexpr double fine = 10e-9;
 
-/// Lines of a strip that a ball of 300 nm has read with noise, all points of them.
+/// Lines of a strip that a sphere of 300 nm has read with noise, all points.
 std::vector<Array1D> read_lines(std::uint64_t seed) {
     constexpr Index length = 2048, width = 512;
     auto strip = synthesis::random_surface(surface(), {length, width, length * fine, width * fine},
@@ -184,7 +184,7 @@ std::vector<ObservedSurface> irregular_scans() {
     return all;
 }
 
-// One undefined height made a stylus's scan an ideal contour, without tip and noise.
+// One undefined height turned a scan of a stylus into an ideal contour, without tip and noise.
 TEST(LikelihoodSpectrum, OfAScanWithAGapHasItsTipAndItsNoise) {
     const auto whole = fit(scans(false)), gapped = fit(scans(true));
     EXPECT_FALSE(gapped.tips.empty());
@@ -199,7 +199,7 @@ TEST(LikelihoodSpectrum, OfCurvesOfAStylusHasItsTipAndItsNoise) {
     EXPECT_FALSE(irregular.tips.empty());
     EXPECT_LT(irregular.C_iso.band.upper, 0.5 * pi / fine);
     const auto change = difference(regular, irregular);
-    EXPECT_LT(change.max_errors, 2.0);  // they hold points between the regular ones
+    EXPECT_LT(change.max_errors, 2.0);  // they contain points between the regular ones
     EXPECT_LT(std::abs(change.mean), 0.03);
 }
 

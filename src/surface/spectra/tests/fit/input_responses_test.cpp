@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How fits move with what many measurements share: against scaling laws and against fits of moved data.
+// Response of fits to shared inputs of many measurements: compared with scaling laws and with fits of changed data.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ const LogSpline& spline() {
     return made;
 }
 
-/// A class that sees C_iso itself, each value with the scatter that its freedom leaves.
+/// A class that measures C_iso directly, each value with the scatter of its degrees of freedom.
 PeriodogramClass scattered(double from, double to, double freedom, unsigned seed) {
     PeriodogramClass c;
     const Index n = static_cast<Index>(40.0 * std::log10(to / from));
@@ -47,7 +47,7 @@ std::vector<PeriodogramClass> with_first_raised(std::vector<PeriodogramClass> cl
     return classes;
 }
 
-// Values scatter by 60 %: the observed information, not the expected one, says how far the fit moves.
+// Values scatter by 60 %: the observed information, not the expected one, determines the change of the fit.
 TEST(ThetaMoved, IsTheDifferenceOfFits) {
     const std::vector<PeriodogramClass> classes{scattered(1e5, 2e7, 3.0, 1), scattered(2e6, 9e7, 2.0, 2)};
     constexpr double step = 1e-3;
@@ -57,7 +57,7 @@ TEST(ThetaMoved, IsTheDifferenceOfFits) {
     EXPECT_LT((found - refitted).cwiseAbs().maxCoeff(), 1e-5 * refitted.cwiseAbs().maxCoeff());
 }
 
-// All heights alike, noise with them: ln C_iso moves by 2 per ln of the factor.
+// All heights with the same factor, noise included: ln C_iso changes by 2 per ln of the factor.
 TEST(ThetaMoved, MovesNoiseWithTheSurface) {
     auto noisy = scattered(1e6, 9e7, 4.0, 3);
     noisy.noise_response = Array1D::Ones(noisy.nodes.size());
@@ -100,7 +100,7 @@ topography::HeightMap cut_map(std::uint64_t seed, Index points, double pixel, do
     return map;
 }
 
-/// Two instruments; the second one's factors apart.
+/// Two instruments; separate factors for the second one.
 std::vector<ObservedSurface> observed(double heights = 1.0, double lengths = 1.0) {
     std::vector<ObservedSurface> all;
     for (std::uint64_t seed : {1, 2}) all.push_back({cut_map(seed, 128, 40e-9), topography::Trend::tilt});
@@ -114,7 +114,7 @@ std::vector<ObservedSurface> observed(double heights = 1.0, double lengths = 1.0
     return all;
 }
 
-/// Waves may continue beyond Nyquist, so that lengths can move; tips cut no data off.
+/// Waves may continue beyond Nyquist, so lengths can change; tips do not limit the band.
 LikelihoodOptions options() {
     return {.shortest_wavelength = 0.7 * shortest_wavelength,
             .tip_band = false,
@@ -145,7 +145,7 @@ double moved_moment(const LikelihoodSpectrum& fit, const Eigen::VectorXd& theta,
     return log_moment(moved, order) - log_moment(fit, order);
 }
 
-// Fits end where steps are small: their difference is known to a few thousandths of itself.
+// Fits end with small steps: the relative error of their difference is a few thousandths.
 TEST(InputResponses, AreTheDifferencesOfFitsOfMovedData) {
     const auto fit = likelihood_spectrum(observed(), options());
     ASSERT_EQ(fit.inputs.size(), 2u);
@@ -167,7 +167,7 @@ TEST(InputResponses, AreTheDifferencesOfFitsOfMovedData) {
     }
 }
 
-/// A line of every map, lengths of the second instrument's apart.
+/// A line of every map, with separate lengths of the second instrument.
 std::vector<ObservedSurface> observed_lines(double lengths) {
     auto all = observed(1.0, lengths);
     for (auto& o : all) {
@@ -177,8 +177,8 @@ std::vector<ObservedSurface> observed_lines(double lengths) {
     return all;
 }
 
-// Of maps the number of independent lines is held; of lines nothing is: the moved fit is met to 1e-4 of the most that
-// any wave moves by.
+// For maps the number of independent lines is fixed; for lines nothing is: the changed fit is accurate to 1e-4 of the
+// largest change of any wave.
 TEST(InputResponses, OfLinesAreExact) {
     constexpr double step = 1e-3;
     const auto fit = likelihood_spectrum(observed_lines(1.0), options());
@@ -197,9 +197,9 @@ std::vector<ObservedSurface> touched(double of_radius, double error, double tip 
     return all;
 }
 
-// A blunter tip would have hidden more: the same readings mean a rougher surface. Another radius is simulated on
-// another patch: what that scatters by is found with other random numbers. Measured: 0.0042 of 0.0049 ± 0.0007 and
-// 0.017 of 0.019 ± 0.007 for ∫ q C and ∫ q² C.
+// A blunter tip hides more: the same readings mean a rougher surface. Another radius is simulated on another patch: the
+// scatter from this is determined with other random numbers. Measured: 0.0042 of 0.0049 ± 0.0007 and 0.017 of 0.019 ±
+// 0.007 for ∫ q C and ∫ q² C.
 TEST(InputResponses, OfATipAreThoseOfAnotherRadius) {
     constexpr double step = 0.2;
     constexpr int seeds = 6;
@@ -224,7 +224,7 @@ TEST(InputResponses, OfATipAreThoseOfAnotherRadius) {
     }
 }
 
-// A tip's part of the spectrum's error is the same next to the covariance as in it.
+// The contribution of a tip to the error of the spectrum is the same outside the covariance as in it.
 TEST(InputResponses, LeaveTheTotalErrorAsItIs) {
     auto known = touched(radius, 0.0);
     const auto with = likelihood_spectrum(touched(radius, 0.1 * radius), options()),
@@ -239,7 +239,7 @@ TEST(InputResponses, LeaveTheTotalErrorAsItIs) {
     EXPECT_GT(by_tip.maxCoeff(), 0.01 * variance.minCoeff());
 }
 
-// One name in two groups is one input, two names are two, also where all else of the groups is alike.
+// One name in two groups is one input, two names are two, even if everything else of the groups is equal.
 TEST(InputResponses, GroupByName) {
     auto all = touched(radius, 0.1 * radius);
     all[0].probe_input = all[1].probe_input = "tip A";

@@ -23,7 +23,7 @@ spectra::SelfAffine model() {
             .short_wavevector = 2.0 * pi / shortest_wavelength};
 }
 
-/// Points of a patch twice as wide and fine enough for the shortest waves: longer waves and aliases are in them.
+/// Points of a patch twice as wide and fine enough for the shortest waves: includes longer waves and aliases.
 topography::HeightMap cut_map(std::uint64_t seed, Index points, double pixel, double factor = 1.0) {
     const auto stride = std::max<Index>(1, static_cast<Index>(std::lround(pixel / (0.5 * shortest_wavelength))));
     const Index fine = 2 * points * stride;
@@ -75,7 +75,7 @@ TEST(LikelihoodSpectrum, HoldsTheTruthWithinItsErrorsOverTheWholeBand) {
     const auto density = spectra::density(model());
     double chi_squared = 0.0;
     int count = 0;
-    for (Index i = 0; i < fit.C_iso.wavevector.size(); i += 8) {  // twice a knot: errors of neighbours are alike
+    for (Index i = 0; i < fit.C_iso.wavevector.size(); i += 8) {  // twice per knot: errors of neighbours are similar
         const double q = fit.C_iso.wavevector[i];
         if (q < fit.C_iso.band.lower || q > 0.97 * fit.C_iso.band.upper) continue;
         const double error = std::log(fit.C_iso.density[i] / density(q));
@@ -100,8 +100,8 @@ TEST(LikelihoodSpectrum, SaysWhichInstrumentDisagrees) {
     EXPECT_EQ(wrong.alerts[0].code, "INSTRUMENTS_DISAGREE");
 }
 
-// Where instruments agree, a probability below p is as rare as p: within a factor of three or so, since χ² of groups of
-// a few modes is known no better, and decades of one fit share its parameters.
+// If instruments agree, a probability below p has the frequency p: within a factor of about three, because χ² of groups
+// of a few modes is not known better, and decades of one fit share its parameters.
 TEST(LikelihoodSpectrum, AgreementHasTheProbabilityItSays) {
     int rows = 0, tenth = 0, hundredth = 0;
     double logs = 0.0;
@@ -136,7 +136,7 @@ TEST(LikelihoodSpectrum, SaysThatTheRolloffIsNotSeen) {
         std::any_of(fit.alerts.begin(), fit.alerts.end(), [](const Alert& a) { return a.code == "ROLLOFF_NOT_SEEN"; }));
 }
 
-// The same places measured twice as high: nothing but the places can tell them apart.
+// The same places measured twice as high: only the places distinguish them.
 TEST(LikelihoodSpectrum, WidensItsIntervalsWhereMeasurementsDifferAsWholes) {
     auto scattered = observed();
     for (std::size_t i = 0; i < 2; ++i)
@@ -161,7 +161,7 @@ TEST(LikelihoodSpectrum, DrawsScatterAsItsErrors) {
     EXPECT_TRUE((drawn_spectra(fit, 3, 9) == spectra.topRows(3)).all());
 }
 
-// Points closer than half the surface's shortest wave show modes that hold what the window lets through alone.
+// Points closer than half the shortest wave of the surface have modes with only leakage of the window.
 TEST(LikelihoodSpectrum, EndsWhereTheSurfaceDoes) {
     std::vector<ObservedSurface> fine;
     for (std::uint64_t seed : {4, 5}) {

@@ -17,7 +17,7 @@ Array1D nodes_up_to(double shortest, Index count) {
 }
 
 // C_iso = q^-4 has C1D = q^-3/4. Its mean over a cell exceeds that by h²/8 (h²/24 α(α − 2), α = 3), and chords of q^2
-// C_iso between nodes lie above the curve by h²/3 (h²/12 of the second derivative 4).
+// C_iso between nodes are above the curve by h²/3 (h²/12 of the second derivative 4).
 TEST(LineSpectrum, OfAPowerLawIsItsClosedForm) {
     const Array1D q = nodes_up_to(1e10, 240);
     const Array1D C1D = line_spectrum(q, q.pow(-4.0));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Surfaces that are rougher in one place than in another: how often intervals of the fit hold the mean over places.
+// Surfaces that are rougher in some places than in others: how often intervals of the fit cover the mean over places.
 #include <algorithm>
 #include <cmath>
 
@@ -23,8 +23,8 @@ spectra::SelfAffine model() {
             .short_wavevector = 2.0 * pi / shortest_wavelength};
 }
 
-/// 64 × 64 points of a patch twice as wide, whose power is exp(scatter · normal − scatter²/2) times the model's: on
-/// average as much.
+/// 64 × 64 points of a patch twice as wide, whose power is exp(scatter · normal − scatter²/2) times that of the model:
+/// equal on average.
 ObservedSurface place(std::uint64_t seed, double scatter) {
     constexpr Index points = 64, fine = 2 * points;
     constexpr double pixel = 0.5 * shortest_wavelength, size = fine * pixel;
@@ -59,7 +59,7 @@ Coverage of_three_places(double scatter) {
     return coverage;
 }
 
-// A hundred sets know a share of 0.95 to 0.022.
+// The error of a share of 0.95 from a hundred sets is 0.022.
 TEST(PlaceScatter, OfThreePlacesIsWorthStudentsT) {
     const auto alike = of_three_places(0.0), little = of_three_places(0.15), much = of_three_places(0.5);
     EXPECT_GE(alike.held, 0.93);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tips that are no balls, foils seen from their side, and microscopes that blur: what the fit expects of them.
+// Tips other than spheres, foils in projection, and microscopes that blur: their expectation in the fit.
 #include "setae/spectral_fit/probe.hpp"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ namespace {
 
 constexpr double step = 10e-9;
 
-/// Flat below 2π/1 µm, falling as q^-3.6 down to waves of 80 nm.
+/// Constant below 2π/1 µm, decreasing as q^-3.6 down to waves of 80 nm.
 spectra::SpectralDensity rough(double slope) {
     const double bend = 2.0 * pi / 1e-6, end = 2.0 * pi / 80e-9;
     // h'² = (1/2π) ∫ q³ C dq, C = c (q/q_b)^-3.6 above q_b
@@ -102,8 +102,8 @@ topography::HeightMap picture_of(const topography::Tip& tip, double pixel) {
     return picture;
 }
 
-// Four patches of sixteen lines a correlation length apart and twenty modes know a ratio to 3 %, the simulation to as
-// much.
+// Four patches of sixteen lines a correlation length apart and twenty modes determine a ratio to 3 %, the simulation to
+// as much.
 TEST(Probe, OfEveryShapeReadsAsOtherSurfacesDo) {
     const auto dilated = [](const topography::Tip& tip) {
         return [tip](const topography::HeightMap& surface) {
@@ -177,7 +177,7 @@ topography::HeightMap surface(std::uint64_t seed, Index points, double pixel) {
                                      {.key = {seed, 1}, .threads = {1}});
 }
 
-/// Weighted mean of ln C_iso − ln planted between two wavevectors, and its largest size in standard errors.
+/// Weighted mean of ln C_iso − ln of the known input between two wavevectors, and its largest size in standard errors.
 struct Departure {
     double mean = 0.0, worst = 0.0;
 };
@@ -197,7 +197,7 @@ Departure departure(const LikelihoodSpectrum& fit, double from, double to) {
     return found;
 }
 
-// Lines of maps filtered as the microscope does it.
+// Lines of maps filtered as by the microscope.
 TEST(OpticalTransfer, IsExpectedByTheFit) {
     const OpticalTransfer optics{.numerical_aperture = 0.3, .light_wavelength = 100e-9};
     std::vector<ObservedSurface> blurred;
@@ -222,8 +222,7 @@ TEST(OpticalTransfer, IsExpectedByTheFit) {
     EXPECT_LT(with.worst, 3.5);
 }
 
-// Silhouettes of 100 nm of a surface whose waves are as short as 40 nm, on a grid on which peaks hardly lie between
-// points.
+// Silhouettes of 100 nm of a surface with waves as short as 40 nm, on a grid with few peaks between points.
 TEST(Probe, OfAFoilIsExpectedByTheFit) {
     constexpr Index points = 512, finer = 4, fine = finer * points;
     constexpr double pixel = 10e-9, thickness = 100e-9;
@@ -256,7 +255,8 @@ TEST(Probe, OfAFoilIsExpectedByTheFit) {
     EXPECT_LT(with.worst, 3.5);
 }
 
-// A radius one standard error larger moves the spectrum by what the radius's error adds to its variance.
+// A radius one standard error larger changes the spectrum by the contribution of the error of the radius to its
+// variance.
 TEST(Probe, OfUncertainSizeWidensIntervalsByWhatItWouldMove) {
     constexpr Index points = 512;
     constexpr double pixel = 10e-9, radius = 200e-9, error = 10e-9;
@@ -282,7 +282,7 @@ TEST(Probe, OfUncertainSizeWidensIntervalsByWhatItWouldMove) {
     };
     const auto known = fit({.value = radius}), uncertain = fit({radius, error}),
                larger = fit({.value = radius + error});
-    // where T falls; at its end the fit answers by another T, too, which the covariance takes to first order
+    // where T decreases; at its end the fit also responds by another T, which the covariance includes to first order
     double moved = 0.0, added = 0.0;
     for (Index i = 0; i < known.C_iso.wavevector.size(); ++i) {
         const double q = known.C_iso.wavevector[i];
@@ -295,8 +295,8 @@ TEST(Probe, OfUncertainSizeWidensIntervalsByWhatItWouldMove) {
     EXPECT_NEAR(std::sqrt(added / moved), 1.0, 0.25);
 }
 
-// Scans upside down have the same periodograms and the opposite skewness: turning some of them over moves the fit by
-// their mean skewness and widens its intervals by the scatter of it, and nothing else.
+// Inverted scans have the same periodograms and the opposite skewness: inverting some of them changes the fit by their
+// mean skewness and widens its intervals by the scatter of it, and nothing else.
 TEST(Probe, OfSkewedHeightsWidensIntervalsByWhatSkewnessWouldMove) {
     constexpr Index points = 1024;
     constexpr double pixel = 10e-9;

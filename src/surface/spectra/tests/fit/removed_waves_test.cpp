@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a pipeline took from the heights before they came here.
+// Processing of heights by a pipeline before the fit.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ void remove_polynomial(topography::LineScan& scan, int degree) {
     scan.heights = (heights - powers * powers.colPivHouseholderQr().solve(heights)).array();
 }
 
-/// Waves longer than 5 µm, sharply.
+/// Removes waves longer than 5 µm, with a sharp limit.
 void remove_long_waves(topography::LineScan& scan) {
     for (Index k = 0; k < 11; ++k) {
         const Array1D phase = Array1D::LinSpaced(points, 0.0, static_cast<double>(points - 1)) *
@@ -41,7 +41,7 @@ void remove_long_waves(topography::LineScan& scan) {
     }
 }
 
-/// Σ ln C_iso/truth over the nodes between two wavevectors.
+/// Σ ln of C_iso over the true value, over the nodes between two wavevectors.
 double long_waves(const LikelihoodSpectrum& fit, double from, double to) {
     double found = 0.0, true_sum = 0.0;
     const auto& q = fit.C_iso.wavevector;
@@ -90,7 +90,7 @@ TEST(RemovedWaves, OfAFilterAreLeftOut) {
     const auto right = fitted(with_data), wrong = fitted(without_data);
     EXPECT_GT(right.C_iso.band.lower, 2.0 * pi / 3.7e-6);
     EXPECT_LT(std::abs(long_waves(right, from, to) / nodes(right, from, to)), 0.12);
-    // without_data, the fit bends to what is missing
+    // without this information the fit bends to the missing waves
     EXPECT_LT(long_waves(wrong, cut, from) / nodes(wrong, cut, from), -0.3);
 }
 

@@ -58,7 +58,7 @@ TEST(ScanKernel, ExpectsTheMeanPeriodogramOfRandomLines) {
         const ScanShape shape{64, degree};
         const auto heights = lines_of(model, shape.points, 1.0, 400, 5);
         const Array1D ratio = scan_periodogram(heights, 1.0, degree) / expected(model, shape, 1.0, -120, 24);
-        // 400 lines: 5 % a mode, groups beyond the 16th hold several
+        // 400 lines: 5 % per mode, groups beyond the 16th contain several
         for (Index k = 0; k < ratio.size(); ++k)
             EXPECT_NEAR(ratio[k], 1.0, 4.5 * 0.05) << "degree " << degree << ", group " << k;
         EXPECT_NEAR(ratio.mean(), 1.0, 3.0 * 0.05 / std::sqrt(0.5 * static_cast<double>(ratio.size())));
@@ -84,7 +84,7 @@ TEST(ScanKernel, OfAFlatSpectrumIsWhiteNoise) {
 }
 
 TEST(ScanKernel, SumOverModesIsTheVarianceOfTheWindowedHeights) {
-    // Σ over all n modes of |F(wh)|²/n = Σ w²h² : for degree 0 and short waves the trend costs 1/n
+    // Σ over all n modes of |F(wh)|²/n = Σ w²h²: for degree 0 and short waves the trend removes 1/n
     const ScanShape shape{512, 0};
     const auto kernel = scan_kernel(shape, 20, 20);
     const ModeBins bins(256);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Surfaces longer along one direction: the fit's mean over directions against what was planted.
+// Surfaces longer along one direction: mean over directions of the fit compared with the known input.
 #include <algorithm>
 #include <cmath>
 
@@ -41,8 +41,8 @@ std::vector<ObservedSurface> maps(const spectra::Anisotropy& anisotropy, std::ui
     return all;
 }
 
-/// Eight lines of each patch, far from each other, along x or, turned by a right angle, along y. Every other point is
-/// read: waves of a surface twice as long along x end where their sampling does.
+/// Eight lines of each patch, far from each other, along x or, rotated by 90°, along y. Every other point is read:
+/// waves of a surface twice as long along x end where their sampling does.
 std::vector<ObservedSurface> lines(const spectra::Anisotropy& anisotropy, std::uint64_t seed, bool along_y) {
     std::vector<ObservedSurface> all;
     for (std::uint64_t n = 0; n < 3; ++n) {
@@ -73,8 +73,8 @@ double planted(double q, double stretch) {
     return sum / directions;
 }
 
-/// Largest departure of ln C_iso in standard errors, and its mean, between the roll-off, whose corner no smooth curve
-/// follows, and half of the largest wavevector.
+/// Largest deviation of ln C_iso in standard errors, and its mean, between the roll-off, whose corner is not smooth,
+/// and half of the largest wavevector.
 struct Departure {
     double worst = 0.0, mean = 0.0;
 };
@@ -113,7 +113,7 @@ TEST(StretchedSurface, HasItsMeanOverDirectionsFromMaps) {
         EXPECT_NEAR(std::abs(std::cos(turned)), 1.0, 0.01);
         const auto away = departure(fit, 2.0);
         EXPECT_LT(away.worst, 3.0) << angle;
-        EXPECT_LT(std::abs(away.mean), 0.08) << angle;  // lines along x alone would be 0.55 off
+        EXPECT_LT(std::abs(away.mean), 0.08) << angle;  // only lines along x would be 0.55 off
     }
 }
 
@@ -141,7 +141,7 @@ TEST(StretchedSurface, IsNotSeenWhereThereIsNone) {
     EXPECT_LT(departure(fit, 1.0).worst, 3.0);
 }
 
-// A map that was turned on the table by a right angle tells the same surface.
+// A map rotated by 90° on the stage gives the same surface.
 TEST(StretchedSurface, TurnsWithItsMaps) {
     auto straight = maps({2.0, 0.0}, 70);
     auto turned = straight;

@@ -15,7 +15,7 @@
 namespace setae::spectral_fit::tip_response_test {
 namespace {
 
-/// Flat below 2π/1 µm, falling as q^-5 above, with a given rms slope.
+/// Constant below 2π/1 µm, decreasing as q^-5 above, with a given rms slope.
 spectra::SpectralDensity gentle(double slope) {
     const double bend = 2.0 * pi / 1e-6;
     // h'² = (1/2π) ∫ q³ C dq = (c/2π) (1/4 + 1) q_b⁴
@@ -45,7 +45,7 @@ TEST(TipResponse, OfATipThatFitsEverywhereIsOne) {
 }
 
 // The same ratio from other surfaces, dilated as a whole and summed over modes without smoothing: four patches of
-// sixteen lines a correlation length apart and thirteen modes know it to 3.5 %, the simulation after T to as much.
+// sixteen lines a correlation length apart and thirteen modes determine it to 3.5 %, the simulation of T to as much.
 TEST(TipResponse, IsTheRatioOfPowersOfOtherSurfacesReadByTheTip) {
     auto options = simulation(1e-6);
     options.repetitions = 4;
@@ -80,8 +80,8 @@ TEST(TipResponse, IsTheRatioOfPowersOfOtherSurfacesReadByTheTip) {
     EXPECT_NEAR(read / plain, expected / weight, 0.09);
 }
 
-/// Flat below 2π/0.5 µm and as rough as a ball of 5 µm can bear: slope 1.4 with waves down to 80 nm; below 2e6 1/m
-/// `raised` times as much.
+/// Constant below 2π/0.5 µm and as rough as possible for a sphere of 5 µm: slope 1.4 with waves down to 80 nm; below
+/// 2e6 1/m `raised` times as much.
 spectra::SpectralDensity rough(double raised) {
     const double bend = 2.0 * pi / 0.5e-6, end = 2.0 * pi / 80e-9;
     const auto shape = [=](double q) { return q > end ? 0.0 : q < bend ? 1.0 : std::pow(q / bend, -3.6); };
@@ -94,8 +94,8 @@ spectra::SpectralDensity rough(double raised) {
     return [=](double q) { return 1.4 * 1.4 / moment * shape(q) * (q < 2e6 ? raised : 1.0); };
 }
 
-/// Power of the modes 3e5 … 1.8e6 1/m that a ball of 5 µm reads along lines of strips 41 µm long, by trying every
-/// point within its reach: nothing is shared with the dilation of the library.
+/// Power of the modes 3e5 … 1.8e6 1/m that a sphere of 5 µm reads along lines of strips 41 µm long, by testing every
+/// point within its reach: independent of the dilation of the library.
 double long_power_read(double raised) {
     constexpr Index nx = 2048, ny = 256, reach = 110, lines = 4, strips = 3;
     constexpr double step = 20e-9, radius = 5e-6;
@@ -127,7 +127,7 @@ double long_power_read(double raised) {
     return power;
 }
 
-/// C1D at q of a spectrum, or of what the tip follows of it: (1/π) ∫ a² C_iso dv, |q|² = q² + v².
+/// C1D at q of a spectrum, or of the part followed by the tip: (1/π) ∫ a² C_iso dv, |q|² = q² + v².
 double line_density(const TipResponse& response, const spectra::SpectralDensity& C_iso, double q, bool followed) {
     constexpr int pieces = 4000;
     const double end = 2.0 * pi / 80e-9;
@@ -139,8 +139,8 @@ double line_density(const TipResponse& response, const spectra::SpectralDensity&
     return sum * end / pieces / pi;
 }
 
-// A ball follows long waves, but a line's long waves are mostly short ones seen askew, in whose place the ball puts
-// power of its own, which stays where long waves are raised ninefold. The same strips with and without know the ratio
+// A sphere follows long waves, but long waves of a line are mostly oblique short ones, which the sphere replaces by its
+// own power; this is unchanged if long waves are raised ninefold. The same strips with and without determine the ratio
 // to a tenth.
 TEST(TipResponse, AddsPowerOfItsOwnToLongWaves) {
     const auto response = tip_response(rough(1.0), {.probe = sphere({.value = 5e-6}),
@@ -178,7 +178,7 @@ double between(const Array1D& x, const Array1D& y, double wavevector) {
     return y[i - 1] + share * (y[i] - y[i - 1]);
 }
 
-/// Flat below 2π/1 µm, falling as q^-3.6 to waves of 50 nm, rms slope 1.2.
+/// Constant below 2π/1 µm, decreasing as q^-3.6 to waves of 50 nm, rms slope 1.2.
 double knee(double q) {
     constexpr double bend = 2.0 * pi / 1e-6, end = 2.0 * pi / 50e-9;
     // h'² = (1/2π) ∫ q³ C dq
@@ -186,9 +186,9 @@ double knee(double q) {
     return q > end ? 0.0 : 1.44 / moment * (q < bend ? 1.0 : std::pow(q / bend, -3.6));
 }
 
-// Where T falls from 0.8 to 0.3, steep in ln q: what is followed and what is added are interpolated there, and every
-// interpolation that lies below its curve takes power away. What the ball reads of the simulation's own patches, line
-// by line, has no such loss; what is left are the patches' own departures from C_iso in what is followed, 0.5 %.
+// Where T decreases from 0.8 to 0.3, steep in ln q: the followed and the added part are interpolated there, and every
+// interpolation below its curve loses power. Line-by-line readings of the sphere on the patches of the simulation have
+// no such loss; the rest are deviations of the patches from C_iso in the followed part, 0.5 %.
 TEST(TipResponse, LosesNoPowerWhereItFalls) {
     constexpr Index nx = 2048, ny = 1024, stride_x = 2, stride_y = 8, first = 9, last = 25;
     constexpr int patches = 8;
@@ -228,8 +228,7 @@ TEST(TipResponse, LosesNoPowerWhereItFalls) {
     EXPECT_NEAR(expected / found, 1.0, 0.012);
 }
 
-// Smoothing is linear, so that differences of ln T between two radii, or two amplitudes, are the derivatives
-// themselves.
+// Smoothing is linear, so differences of ln T between two radii, or two amplitudes, are exactly the derivatives.
 TEST(TipResponse, HasTheDerivativesOfItsOwnDifferences) {
     const auto C_iso = gentle(0.1);
     const auto response = tip_response(C_iso, simulation(1e-6)), blunter = tip_response(C_iso, simulation(1.1e-6)),
@@ -245,8 +244,7 @@ TEST(TipResponse, HasTheDerivativesOfItsOwnDifferences) {
     EXPECT_LT(at(response.wavevector, response.size_response, 2.0 * pi / 300e-9), -0.05);
 }
 
-// A ball depends on peaks and cannot enter valleys: it loses less of what peaks show, and reads heights more skewed
-// than they are.
+// A sphere touches peaks and cannot enter valleys: it loses less of peaks, and reads heights more skewed than they are.
 TEST(TipResponse, LosesLessOfPeaksThanOfValleys) {
     auto peaks = simulation(1e-6), valleys = peaks, gaussian = peaks;
     peaks.skewness = 0.8;
@@ -268,7 +266,7 @@ TEST(TipResponse, OnceMoreKeepsTheDerivatives) {
     EXPECT_TRUE((again.followed_response == first.followed_response).all());
     EXPECT_TRUE((again.added_response == first.added_response).all());
     EXPECT_TRUE((again.size_response == first.size_response).all());
-    // they themselves are what the derivatives expected
+    // they agree with the expectation from the derivatives
     const double q = 2.0 * pi / 400e-9, change = std::log(1.05 * 1.05);
     const auto expected = [&](const Array1D& values, const Array1D& slope) {
         return at(first.wavevector, values, q) + change * at(first.wavevector, slope, q);
@@ -307,7 +305,7 @@ TEST(TipResponse, RefusesImpossibleTips) {
     EXPECT_THROW((void)tip_response(gentle(0.1), without_step), InvalidArgument);
 }
 
-// A line read every pixel: aliases are weighted with their C1D. Two waves, one of them folded on the other.
+// A line read every pixel: aliases are weighted with their C1D. Two waves, one of them an alias of the other.
 TEST(SampledResponse, WeighsAliasesByTheirPower) {
     TipResponse response;
     response.wavevector = Array1D::LinSpaced(2, 1e6, 9e6);
@@ -316,7 +314,7 @@ TEST(SampledResponse, WeighsAliasesByTheirPower) {
     response.log_followed = response.log_added = response.log_transfer;
     response.added_response = response.followed_response = response.size_response = response.skewness_response =
         Array1D::Zero(2);
-    const double pixel = 2.0 * pi / 10e6;  // 1e6 and 9e6 fold together
+    const double pixel = 2.0 * pi / 10e6;  // 1e6 and 9e6 are aliases
     const auto C1D = [](double q) { return std::abs(q - 1e6) < 1.0 ? 3.0 : std::abs(q - 9e6) < 1.0 ? 1.0 : 0.0; };
     const auto found = sampled(response, C1D, pixel, Array1D::Constant(1, 1e6));
     EXPECT_NEAR(std::exp(found.log_transfer[0]), (3.0 + 0.5) / 4.0, 1e-12);

@@ -23,7 +23,7 @@ spectra::SelfAffine model() {
             .short_wavevector = 2.0 * pi / shortest_wavelength};
 }
 
-/// A contour as a picture gives it: C1D is twice its noise at a wavelength of 7 nm.
+/// A contour from a picture: C1D is twice its noise at a wavelength of 7 nm.
 topography::Profile traced(std::uint64_t seed) {
     constexpr Index points = 181, grid = 1024;
     const auto kept = [](double q) { return Array1D::Constant(1, q); };
@@ -47,7 +47,7 @@ topography::Profile traced(std::uint64_t seed) {
     return profile;
 }
 
-/// stated: noise by the profile over its true noise.
+/// stated: stated noise of the profile over its true noise.
 LikelihoodSpectrum fitted(bool with_response, std::uint64_t first_seed = 1, double stated = 1.0) {
     std::vector<ObservedSurface> contours;
     for (std::uint64_t seed = first_seed; seed < first_seed + 8; ++seed) {
@@ -60,7 +60,8 @@ LikelihoodSpectrum fitted(bool with_response, std::uint64_t first_seed = 1, doub
                                {.shortest_wavelength = shortest_wavelength, .tip_factor = false, .threads = {1}});
 }
 
-/// ln(C_iso/truth) in standard errors at every other knot between a wavelength of 60 nm and the end of the band.
+/// ln of C_iso over the true value, in standard errors at every other knot between a wavelength of 60 nm and the end of
+/// the band.
 std::vector<double> departures(const LikelihoodSpectrum& fit) {
     const auto density = spectra::density(model());
     std::vector<double> found;
@@ -95,12 +96,12 @@ TEST(LikelihoodOfTraces, HoldTheTruthThroughNoiseBlurAndSmoothing) {
 }
 
 TEST(LikelihoodOfTraces, BearNoiseStatedAThirdTooLow) {
-    const auto fit = fitted(true, 1, 0.67);  // two standard deviations of what is known of it
+    const auto fit = fitted(true, 1, 0.67);  // two standard deviations of its prior
     EXPECT_TRUE(fit.converged);
     EXPECT_LT(mean_square(departures(fit)), 3.0);
 }
 
-// The fit ends with the surface's waves (2.5 nm) whatever it knows of the trace; below that blur takes power away.
+// The fit ends with the waves of the surface (2.5 nm) for any knowledge of the trace; below that blur removes power.
 TEST(LikelihoodOfTraces, AreBiasedAtTheirShortEndWithoutTheirResponse) {
     EXPECT_LT(departures(fitted(false)).back(), -3.0);
     EXPECT_GT(departures(fitted(true)).back(), -3.0);

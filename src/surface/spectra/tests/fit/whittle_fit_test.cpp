@@ -18,7 +18,7 @@ const LogSpline& spline() {
 
 double truth(double q) { return 1e-30 * std::pow(1.0 + q / 1e6, -3.4); }
 
-/// A class that sees C_iso itself at forty wavevectors a decade.
+/// A class that measures C_iso directly at forty wavevectors per decade.
 PeriodogramClass direct(double from, double to, double freedom) {
     PeriodogramClass c;
     const Index n = static_cast<Index>(40.0 * std::log10(to / from));
@@ -31,7 +31,7 @@ PeriodogramClass direct(double from, double to, double freedom) {
     return c;
 }
 
-/// Amplitude of the truth as a class with a tip measures it.
+/// True amplitude as measured by a class with a tip.
 double amplitude_of_truth(double order) {
     double sum = 0.0;
     constexpr int n = 40000;
@@ -50,7 +50,7 @@ TEST(WhittleFit, FindsASmoothSpectrumFromItsExpectation) {
     for (const double q : {2e5, 1e6, 7e6, 9e7}) EXPECT_NEAR(log_error(fit, q), 0.0, 2e-3) << q;
 }
 
-// E = C + σ² N: noise and surface are distinguished where C falls below it.
+// E = C + σ² N: noise and surface are distinguished where C is below it.
 TEST(WhittleFit, TellsNoiseFromTheSurface) {
     auto c = direct(1e5, 9.9e7, 1e4);
     constexpr double noise = 1e-34;
@@ -62,8 +62,8 @@ TEST(WhittleFit, TellsNoiseFromTheSurface) {
     EXPECT_NEAR(log_error(fit, 5e7), 0.0, 5e-3);
 }
 
-// A tip with ln T = −0.3 (A/A_truth), linearised where A was 20 % too large: the fit returns to the truth, since T
-// answers to A.
+// A tip with ln T = −0.3 (A/A_true), linearised where A was 20 % too large: the fit returns to the true value, because
+// T responds to A.
 TEST(WhittleFit, LetsTheTipAnswerToTheAmplitude) {
     auto c = direct(1e5, 9.9e7, 1e4);
     const double A = amplitude_of_truth(1.0);
@@ -76,7 +76,7 @@ TEST(WhittleFit, LetsTheTipAnswerToTheAmplitude) {
     const auto fit = fit_whittle({c}, spline(), {});
     EXPECT_TRUE(fit.converged);
     EXPECT_NEAR(log_error(fit, 1e6), 0.0, 0.01);
-    // without the answer it keeps what the wrong T says
+    // without the response it keeps the effect of the wrong T
     c.reference_amplitude = 0.0;
     EXPECT_NEAR(log_error(fit_whittle({c}, spline(), {}), 1e6), 0.06, 0.01);
 }
@@ -97,7 +97,8 @@ TEST(WhittleFit, TakesOffWhatATipAdds) {
     for (const double q : {2e5, 5e5, 7e6}) EXPECT_NEAR(log_error(fit, q), 0.0, 5e-3) << q;
 }
 
-// 1 % of what is added is 7 % of what is followed: a band of added power known to 1 % leaves C_iso unknown to as much.
+// 1 % of the added power is 7 % of the followed one: an error of 1 % of a band of added power leaves C_iso with an
+// error of 7 %.
 TEST(WhittleFit, KnowsNoMoreThanWhatTheTipAddsIsKnownTo) {
     const auto error = [](double known_to) {
         auto c = mostly_added(1e6);
@@ -110,8 +111,8 @@ TEST(WhittleFit, KnowsNoMoreThanWhatTheTipAddsIsKnownTo) {
     EXPECT_NEAR(error(0.01), 0.07, 0.015);
 }
 
-// P is gamma distributed with ν about E: the covariance is the scatter of the fits. 300 fits know a standard deviation
-// to 4 %.
+// P is gamma distributed with ν about E: the covariance is the scatter of the fits. The error of a standard deviation
+// from 300 fits is 4 %.
 TEST(WhittleFit, CovarianceIsTheScatterOfFits) {
     constexpr double freedom = 6.0;
     constexpr int fits = 300;
@@ -136,7 +137,7 @@ TEST(WhittleFit, CovarianceIsTheScatterOfFits) {
                      deviation = std::sqrt(stated[i] / fits);
         EXPECT_NEAR(bias, 0.0, 4.0 * scatter / std::sqrt(fits) + 0.01) << at[i];
         EXPECT_NEAR(scatter / deviation, 1.0, 0.2)
-            << at[i];  // the prior takes part in the covariance, less in the scatter
+            << at[i];  // the prior contributes to the covariance, less to the scatter
         EXPECT_LT(scatter, 1.1 * deviation);
     }
 }

@@ -49,7 +49,7 @@ const MultiscaleSurface& surface() {
 }
 
 TEST(MultiscaleSurface, HasTheMomentsOfItsSpectrum) {
-    // cells of the modes cut by q_s count with their share, to about 1e-4 of a part of the power
+    // cells of the modes cut by q_s count with their share, to about 1e-4 of the power
     EXPECT_NEAR(surface().rms_height() / spectra::rms_height(model), 1.0, 1e-4);
     EXPECT_NEAR(surface().rms_slope() / spectra::rms_slope(model), 1.0, 1e-3);
 }
@@ -85,7 +85,7 @@ TEST(MultiscaleSurface, KeepsItsLongerWavelengthsWhereTheShorterAreLeftOut) {
     const double left_out = std::sqrt((surface().heights_at(x, y) - blurred.heights_at(x, y)).square().mean());
     const double expected =
         std::sqrt(spectra::moment(model, 0.0) / (2.0 * pi) - blurred.rms_height() * blurred.rms_height());
-    EXPECT_NEAR(left_out / expected, 1.0, 0.2);  // about 100 independent values of ± 7 % each way
+    EXPECT_NEAR(left_out / expected, 1.0, 0.2);  // about 100 independent values of ± 7 % in each direction
 }
 
 /// Variance of the increments of a line with the model's spectrum: ⟨(h(x + d) − h(x))²⟩ = (1/π) ∫ q C (1 − J_0(qd)) dq.
@@ -112,7 +112,7 @@ TEST(MultiscaleSurface, HasTheStructureFunctionOfItsSpectrumFromNanometresToMicr
 }
 
 TEST(MultiscaleSurface, AliasesLikeAnInstrumentWhereItsPixelIsCoarse) {
-    // steps of 20 roll-off wavelengths see independent heights: a white spectrum of the whole variance
+    // steps of 20 roll-off wavelengths have independent heights: a white spectrum of the whole variance
     constexpr Index n = 4096;
     const auto line = surface().line({0.0, 0.0, 0.3, n, 4e-5});
     const double variance = line.heights.square().mean();

@@ -143,7 +143,7 @@ TEST(RandomSurface, IsScaledToTheRmsHeightAskedFor) {
 }
 
 TEST(RandomSurface, StretchedHasLongerFeaturesAlongTheDirection) {
-    // ⟨(∂h/∂along)²⟩ falls by s² against across, rms height stays; modes enough for sums to be integrals
+    // ⟨(∂h/∂along)²⟩ decreases by s² relative to across, rms height is constant; enough modes for sums to be integrals
     const spectra::SelfAffine inside{1e-27, 4e7, 0.9, 1e8};
     const SurfaceGrid large{256, 256, 2e-6, 2e-6};
     for (const double angle : {0.0, 0.5 * pi, 0.4}) {

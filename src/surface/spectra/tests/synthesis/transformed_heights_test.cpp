@@ -94,16 +94,16 @@ TEST(NonGaussianSurface, HasTheSpectrumAndTheShapeAskedFor) {
     });
     EXPECT_LT(dropped, 0.002);
     // 12 maps of some 60 independent patches: the mean square of such heights (kurtosis 7) scatters by √(6/720) = 9 %,
-    // and the skewness, whose estimate leans low in small samples, by about twice that
+    // and the skewness, whose estimate is low in small samples, by about twice that
     EXPECT_NEAR(shaped.shape.skewness, 1.5, 0.4);
     EXPECT_NEAR(shaped.mean_square / gaussian.mean_square, 1.0, 0.2);
-    // rings 6 … 9 hold 500 modes and more a map; the same seeds, so most of their scatter is common
+    // rings 6 … 9 contain at least 500 modes per map; the same seeds, so most of their scatter is common
     double plain_deviation = 0.0;
     for (std::size_t i = 6; i <= 9; ++i) {
         EXPECT_NEAR(shaped.rings[i] / gaussian.rings[i], 1.0, 0.1) << i;
         plain_deviation = std::max(plain_deviation, std::abs(plain.rings[i] / gaussian.rings[i] - 1.0));
     }
-    EXPECT_GT(plain_deviation, 0.15);  // what the parent's spectrum corrects
+    EXPECT_GT(plain_deviation, 0.15);  // correction by the spectrum of the parent
 }
 
 TEST(NonGaussianSurface, DropsWhatNoGaussianParentHas) {
