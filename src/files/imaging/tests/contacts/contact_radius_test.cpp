@@ -14,7 +14,7 @@ namespace {
 constexpr double pixel_size = 1.82e-6;
 
 /// 0 for the first two frames, then growing.
-double planted_radius(std::size_t frame) { return frame < 2 ? 0.0 : 8.0 + 2.35 * static_cast<double>(frame - 2); }
+double true_radius(std::size_t frame) { return frame < 2 ? 0.0 : 8.0 + 2.35 * static_cast<double>(frame - 2); }
 
 std::vector<FramePixels> growing(std::size_t n) {
     std::vector<FramePixels> frames;
@@ -23,10 +23,10 @@ std::vector<FramePixels> growing(std::size_t n) {
                                 .height = 80,
                                 .centre_x = 44.2,
                                 .centre_y = 40.6,
-                                .semi_major = std::max(1.0, planted_radius(k)),
+                                .semi_major = std::max(1.0, true_radius(k)),
                                 .noise = 6,
                                 .seed = static_cast<unsigned>(k + 1)};
-        if (planted_radius(k) == 0) {
+        if (true_radius(k) == 0) {
             contact.contrast = 0;
             contact.inside = 140;
         }
@@ -43,7 +43,7 @@ TEST(ContactRadii, FollowAGrowingContact) {
     const auto radii = measure_contact_radii(FrameSource(folder / "stack.tif", options()));
     ASSERT_EQ(radii.frames.size(), 9U);
     for (std::size_t k = 0; k < 9; ++k) {
-        EXPECT_NEAR(radii.frames[k].radius, planted_radius(k) * pixel_size, 0.12 * pixel_size) << k;
+        EXPECT_NEAR(radii.frames[k].radius, true_radius(k) * pixel_size, 0.12 * pixel_size) << k;
         EXPECT_DOUBLE_EQ(radii.frames[k].time, static_cast<double>(k) / 20);
     }
     EXPECT_EQ(radii.summary.measured, 7U);
@@ -72,7 +72,7 @@ TEST(ContactRadii, KeepRowsOfBadAndExcludedFramesWithTheirReasons) {
     EXPECT_EQ(radii.frames[4].contact.state, FrameState::bad_frame);
     EXPECT_EQ(radii.frames[6].contact.state, FrameState::bad_frame);
     EXPECT_TRUE(std::isnan(radii.frames[4].radius));
-    EXPECT_NEAR(radii.frames[5].radius, planted_radius(5) * pixel_size, 0.12 * pixel_size);
+    EXPECT_NEAR(radii.frames[5].radius, true_radius(5) * pixel_size, 0.12 * pixel_size);
     EXPECT_EQ(radii.summary.bad, 2U);
     EXPECT_EQ(radii.summary.excluded, 1U);
     EXPECT_NE(as_csv(radii).find("# frame 4: excluded: glare, left\n"), std::string::npos);

@@ -32,16 +32,16 @@ HeightMap self_affine(Index n, double hurst_exponent, std::uint64_t seed) {
 }
 
 /// Points sufficiently far from each other, within the map, changed by ± `height`.
-std::set<Index> plant(HeightMap& map, double height, Index count, unsigned seed) {
+std::set<Index> add_spikes(HeightMap& map, double height, Index count, unsigned seed) {
     std::mt19937 engine(seed);
-    std::set<Index> planted;
-    while (static_cast<Index>(planted.size()) < count) {
+    std::set<Index> added;
+    while (static_cast<Index>(added.size()) < count) {
         const auto i = static_cast<Index>(engine() % static_cast<unsigned>(map.heights.rows())),
                    j = static_cast<Index>(engine() % static_cast<unsigned>(map.heights.cols()));
-        if (!planted.insert(i * map.heights.cols() + j).second) continue;
-        map.heights(i, j) += planted.size() % 2 == 0 ? height : -height;
+        if (!added.insert(i * map.heights.cols() + j).second) continue;
+        map.heights(i, j) += added.size() % 2 == 0 ? height : -height;
     }
-    return planted;
+    return added;
 }
 
 /// The median, by sorting.
@@ -93,18 +93,18 @@ TEST(FindSpikes, ComparesWithTheMedianOfEverySurrounding) {
 
 TEST(FindSpikes, FindsNineteenOfTwentyPlantedSpikesOfFiveRmsOnSelfAffineSurfaces) {
     for (const double hurst_exponent : {0.3, 0.8}) {
-        Index found = 0, planted_count = 0, wrong = 0;
+        Index found = 0, added_count = 0, wrong = 0;
         for (std::uint64_t seed = 1; seed <= 4; ++seed) {
             auto map = self_affine(128, hurst_exponent, seed);
-            const auto planted = plant(map, 5e-8, 20, static_cast<unsigned>(seed));
+            const auto added = add_spikes(map, 5e-8, 20, static_cast<unsigned>(seed));
             const auto spikes = find_spikes(map);
-            for (const Index k : planted) found += spikes.mask.data()[k];
-            planted_count += static_cast<Index>(planted.size());
+            for (const Index k : added) found += spikes.mask.data()[k];
+            added_count += static_cast<Index>(added.size());
             Index others = spikes.count;
-            for (const Index k : planted) others -= spikes.mask.data()[k];
+            for (const Index k : added) others -= spikes.mask.data()[k];
             wrong += others;
         }
-        EXPECT_GE(static_cast<double>(found), 0.95 * static_cast<double>(planted_count)) << hurst_exponent;
+        EXPECT_GE(static_cast<double>(found), 0.95 * static_cast<double>(added_count)) << hurst_exponent;
         EXPECT_LE(wrong, 2) << hurst_exponent;
     }
 }
@@ -187,7 +187,7 @@ TEST(FindSpikes, OfALineHasAColumnOfPoints) {
 
 TEST(FindSpikes, DoesNotDependOnAnOffsetOrTheSign) {
     auto map = self_affine(64, 0.5, 9);
-    (void)plant(map, 5e-8, 10, 2);
+    (void)add_spikes(map, 5e-8, 10, 2);
     const auto spikes = find_spikes(map);
     auto turned = map;
     turned.heights = 0.1 - turned.heights;  // 10⁷ rms
@@ -197,7 +197,7 @@ TEST(FindSpikes, DoesNotDependOnAnOffsetOrTheSign) {
 
 TEST(FindSpikes, GivesTheSameForAnyNumberOfThreads) {
     auto map = self_affine(128, 0.5, 9);
-    (void)plant(map, 5e-8, 10, 2);
+    (void)add_spikes(map, 5e-8, 10, 2);
     const auto one = find_spikes(map, {}, {1}), three = find_spikes(map, {}, {3});
     EXPECT_TRUE((one.mask == three.mask).all());
     EXPECT_EQ(one.threshold, three.threshold);
@@ -206,14 +206,14 @@ TEST(FindSpikes, GivesTheSameForAnyNumberOfThreads) {
 TEST(Despike, PutsTheLocalMedianWhereSpikesWere) {
     const auto clean = self_affine(128, 0.8, 5);
     auto map = clean;
-    const auto planted = plant(map, 8e-8, 20, 3);
+    const auto added = add_spikes(map, 8e-8, 20, 3);
     map.heights(60, 60) += 1e-7, map.heights(60, 61) += 1e-7;  // next to each other
     const auto done = apply(Despike{}, map);
     EXPECT_EQ(number_of(done.record, "spikes"), 22.0);
     EXPECT_NEAR(number_of(done.record, "rms_height_before"), rms_of(map.heights), 1e-18);
     EXPECT_NEAR(number_of(done.record, "rms_height_after"), rms_of(clean.heights), 1e-3 * rms_of(clean.heights));
     EXPECT_LT(rms_of(map_of(done).heights - clean.heights), 0.02 * rms_of(clean.heights));
-    for (const Index k : planted) EXPECT_NE(map_of(done).heights.data()[k], map.heights.data()[k]);
+    for (const Index k : added) EXPECT_NE(map_of(done).heights.data()[k], map.heights.data()[k]);
 }
 
 TEST(Despike, LeavesHolesWhereAsked) {

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "planted_faults.hpp"
+#include "known_faults.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/spectra/reliability.hpp"

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <string>
 
-#include "planted_faults.hpp"
+#include "known_faults.hpp"
 #include "setae/diagnostics/diagnose.hpp"
 
 // sanitizers keep freed memory

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "planted_faults.hpp"
+#include "known_faults.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/diagnostics/diagnose.hpp"
 

@@ -182,13 +182,13 @@ struct Departure {
     double mean = 0.0, worst = 0.0;
 };
 Departure departure(const LikelihoodSpectrum& fit, double from, double to) {
-    const auto planted = spectra::density(model());
+    const auto known = spectra::density(model());
     Departure found;
     int n = 0;
     for (Index i = 0; i < fit.C_iso.wavevector.size(); ++i) {
         const double q = fit.C_iso.wavevector[i];
         if (q < from || q > to) continue;
-        const double off = std::log(fit.C_iso.density[i] / planted(q));
+        const double off = std::log(fit.C_iso.density[i] / known(q));
         found.mean += off;
         found.worst = std::max(found.worst, std::abs(off) / fit.log_standard_error[i]);
         ++n;

@@ -72,9 +72,8 @@ TEST(ObservedStretch, IsThatPlanted) {
             continue;
         }
         ASSERT_EQ(found.law.knots(), 1) << stretch << " along " << angle;
-        const Eigen::Vector2d planted =
-            std::log(stretch) * Eigen::Vector2d(std::cos(2.0 * angle), std::sin(2.0 * angle));
-        const Eigen::Vector2d off = found.law.values() - planted;
+        const Eigen::Vector2d known = std::log(stretch) * Eigen::Vector2d(std::cos(2.0 * angle), std::sin(2.0 * angle));
+        const Eigen::Vector2d off = found.law.values() - known;
         chi_squared += off.dot(found.information * off);
         EXPECT_GT(found.information(0, 0), 1.0 / (0.05 * 0.05));
     }

@@ -62,7 +62,7 @@ std::vector<ObservedSurface> lines(const spectra::Anisotropy& anisotropy, std::u
 }
 
 /// Mean over directions of s C_iso(q √(s² cos² + sin²)).
-double planted(double q, double stretch) {
+double known_spectrum(double q, double stretch) {
     const auto C_iso = spectra::density(model());
     constexpr int directions = 64;
     double sum = 0.0;
@@ -85,7 +85,7 @@ Departure departure(const LikelihoodSpectrum& fit, double stretch) {
     for (Index i = 0; i < fit.C_iso.wavevector.size(); ++i) {
         const double q = fit.C_iso.wavevector[i];
         if (q > end || q < 0.3 * end) continue;
-        const double off = std::log(fit.C_iso.density[i] / planted(q, stretch));
+        const double off = std::log(fit.C_iso.density[i] / known_spectrum(q, stretch));
         found.worst = std::max(found.worst, std::abs(off) / fit.log_standard_error[i]);
         found.mean += off;
         ++n;
