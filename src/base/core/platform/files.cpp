@@ -84,7 +84,7 @@ int lock_folder(const std::string& folder) {
 
 void unlock_folder(int lock) {
     if (lock < 0) return;
-    ::flock(lock, LOCK_UN);  // a child of this process may still hold the descriptor
+    ::flock(lock, LOCK_UN);  // a child of this process may still have the descriptor
     ::close(lock);
 }
 

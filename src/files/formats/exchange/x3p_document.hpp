@@ -30,7 +30,7 @@ struct X3pDocument {
     topography::Metadata metadata;
     std::string point_member, valid_member;      ///< names in the archive, or empty
     std::string point_checksum, valid_checksum;  ///< MD5 in lower case, or empty if missing or incomplete
-    std::string checksum_member;                 ///< holds the MD5 of main.xml
+    std::string checksum_member;                 ///< contains the MD5 of main.xml
     pugi::xml_node list;                         ///< <DataList>, if points are listed
 
     [[nodiscard]] bool regular() const { return !x.absolute && !y.absolute; }

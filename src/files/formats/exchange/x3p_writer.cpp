@@ -90,7 +90,7 @@ std::string date_of(const Metadata& metadata) {
                        time.zone);
 }
 
-/// Contacting, NonContacting or Software: what the schema allows.
+/// Contacting, NonContacting or Software, as in the schema.
 std::string probing_system(const Metadata& metadata) {
     const auto read = attribute(metadata, "probing_system");
     if (read == "Contacting" || read == "NonContacting" || read == "Software") return read;

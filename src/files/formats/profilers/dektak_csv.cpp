@@ -51,7 +51,7 @@ std::vector<Channel> open_dektak(const bytes::Source& source, const ReadOptions&
     const auto metadata = metadata_of(table.header, source);
     std::vector<Channel> channels;
     for (std::size_t k = 1; k < table.columns.size(); ++k) {
-        if (table.columns[k].values.isNaN().all() && !channels.empty()) continue;  // what is after the last comma
+        if (table.columns[k].values.isNaN().all() && !channels.empty()) continue;  // the part after the last comma
         ChannelInfo info;
         info.name = table.columns[k].name;
         info.format = "dektak-csv";

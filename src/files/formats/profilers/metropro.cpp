@@ -88,7 +88,7 @@ topography::Metadata metadata_of(bytes::Cursor& cursor) {
     if (const auto system = system_name(cursor.number_at<std::int16_t>(at::system_type)); !system.empty())
         metadata.instrument.name += " " + system;
     metadata.acquisition_time = bytes::utc_text(cursor.number_at<std::int32_t>(at::time));
-    // the older field holds the lower 16 bits; the newer one is little-endian
+    // the older field contains the lower 16 bits; the newer one is little-endian
     cursor.set_order(std::endian::little);
     const auto full_serial = cursor.number_at<std::int32_t>(at::full_serial);
     cursor.set_order(std::endian::big);

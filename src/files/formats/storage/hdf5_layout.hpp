@@ -18,7 +18,7 @@ struct Hdf5Number {
     std::endian order;
 };
 
-/// The numbers of a type; nothing for any other type.
+/// The numbers of a type; empty for any other type.
 [[nodiscard]] std::optional<Hdf5Number> hdf5_number(hid_t type);
 
 /// An open dataset and the information needed to locate its values.

@@ -48,7 +48,7 @@ std::size_t choose_image(Micrograph& micrograph, std::vector<ImageEntry> images,
 /// Number of the image that is read, of `count` images without titles.
 std::size_t choose_image(Micrograph& micrograph, std::uint64_t count, const MicrographOptions& options);
 
-/// A finite number that is the whole text; nothing for other text.
+/// A finite number that is the whole text; empty for other text.
 [[nodiscard]] std::optional<double> number_of(std::string_view text);
 
 }  // namespace setae::imaging

@@ -11,7 +11,7 @@ namespace setae::imaging {
 namespace {
 
 constexpr std::size_t max_bars = 4;  // maximum number of reported bars
-constexpr int margin = 3;            // px around bar and label: blur, and shadows of letters
+constexpr int margin = 3;            // px around bar and label: blur, and dark rims of letters
 
 PictureRegion region_of(const cv::Rect& box, const cv::Mat1f& levels) {
     const auto inside = cv::Rect(box.x - margin, box.y - margin, box.width + 2 * margin, box.height + 2 * margin) &

@@ -71,7 +71,7 @@ void clean(Evidence& evidence, parallel::Threads threads);
 /// Root mean square of the forward differences along x over their step [1].
 [[nodiscard]] double rms_slope_along_x(const Array2D& heights, double step);
 
-/// A number of a finding.
+/// A number of a reported problem.
 [[nodiscard]] Quantity effect(std::string name, std::string symbol, double value, std::string unit,
                               double standard_error = undefined);
 [[nodiscard]] Quantity effect_count(std::string name, Index count);

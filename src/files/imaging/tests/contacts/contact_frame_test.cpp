@@ -49,9 +49,9 @@ Errors errors_of(Make make, unsigned seeds, const ContactFrameOptions& options =
     return errors;
 }
 
-// A pixel's share of an edge of blur w tells its place to σ/C sqrt(2 sqrt(π) w) = 0.2 sqrt(3.54 · 0.85) = 0.35 px, so a
-// radius of 24 px with its 151 px of perimeter is determined to 0.028 px at best; 0.1 px is then 3 standard deviations
-// of the actual error.
+// The share of a pixel in an edge of blur w determines its place to σ/C sqrt(2 sqrt(π) w) = 0.2 sqrt(3.54 · 0.85) =
+// 0.35 px, so a radius of 24 px with its 151 px of perimeter is determined to 0.028 px at best; 0.1 px is then 3
+// standard deviations of the actual error.
 TEST(ContactRadius, IsWithinATenthOfAPixelAtSnrFive) {
     for (const double radius : {17.0, 24.0, 33.0}) {
         const auto errors = errors_of([&](unsigned seed) { return at_snr_5(seed, radius); }, 12);

@@ -41,7 +41,7 @@ public:
     FormatError(const std::string& path, const FilePosition& position, const std::string& what);
 };
 
-/// Too few defined values for the quantity asked for.
+/// Too few defined values for the requested quantity.
 class UndefinedDataError : public Error {
 public:
     using Error::Error;

@@ -14,7 +14,7 @@ struct Alert {
     std::string code;     ///< from the catalogue of warnings, such as "TIP_CUTOFF"
     std::string subject;  ///< measurement, surface or loop concerned
     std::string message;  ///< cause and size of the effect
-    std::string action;   ///< what the user can do
+    std::string action;   ///< possible action of the user
 
     friend bool operator==(const Alert&, const Alert&) = default;
 };

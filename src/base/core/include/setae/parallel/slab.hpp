@@ -36,10 +36,10 @@ public:
     [[nodiscard]] bool in_one_process() const { return ranks_ == nullptr; }
     [[nodiscard]] Index begin(int rank) const { return begins_[static_cast<std::size_t>(rank)]; }
     [[nodiscard]] Index rows(int rank) const { return begin(rank + 1) - begin(rank); }
-    /// Of this process.
+    /// First row of this process.
     [[nodiscard]] Index first() const { return begin(own()); }
     [[nodiscard]] Index rows() const { return rows(own()); }
-    /// Of all.
+    /// Rows of all processes.
     [[nodiscard]] Index all() const { return begins_.back(); }
 
     /// Shares one number per row: each process gives those of its rows and receives the others.

@@ -38,9 +38,9 @@ public:
 
     /// Why it is not open, of the generic category; 0 if it is open.
     [[nodiscard]] std::error_code failure() const { return failure_; }
-    /// Of the file opened, or of the path that could not be opened.
+    /// Facts of the opened file, or of the path that could not be opened.
     [[nodiscard]] const std::optional<FileFacts>& facts() const { return facts_; }
-    /// Of the open file now; differs from facts() if another program wrote into the file.
+    /// Facts of the open file now; they differ from facts() if another program wrote into the file.
     [[nodiscard]] std::optional<FileFacts> current_facts() const;
     /// Reads `count` bytes from `offset` on; false if they are not all available.
     [[nodiscard]] bool read(std::uint64_t offset, std::uint64_t count, char* target) const;

@@ -53,8 +53,8 @@ struct RawTable {
 [[nodiscard]] RawTable read_raw_table(const bytes::Source& source, const TableOptions& options = {});
 
 /// A raw table in SI. A column without unit keeps its numbers and has the empty unit. A column with an unknown unit
-/// (such as °C) keeps its numbers and the spelling of the file. metadata["header"] holds the header lines, further keys
-/// those of lines "# key: value".
+/// (such as °C) keeps its numbers and the spelling of the file. metadata["header"] contains the header lines, further
+/// keys those of lines "# key: value".
 [[nodiscard]] Table table_in_si(const RawTable& raw, const std::string& path);
 /// The table of a file in SI.
 [[nodiscard]] Table read_table(const std::string& path, const TableOptions& options = {});

@@ -25,7 +25,7 @@ struct HeaderCell {
 [[nodiscard]] std::vector<HeaderCell> parse_header(const std::vector<std::string>& header, char separator,
                                                    std::size_t least, std::size_t most);
 
-/// The unit, or nothing for text that is none.
+/// The unit; empty for text that is no unit.
 [[nodiscard]] std::optional<Unit> try_parse_unit(std::string_view text);
 
 /// Whether text is a unit of that dimension.

@@ -48,7 +48,7 @@ inline constexpr DecadeMeans no_decades{undefined, undefined, undefined, undefin
 /// only the waves of the band (cut_moments.hpp). For modes, whose powers are summed individually: h_rms² = (1/π) ∫ C
 /// dq, h'² = (2/π) ∫ q² C dq, h''² = (2/3π) ∫ q⁴ C dq, U_el/(A_app E*) = (1/8) ∫ q C dq, exact over 0 … ∞.
 ///
-/// h' = sqrt⟨|∇h|²⟩, h'' = sqrt⟨(½∇²h)²⟩.  Source: THEORY §4, §4.1; [D19] (8), (11).
+/// h' = sqrt⟨|∇h|²⟩, h'' = sqrt⟨(½∇²h)²⟩.  Source: THEORY §4, §4.1; [D19] Eqs. (8), (11).
 struct SpectralParameters {
     double rms_height = 0.0;                  ///< [m]
     double rms_slope = 0.0;                   ///< [1]

@@ -12,14 +12,14 @@ namespace setae::roughness {
 ///
 /// rms_slope: h' = sqrt⟨|∇h|²⟩ [1], >= 0.  Small slopes: 1 + h'²/2; large: (√π/2) h'.
 /// @throws InvalidArgument for a negative slope.
-/// Source: [D19] (9), (S9).
+/// Source: [D19] Eqs. (9), (S9).
 [[nodiscard]] double gaussian_area_ratio(double rms_slope);
 
 /// Ratio of the excess area of Gaussian slopes to its small-slope value: g(h') with A_true/A_app = 1 + ½ h'² g(h');
-/// g(0) = 1, g(1) = 0.7579. Source: [D19] (S11), (S12).
+/// g(0) = 1, g(1) = 0.7579. Source: [D19] Eqs. (S11), (S12).
 [[nodiscard]] double area_excess_factor(double rms_slope);
 
-/// Small-slope limit 1 + h'²/2. Source: [D19] (S4).
+/// Small-slope limit 1 + h'²/2. Source: [D19] Eq. (S4).
 [[nodiscard]] double small_slope_area_ratio(double rms_slope);
 
 /// Area of the triangles through the heights.
@@ -31,7 +31,7 @@ struct TriangulatedArea {
 };
 
 /// Cost: linear, one pass. @throws UndefinedDataError if no cell has four defined corners.
-/// Source: [D19] (S3).
+/// Source: [D19] Eq. (S3).
 [[nodiscard]] TriangulatedArea triangulated_area(const topography::HeightMap& map, parallel::Threads threads = {});
 
 }  // namespace setae::roughness

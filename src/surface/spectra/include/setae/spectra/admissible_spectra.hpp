@@ -31,7 +31,7 @@ struct AdmissibleSpectra {
 /// with 0 < H < 1 and q_r < q_s has these moments (self_affine_with_moments()); other sets are inconsistent, because
 /// the errors of three moments of one spectrum are not independent. Every quantity computed from a kept spectrum, such
 /// as ∫ q² C_iso dq, is positive and is that of one surface.
-/// count: >= 1. The same seed gives the same spectra; more spectra begin with the same ones.
+/// count: >= 1. The same seed gives the same spectra; a larger count begins with the same spectra.
 /// @throws InvalidArgument for moments that are not positive, count < 1, and if fewer than one set in a hundred is
 /// admissible (contradictory moments).
 [[nodiscard]] AdmissibleSpectra admissible_spectra(const StatedMoments& moments, int count, std::uint64_t seed);
