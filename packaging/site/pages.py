@@ -17,6 +17,9 @@ TOP = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(TOP / "tests/browser"))
 from npm import IFRAME_WORKER, script
 
+sys.path.insert(0, str(TOP / "packaging/site"))
+from formulas import fence
+
 SECTIONS = {  # in the order of the tabs, with their folders
     "Start": "docs/start/",
     "Guides": "docs/guides/",
@@ -72,6 +75,12 @@ def navigation(pages: list[str], listed: list[str]) -> list[Any]:
     sections = {name: section([page for page in pages if page.startswith(folder)], folder) for name, folder in SECTIONS.items()}
     others = [page for page in pages if page not in FIRST and not page.startswith(tuple(SECTIONS.values()))]
     return [{"setae": FIRST + others}, *({name: found} for name, found in sections.items() if found)]
+
+
+def on_config(config: MkDocsConfig, **_: Any) -> MkDocsConfig:
+    """Blocks ```math are formulas."""
+    config.mdx_configs.setdefault("pymdownx.superfences", {})["custom_fences"] = [{"name": "math", "class": "formula", "format": fence}]
+    return config
 
 
 def on_files(files: Files, config: MkDocsConfig, **_: Any) -> Files:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What scrolls can be scrolled by keyboard, and the buttons beside a block of code are no landmark.
 function reach() {
-  for (const box of document.querySelectorAll("pre > code, .md-typeset__scrollwrap")) {
+  for (const box of document.querySelectorAll("pre > code, .md-typeset__scrollwrap, .formula")) {
     if (box.scrollWidth > box.clientWidth) box.setAttribute("tabindex", "0");
     else box.removeAttribute("tabindex");
   }
