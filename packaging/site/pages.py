@@ -18,7 +18,7 @@ sys.path.insert(0, str(TOP / "tests/browser"))
 from npm import IFRAME_WORKER, script
 
 sys.path.insert(0, str(TOP / "packaging/site"))
-from formulas import fence
+from formulas import FONT, fence
 
 SECTIONS = {  # in the order of the tabs, with their folders
     "Start": "docs/start/",
@@ -87,6 +87,7 @@ def on_files(files: Files, config: MkDocsConfig, **_: Any) -> Files:
     for file in [file for file in files if file.src_uri.startswith("docs/notebooks/")]:
         page = notebook_page(file.name + ".py", file.content_string)
         files.append(File.generated(config, file.src_uri.replace(".py", ".md"), content=page))
+    files.append(File.generated(config, f"assets/{FONT.name}", abs_src_path=str(FONT)))
     files.append(File.generated(config, "assets/iframe-worker.js", content=script(IFRAME_WORKER, TOP / "build/_deps")))
     pages = [file.src_uri for file in files.documentation_pages()]
     listing = ["docs/README.md", *filter(is_index, pages)]
