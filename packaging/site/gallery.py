@@ -14,9 +14,7 @@ import sys
 from typing import NamedTuple
 
 TOP = pathlib.Path(__file__).resolve().parents[2]
-SCAN = (
-    'setae synthesize --hurst 0.8 --rolloff "2 um" --short-cutoff "1 nm" --rms-height "30 nm" --size "5 um" --pixels 512 --seed 1 -o scan.gwy'
-)
+SCAN = 'setae synthesize --hurst 0.8 --rolloff "2 um" --short-cutoff "1 nm" --rms-height "30 nm" --size "5 um" --pixels 512 --seed 1 -o scan.gwy'
 SMALL = (
     'setae synthesize --hurst 0.8 --rolloff "64 nm" --short-cutoff "16 nm" --rms-height "12 nm" --exact-rms --pixels 64x64 --size "256 nm"'
     " -o small.gwy"
@@ -36,8 +34,6 @@ class Drawing(NamedTuple):
 SURFACES = [
     Drawing("psd", "psd.svg", "Power spectral density of an AFM map. The pale part is not reliable, because the tip does not follow it.",
             ['setae psd scan.gwy --instrument afm --tip-radius "10 nm" --fit -o psd.svg']),
-    Drawing("psd", "combined.svg", "One spectrum from stylus, AFM and TEM.",
-            ["setae psd mine/rougher/{stylus,afm,tem}_* -o combined.svg"]),
     Drawing("params", "params.svg", "Shares of mean square height, slope and curvature, and of the stored energy, from waves longer than λ.",
             ['setae params scan.gwy --instrument afm --tip-radius "10 nm" -o params.svg']),
     Drawing("acf", "acf.svg", "Autocorrelation of height differences over all directions.", ["setae acf scan.gwy --area -o acf.svg"]),
@@ -66,7 +62,7 @@ CONTACT = [
             ["setae jkr summary tests/cli/data/fits.csv --branch loading --figure forest.svg"]),
     Drawing("contact solve", "solve.svg", "Pressure and gap of a rough map on an elastic body under 20 kPa.",
             ['setae contact solve scan.gwy --contact-modulus "1 MPa" --pressure "20 kPa" -o solve.svg']),
-    Drawing("contact solve", "attracting.svg", "The same with adhesion: almost full contact under 1 kPa.",
+    Drawing("contact solve, with adhesion", "attracting.svg", "Pressure and gap of a small map that attracts: almost full contact under 1 kPa.",
             ['setae contact solve small.gwy --contact-modulus "2 MPa" --w "50 mJ/m2" --range "15 nm" --pressure "1 kPa" -o attracting.svg']),
     Drawing("contact sweep", "sweep.svg", "Approach and separation of a small rough map that attracts.",
             ['setae contact sweep small.gwy --contact-modulus "2 MPa" --w "50 mJ/m2" --range "15 nm" -o sweep.svg']),
@@ -92,7 +88,7 @@ def drawn(drawing: Drawing, work: pathlib.Path, folder: pathlib.Path) -> str:
     name = pathlib.Path(drawing.figure).name
     shutil.copyfile(work / drawing.figure, folder / name)
     lines = "\n".join(drawing.lines)
-    return f"### setae {drawing.command}: {name.removesuffix('.svg')}\n\n![{drawing.shown}]({name})\n\n{drawing.shown}\n\n```\n{lines}\n```\n\n"
+    return f"### setae {drawing.command}\n\n![Figure of setae {drawing.command}]({name})\n\n{drawing.shown}\n\n```\n{lines}\n```\n\n"
 
 
 def plotted(study: str, work: pathlib.Path, folder: pathlib.Path) -> str:
@@ -124,7 +120,7 @@ def main(program: str, folder: pathlib.Path) -> None:
     page = "# Gallery\n\nFigures with the commands that draw them. The folder of the checkout contains `examples` and `tests`. The other files are"
     page += f" made by three commands:\n\n```\n{lines}\n```\n\n## Surfaces\n\n"
     page += "".join(drawn(drawing, work, folder) for drawing in SURFACES)
-    page += "`setae adhesion` prints its result. `setae params` draws the stored energy of which it consists.\n\n## Contact\n\n"
+    page += "`setae adhesion` draws no figure. `setae params` draws the scales that contribute to true area and stored energy.\n\n## Contact\n\n"
     page += "".join(drawn(drawing, work, folder) for drawing in CONTACT)
     page += "## Study of published data: nanodiamond and PDMS\n\n" + plotted("examples/nanodiamond/published.toml", work, folder)
     page += "## Study of simulated measurements\n\n" + plotted("mine/study.toml", work, folder)
