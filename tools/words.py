@@ -20,7 +20,7 @@ import tomllib
 LIST, ALLOWED = "tools/words.toml", "tools/words_allowed.txt"
 MAX_WORDS = 40
 GENERATED = re.compile(
-    r"docs/reference/(?:commands|json|study-keys|alerts|figures|processing-steps)\.md|docs/reference/formats/|docs/development/adr/")
+    r"docs/reference/(?:json|study-keys|alerts|figures|processing-steps)\.md|docs/reference/(?:commands|formats)/|docs/development/adr/")
 TESTS = re.compile(r"(?:^|/)(?:tests|benchmarks)/")
 # what is no text: comments, literals with a prefix or of one character, then literals
 CPP = re.compile(r'//[^\n]*|/\*.*?\*/|#include[^\n]*|\'(?:\\.|[^\'\\\n])+\'|R"(\w*)\((?P<raw>.*?)\)\1"|"(?P<text>(?:\\.|[^"\\\n])*)"', re.S)

@@ -50,7 +50,7 @@ class Expressions(unittest.TestCase):
         self.assertEqual([line for line, _ in found("docs/a.md", page)], [1, 3, 4, 6])
 
     def test_of_generated_pages_decisions_and_tests_are_left_out(self):
-        for name in ("docs/reference/commands.md", "docs/development/adr/0001-licence.md", "src/contact/loops/tests/a.cpp", "docs/figures/a.svg"):
+        for name in ("docs/reference/commands/psd.md", "docs/development/adr/0001-licence.md", "src/contact/loops/tests/a.cpp", "docs/figures/a.svg"):
             self.assertIsNone(words.reader(name))
 
     def test_what_the_program_makes_of_a_page_is_left_out(self):

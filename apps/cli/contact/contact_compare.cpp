@@ -77,7 +77,7 @@ Action declare(Options& options) {
     options.ask<answers::BodyRequest>(request.theory);
     options.ask(request.theory);
     options.ask(request);
-    options.add("-o,--output", arguments->output, "table OUT.csv or OUT.nc; figure OUT.svg, .pdf or .png");
+    options.output("-o,--output", arguments->output, "table OUT.csv or OUT.nc; figure OUT.svg, .pdf or .png");
     arguments->figure.add_to(options);
     options.example("setae contact compare spectrum.csv --contact-modulus 1GPa --pressure 10MPa,100MPa",
                     "Persson's theory and solved contacts of surfaces with this spectrum, at two pressures");

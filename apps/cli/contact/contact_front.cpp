@@ -108,9 +108,9 @@ Action declare(Options& options) {
         .add("--realisations", arguments->realisations,
              "number of simulated surfaces, with seeds from --seed on; results are means with standard errors")
         .positive();
-    options.add("--save-line", arguments->save_line,
-                "file OUT.csv for the edge during contact, r at every angle and time; `setae jkr line` reads it");
-    options.add("-o,--output", arguments->output, "steps OUT.csv or OUT.nc; figure OUT.svg, .pdf or .png");
+    options.output("--save-line", arguments->save_line,
+                   "file OUT.csv for the edge during contact, r at every angle and time; `setae jkr line` reads it");
+    options.output("-o,--output", arguments->output, "steps OUT.csv or OUT.nc; figure OUT.svg, .pdf or .png");
     arguments->figure.add_to(options);
     options.example(
         "setae contact front map.npy --size \"60 um x 60 um\" --unit m --radius \"100 um\" --contact-modulus \"1 MPa\" --w \"50 mJ/m2\" --to-displacement \"0.3 um\" --shortest-wavelength \"1 um\" -o loop.csv",

@@ -72,7 +72,7 @@ Action declare(Options& options) {
     options.ask<answers::BodyRequest>(request);
     options.ask(request);
     options.ask(fields::Asked<answers::PerssonRequest>::adhesion, &request);
-    options.add("-o,--output", arguments->output, "table OUT.csv or OUT.nc; figure OUT.svg, .pdf or .png");
+    options.output("-o,--output", arguments->output, "table OUT.csv or OUT.nc; figure OUT.svg, .pdf or .png");
     arguments->figure.add_to(options);
     options.example("setae contact persson spectrum.csv --contact-modulus 1GPa --pressure 10MPa",
                     "area, gap and stiffness under one pressure, from the table of a spectrum");

@@ -19,7 +19,7 @@ void ContactSurface::add_to(Options& options) {
         .add("file", path,
              "map or line, or container with one; table of a spectrum, or study, from which a surface is made")
         .of_inputs();
-    options.ask(file);
+    options.ask(file, OptionGroup::height_files);
     options.ask(processing);
     options.ask(measured);
     options.ask(made);

@@ -113,7 +113,7 @@ Action declare(Options& options) {
     options.ask<answers::BodyRequest>(*arguments);
     options.ask<answers::InteractionRequest>(*arguments);
     options.ask<answers::HardWallRequest>(*arguments);
-    options.add(
+    options.output(
         "-o,--output", arguments->maps.output,
         "maps OUT_pressure [Pa] and OUT_gap [m] with the ending of OUT.npy or OUT.csv; figure OUT.svg, .pdf or .png");
     arguments->maps.figure.add_to(options);

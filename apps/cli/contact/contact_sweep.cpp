@@ -123,11 +123,11 @@ Action declare(Options& options) {
     options.ask<answers::BodyRequest>(*arguments);
     options.ask<answers::InteractionRequest>(*arguments);
     options.ask<answers::SweepRequest>(*arguments);
-    options.add(
+    options.output(
         "--maps", arguments->states.output,
         "maps of pressure [Pa] and gap [m] at the first pressure, the turning point, the first and the largest tension: "
         "OUT_turn_pressure.npy …, with the ending of OUT.npy or OUT.csv; figure OUT.svg, .pdf or .png");
-    options.add("-o,--output", arguments->output, "steps OUT.csv or OUT.nc; figure OUT.svg, .pdf or .png");
+    options.output("-o,--output", arguments->output, "steps OUT.csv or OUT.nc; figure OUT.svg, .pdf or .png");
     arguments->figure.add_to(options);
     options.example(
         "setae contact sweep map.npy --size \"1 um x 1 um\" --unit m --contact-modulus \"2 MPa\" --w \"50 mJ/m2\" --range \"20 nm\" -o loop.csv",

@@ -232,17 +232,17 @@ Action declare(Options& options) {
         .add("pictures", arguments->pictures,
              "DM3, DM4, TIFF, PNG, JPEG, SER, EMD or MRC; several, or a folder of them")
         .of_inputs();
-    options.add("-o,--output", arguments->output,
-                "OUT.csv, with OUT.json and OUT.png in the same folder; OUT.svg, .pdf or .png: only a figure of the "
-                "profile; for several pictures a folder");
+    options.output("-o,--output", arguments->output,
+                   "OUT.csv, with OUT.json and OUT.png in the same folder; OUT.svg, .pdf or .png: only a figure of the "
+                   "profile; for several pictures a folder");
     arguments->figure.add_to(options);
     options.add("--anchors", arguments->anchors,
                 "points that the trace must pass (JSON), or a whole trace to be repeated");
     options.add("--segment", arguments->segment, "number of the segment that is written, longest first, or all");
     options.ask<answers::ContourRequest>(*arguments);
-    options.add("--save-calibration", arguments->save_calibration,
-                "file for the pixel size, for other pictures of the same magnification");
-    options.flag("--no-overlay", arguments->no_overlay, "write no OUT.png");
+    options.output("--save-calibration", arguments->save_calibration,
+                   "file for the pixel size, for other pictures of the same magnification");
+    options.flag("--no-overlay", arguments->no_overlay, "write no OUT.png").in(OptionGroup::output);
     options.example("setae contour tem.dm3 -o contour.csv",
                     "profile, contour.json with the options that repeat it, contour.png with the edge drawn in");
     options.example("setae contour tem.tif --scale-bar \"50 nm\" -o contour.svg",

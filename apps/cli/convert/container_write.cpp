@@ -52,7 +52,7 @@ Action declare(Options& options) {
         .add("files", request.files,
              "measured files, which become one surface, and containers, which keep their surfaces")
         .of_inputs();
-    options.add("-o,--output", request.output, "container to write, OUT.zip");
+    options.output("-o,--output", request.output, "container to write, OUT.zip").in(OptionGroup::required);
     options.ask(request);
     options.example("setae container write afm.ibw stylus.csv -o surface.zip --name \"my surface\"",
                     "container with two measurements of one surface");

@@ -102,11 +102,12 @@ ExitCode run(const Arguments& arguments) {
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     options.add("files", arguments->paths, "FILE OUT.x3p, or FILE… with -o and --to");
-    options.add("-o,--output", arguments->folder, "output folder; files keep their names and get the ending of --to");
-    options.add("--to", arguments->to, "ending of the files in the output folder, such as x3p");
+    options.output("-o,--output", arguments->folder,
+                   "output folder; files keep their names and get the ending of --to");
+    options.output("--to", arguments->to, "ending of the files in the output folder, such as x3p");
     options.flag("--all-channels", arguments->all_channels,
                  "all channels of heights, each to a file with the number of the channel before the ending");
-    options.ask(arguments->file);
+    options.ask(arguments->file, OptionGroup::height_files);
     options.example("setae convert map.ibw map.x3p", "one file; the ending determines the format");
     options.example("setae convert *.spm -o x3p_files --to x3p", "several files, to a folder");
     options.example("setae convert heights.npy heights.gwy --size \"5 um x 5 um\" --unit m",

@@ -105,15 +105,16 @@ Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     options.add("files", arguments->paths, "measurements").of_inputs();
     options.ask(arguments->processing);
-    options.add(
+    options.output(
         "-o,--output", arguments->output,
         "output file for one input, format by its ending; without steps the best plane is subtracted; .svg, .pdf or .png: figure of heights before and after");
     arguments->figure.add_to(options);
-    options.add("--output-folder", arguments->folder, "output folder; files keep their names");
-    options.add("--to", arguments->to, "ending of the files in the output folder; default: x3p");
-    options.add("--write-pipeline", arguments->written_pipeline, "file p.yml or p.toml for the steps");
-    options.add("--documentation", arguments->documentation, "file for the documentation page of all steps");
-    options.ask(arguments->file);
+    options.output("--output-folder", arguments->folder, "output folder; files keep their names");
+    options.output("--to", arguments->to, "ending of the files in the output folder; default: x3p");
+    options.output("--write-pipeline", arguments->written_pipeline, "file p.yml or p.toml for the steps");
+    options.add("--documentation", arguments->documentation, "file for the documentation page of all steps")
+        .in(OptionGroup::advanced);
+    options.ask(arguments->file, OptionGroup::height_files);
     options.example("setae level map.ibw -o levelled.x3p", "map minus its best plane");
     options.example("setae level map.ibw --step level_plane --step \"despike threshold=5\" -o levelled.svg",
                     "two steps, as a figure of heights before and after");

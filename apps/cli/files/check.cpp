@@ -70,7 +70,7 @@ Action declare(Options& options) {
     options
         .add("files", arguments->files, "measurements: files or containers; several are also compared with each other")
         .of_inputs();
-    options.ask(arguments->file);
+    options.ask(arguments->file, OptionGroup::height_files);
     options.ask(arguments->request);
     options.flag("--strict", arguments->strict, "exit code 1 if a problem is found");
     options.example("setae check afm.ibw --tip-radius \"10 nm\"",

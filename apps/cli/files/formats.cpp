@@ -78,8 +78,10 @@ ExitCode run(const Arguments& arguments) {
 
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
-    options.add("--documentation", arguments->documentation,
-                "folder for the documentation pages: one page per format, and their list");
+    options
+        .add("--documentation", arguments->documentation,
+             "folder for the documentation pages: one page per format, and their list")
+        .in(OptionGroup::advanced);
     options.example("setae formats", "formats that are read or written, with their endings");
     return action(options, arguments, explanation, run);
 }

@@ -82,9 +82,10 @@ Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     options.add("files", arguments->request.paths, "files of any kind that setae reads, or folders of them")
         .of_inputs();
-    options.flag("--long", arguments->all, "all metadata, with orientation of maps, date and rms height");
+    options.flag("--long", arguments->all, "all metadata, with orientation of maps, date and rms height")
+        .in(OptionGroup::output);
     options.ask(arguments->request);
-    options.ask(arguments->file);
+    options.ask(arguments->file, OptionGroup::height_files);
     options.example("setae info afm.ibw scan.csv", "channels, size, unit and heights of two files");
     options.example("setae info folder/*.spm --json", "content of all files as JSON");
     options.example("setae info scan.txt --unit um", "file without unit");

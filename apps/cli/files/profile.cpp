@@ -100,14 +100,14 @@ ExitCode run(const Arguments& arguments) {
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     options.add("file", arguments->path, "map, or container with a map").of_inputs();
-    options.ask(arguments->file);
+    options.ask(arguments->file, OptionGroup::height_files);
     options.add("--from", arguments->from, "x,y of the first point of the line, such as 0,0");
     options.add("--to", arguments->to, "x,y of the last point of the line, such as 5,2.5");
     options.add("--unit-xy", arguments->unit,
                 "unit of x and y of both points: um, nm, mm …, or px for points of the map");
     options.add("--width", arguments->width, "width of the mean across the line, such as 5px or \"300 nm\"");
     options.add("--points", arguments->points, "number of points along the line; default: about one per pixel");
-    options.add("-o,--output", arguments->output, "write OUT.csv");
+    options.output("-o,--output", arguments->output, "write OUT.csv");
     options.example("setae profile map.ibw --from 0,0 --to 5,2.5 --unit-xy um -o line.csv",
                     "heights between two points");
     options.example("setae profile map.ibw --from 10,10 --to 200,10 --unit-xy px --width 5px",

@@ -64,12 +64,12 @@ ExitCode run(const Arguments& arguments) {
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     options.add("file", arguments->path, "map, or container with a map").of_inputs();
-    options.ask(arguments->file);
+    options.ask(arguments->file, OptionGroup::height_files);
     options.ask(arguments->processing);
     options.ask(arguments->request);
-    options.add("-o,--output", arguments->output, "file for the tip, apex up: " + endings_of_heights());
-    options.add("--reconstruction", arguments->reconstruction,
-                "file for the surface where the surface is certain, undefined elsewhere");
+    options.output("-o,--output", arguments->output, "file for the tip, apex up: " + endings_of_heights());
+    options.output("--reconstruction", arguments->reconstruction,
+                   "file for the surface where the surface is certain, undefined elsewhere");
     options.example("setae tip map.ibw -o tip.x3p", "bluntest tip that could have made the map");
     options.example("setae tip map.ibw --threshold \"0.2 nm\" --reconstruction surface.x3p",
                     "tip with allowance for noise, and the surface where the surface is certain");

@@ -178,11 +178,11 @@ ExitCode run(const Arguments& arguments) {
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     arguments->request.add_to(options);
-    options.add("--tidy", arguments->tidy, "CSV table of the energies of every contact and cycle of all loops");
-    options.add("--course", arguments->course,
-                "folder of NAME_course.csv: work, elastic, surface and dissipated energy, sample by sample");
-    options.add("--figures", arguments->figures,
-                "folder of figures: the course of each loop, and losses against true area");
+    options.output("--tidy", arguments->tidy, "CSV table of the energies of every contact and cycle of all loops");
+    options.output("--course", arguments->course,
+                   "folder of NAME_course.csv: work, elastic, surface and dissipated energy, sample by sample");
+    options.output("--figures", arguments->figures,
+                   "folder of figures: the course of each loop, and losses against true area");
     options.example("setae jkr energy loop.csv --radius \"1.25 mm\"", "energy budget of a loop");
     options.example("setae jkr energy loops/*.csv --radius \"1.25 mm\" --figures figures",
                     "energy budgets of several loops, with figures");

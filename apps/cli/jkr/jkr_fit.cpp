@@ -328,15 +328,16 @@ Action declare(Options& options) {
     arguments->request.add_to(options);
     options.ask(arguments->models);
     options.ask(arguments->curve);
-    options.add(
+    options.output(
         "-o,--output", arguments->output,
         "figure OUT.svg, .pdf or .png of one loop with the fits; for files of many force curves a folder: NAME.csv, one "
         "row per curve, and NAME.gwy, maps of E*, E, W, pull-off and loss");
     arguments->figure.add_to(options);
-    options.flag("--long", arguments->full, "every fit and warning of several loops, not one row per loop");
-    options.add("--tidy", arguments->tidy, "CSV table of every fit of all loops");
-    options.add("--figures", arguments->figures,
-                "folder of figures: each loop with fits and residuals, E* and W against the range of the fit");
+    options.flag("--long", arguments->full, "every fit and warning of several loops, not one row per loop")
+        .in(OptionGroup::output);
+    options.output("--tidy", arguments->tidy, "CSV table of every fit of all loops");
+    options.output("--figures", arguments->figures,
+                   "folder of figures: each loop with fits and residuals, E* and W against the range of the fit");
     options.example("setae jkr fit loop.csv --radius \"1.25 mm\" -o loop.svg",
                     "E* and W of loading, pull-off and loss, with a figure of the fits");
     options.example("setae jkr fit loops --radius \"1.25 mm\" --tidy fits.csv",

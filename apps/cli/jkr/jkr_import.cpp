@@ -228,18 +228,23 @@ Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     add_loop_options(options, arguments->loops);
     options.add("--encoding", arguments->encoding, "encoding of the text; default: detected")
-        .one_of({"utf-8", "utf-16", "latin-1"});
+        .one_of({"utf-8", "utf-16", "latin-1"})
+        .in(OptionGroup::advanced);
     options.add("--separator", arguments->separator, "separator of the columns; default: detected")
-        .one_of({"tab", "comma", "semicolon", "blank"});
-    options.add("--decimal", arguments->decimal, "decimal sign; default: detected").one_of({"point", "comma"});
-    options.add("--header-end", arguments->header_end, "line after which the numbers begin");
+        .one_of({"tab", "comma", "semicolon", "blank"})
+        .in(OptionGroup::advanced);
+    options.add("--decimal", arguments->decimal, "decimal sign; default: detected")
+        .one_of({"point", "comma"})
+        .in(OptionGroup::advanced);
+    options.add("--header-end", arguments->header_end, "line after which the numbers begin").in(OptionGroup::advanced);
     options.add("--sheet", arguments->sheet,
                 "sheet of a workbook, by name; default: the first with a loop, else the first with a table");
     options.add("--set", arguments->entries,
                 "KEY=VALUE that is written into the loop file, such as sphere_radius=\"1.25 mm\" or surface=UNCD");
-    options.add("--save-map", arguments->save_map,
-                "file for the mapping, a template for --map; a \"?\" marks missing metadata");
-    options.add("-o,--output", arguments->output, "loop file, or folder of loop files; without it nothing is written");
+    options.output("--save-map", arguments->save_map,
+                   "file for the mapping, a template for --map; a \"?\" marks missing metadata");
+    options.output("-o,--output", arguments->output,
+                   "loop file, or folder of loop files; without it nothing is written");
     options.example("setae jkr import force_curve.txt -o loop.csv",
                     "loop file from a table; the columns are guessed and printed");
     return action(options, arguments, explanation, run);

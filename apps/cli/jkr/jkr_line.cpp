@@ -178,8 +178,8 @@ Action declare(Options& options) {
         .add("--beside", arguments->other_edge,
              "table of another edge of this contact for comparison, such as a simulated edge")
         .of_inputs();
-    options.add("--save-line", arguments->save_line, "table OUT.csv of the edge: r at every angle and time");
-    options.add("-o,--output", arguments->output, "table OUT.csv or OUT.nc; figure OUT.svg, .pdf or .png");
+    options.output("--save-line", arguments->save_line, "table OUT.csv of the edge: r at every angle and time");
+    options.output("-o,--output", arguments->output, "table OUT.csv or OUT.nc; figure OUT.svg, .pdf or .png");
     arguments->figure.add_to(options);
     options.example("setae jkr line recording.avi --pixel \"1.82 um\" --fps 10 -o line.svg",
                     "roughness and motion of the edge of a contact, with a figure");

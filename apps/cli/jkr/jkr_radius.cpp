@@ -83,9 +83,9 @@ Action declare(Options& options) {
         .of_inputs();
     options.ask<answers::CameraPictures>(*arguments);
     options.ask<answers::RadiusRequest>(*arguments);
-    options.add("-o,--output", arguments->output, "write OUT.csv");
-    options.add("--overlay", arguments->overlay, "folder for pictures of the frames with the edge drawn in");
-    options.add("--overlay-frames", arguments->overlay_frames, "numbers of frames that are drawn; default: all")
+    options.output("-o,--output", arguments->output, "write OUT.csv");
+    options.output("--overlay", arguments->overlay, "folder for pictures of the frames with the edge drawn in");
+    options.output("--overlay-frames", arguments->overlay_frames, "numbers of frames that are drawn; default: all")
         .separated_by(',');
     options.example("setae jkr radius recording.avi --pixel \"1.82 um\" --fps 10 -o radius.csv",
                     "contact radius in every frame");

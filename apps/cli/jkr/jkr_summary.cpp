@@ -93,8 +93,8 @@ Action declare(Options& options) {
              "tables with one row per fit: those of `setae jkr fit --tidy`, or any CSV with units in the header")
         .of_inputs();
     options.ask(request);
-    options.add("--figure", arguments->figure, "file of the forest plot: .svg, .pdf, .png or .csv");
-    options.add("-o,--output", arguments->output, "folder for summary.json, tables and the forest plot");
+    options.output("--figure", arguments->figure, "file of the forest plot: .svg, .pdf, .png or .csv");
+    options.output("-o,--output", arguments->output, "folder for summary.json, tables and the forest plot");
     options.example("setae jkr summary fits.csv --group-by surface,lens --figure forest.svg",
                     "means of the fits in a table of `setae jkr fit --tidy`");
     return action(options, arguments, explanation, run);

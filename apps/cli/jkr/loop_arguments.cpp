@@ -9,20 +9,20 @@
 
 namespace setae::cli {
 
-void add_loop_options(Options& options, answers::LoopFiles& loops) {
+void add_loop_options(Options& options, answers::LoopFiles& loops, OptionGroup group) {
     loops.mapping_folder = mapping_folder();
     options
         .add(
             "files", loops.files,
             "loops: tables with units in the header, loop files of setae, workbooks, force curves, or folders of these")
         .of_inputs();
-    options.ask(fields::Asked<answers::LoopFiles>::mapping, &loops);
-    options.ask(loops);
-    options.ask<answers::CameraPictures>(loops);
+    options.ask(fields::Asked<answers::LoopFiles>::mapping, &loops, group);
+    options.ask(loops, group);
+    options.ask<answers::CameraPictures>(loops, group);
 }
 
 void LoopAnalysisRequest::add_to(Options& options) {
-    add_loop_options(options, loops);
+    add_loop_options(options, loops, OptionGroup::loop_files);
     options.ask(bodies);
     options.ask(analysis);
 }

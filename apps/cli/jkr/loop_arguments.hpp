@@ -11,7 +11,7 @@
 namespace setae::cli {
 
 /// Options for files of loops: names of columns, record of the camera, constants of force curves.
-void add_loop_options(Options& options, answers::LoopFiles& loops);
+void add_loop_options(Options& options, answers::LoopFiles& loops, OptionGroup group = OptionGroup::common);
 
 /// Options of commands that analyse loops.
 struct LoopAnalysisRequest {

@@ -34,7 +34,7 @@ output::Json json_of(const validation::SummaryRow& row) {
 
 void add_options(Options& options, RepeatedRecipe& repeated) {
     options.add("recipe", repeated.recipe, "TOML file of the recipe").of_inputs();
-    options.add("-o,--output", repeated.output, "folder of tables and figure; default: " + repeated.output);
+    options.output("-o,--output", repeated.output, "folder of tables and figure; default: " + repeated.output);
     options.ask(repeated);
 }
 

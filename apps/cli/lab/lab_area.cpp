@@ -95,7 +95,7 @@ ExitCode run(const AreaArguments& arguments) {
 
 Action declare(Options& options) {
     auto arguments = std::make_shared<AreaArguments>();
-    options.add("-o,--output", arguments->output, "folder of area.csv and the figure").default_shown();
+    options.output("-o,--output", arguments->output, "folder of area.csv and the figure").default_shown();
     options.ask(asked, arguments.get());
     options.example("setae lab area -o area", "true area of random maps, compared with Eq. 9");
     return action(options, arguments, explanation, run);

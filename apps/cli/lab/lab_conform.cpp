@@ -107,7 +107,7 @@ Action declare(Options& options) {
         .add("study", arguments->study,
              "TOML file of a study whose pairs are simulated; default: patches of --energy-share")
         .of_inputs();
-    options.add("-o,--output", arguments->output, "folder for the table and the figure");
+    options.output("-o,--output", arguments->output, "folder for the table and the figure");
     options.ask<answers::PatchSurveyRequest>(*arguments);
     arguments->run.add_to(options);
     options.example("setae lab conform",

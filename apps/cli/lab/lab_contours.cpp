@@ -111,7 +111,7 @@ ExitCode run(const Arguments& arguments) {
 
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
-    options.add("-o,--output", arguments->output, "CSV of every trial");
+    options.output("-o,--output", arguments->output, "CSV of every trial");
     options.ask(asked, &arguments->options);
     options.example("setae lab contours --runs 10 -o trials.csv", "errors of traced contours against known curves");
     return action(options, arguments, explanation, run);

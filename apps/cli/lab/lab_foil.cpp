@@ -36,7 +36,8 @@ struct FoilArguments {
 constexpr std::array asked{
     fields::option<&FoilArguments::thickness>("foil_thickness", "thickness of the foil along the beam")
         .of(positive(dimension::length))
-        .such_as("20 nm"),
+        .such_as("20 nm")
+        .required(),
     fields::option<&FoilArguments::surfaces>("surfaces", "number of simulated surfaces")
         .between(2, 10000)
         .default_shown(),

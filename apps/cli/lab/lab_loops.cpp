@@ -158,7 +158,7 @@ Action declare(Options& options) {
             "--mechanism", arguments->mechanisms,
             "mechanisms of hysteresis in the loops of the recipe, which the study should find: all, or names of models")
         .value_named("NAME");
-    options.add("-o,--output", arguments->output, "folder of tables and figure").default_shown();
+    options.output("-o,--output", arguments->output, "folder of tables and figure").default_shown();
     options.ask(asked, &arguments->options);
     options.example("setae lab loops --runs 20 -o loops", "coverage of the intervals of fitted loops");
     options.example("setae lab loops recipe.toml --mechanism all --runs 1 -o mechanisms",

@@ -58,7 +58,7 @@ ExitCode run_make(const MakeArguments& arguments) {
 Action declare(Options& options) {
     auto arguments = std::make_shared<MakeArguments>();
     options.add("recipe", arguments->file, "TOML file of the recipe").of_inputs();
-    options.add("-o,--output", arguments->output, "folder of the data set; default: laboratory");
+    options.output("-o,--output", arguments->output, "folder of the data set; default: laboratory");
     options.ask(asked, arguments.get());
     options.example("setae lab make recipe.toml -o mine", "simulated measurements and loops, with a study file");
     return action(options, arguments, explanation_of_make, run_make);

@@ -32,7 +32,10 @@ struct Arguments : simulation::RecordingOptions {
 };
 
 constexpr std::array asked_of_scale{
-    fields::option<&Arguments::pixel>("pixel", "size of a pixel").of(positive(dimension::length)).such_as("1 um"),
+    fields::option<&Arguments::pixel>("pixel", "size of a pixel")
+        .of(positive(dimension::length))
+        .such_as("1 um")
+        .required(),
 };
 using Recording = simulation::RecordingOptions;
 constexpr std::array asked{
@@ -74,7 +77,7 @@ Action declare(Options& options) {
     options.add("edge", arguments->edge, "table of the edge: time, radius_1 … radius_N").of_inputs();
     options.ask(asked_of_scale, arguments.get());
     options.ask(asked, static_cast<simulation::RecordingOptions*>(arguments.get()));
-    options.add("-o,--output", arguments->output, "TIFF stack OUT.tif");
+    options.output("-o,--output", arguments->output, "TIFF stack OUT.tif").in(OptionGroup::required);
     options.example("setae lab recording edge.csv --pixel \"0.5 um\" --fps 5 -o recording.tif",
                     "TIFF stack for `setae jkr line recording.tif`");
     return action(options, arguments, explanation, run);

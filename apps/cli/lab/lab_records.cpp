@@ -99,7 +99,7 @@ Action declare(Options& options) {
     options.add("kinds", arguments->options.kinds, "kinds of records; default: all");
     options.flag("--list", arguments->list, "print the kinds of records, then stop");
     options.ask(asked, &arguments->options);
-    options.add("-o,--output", arguments->output, "folder of records.md and records.csv").default_shown();
+    options.output("-o,--output", arguments->output, "folder of records.md and records.csv").default_shown();
     options.example("setae lab records --runs 200 -o records",
                     "bias and coverage of all results for every kind of record");
     options.example("setae lab records drift_100 hold camera --pairs --runs 10", "three faults in pairs");

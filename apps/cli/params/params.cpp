@@ -142,12 +142,14 @@ Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     arguments->surface.add_to(options);
     arguments->texture.add_to(options);
-    options.add(
+    options.output(
         "-o,--output", arguments->output,
         "figure OUT.svg, .pdf or .png: contributions of wavelengths to height, slope, curvature and stored energy");
     arguments->figure.add_to(options);
-    options.add("--documentation", arguments->documentation,
-                "file for the documentation page of the parameters of standards");
+    options
+        .add("--documentation", arguments->documentation,
+             "file for the documentation page of the parameters of standards")
+        .in(OptionGroup::advanced);
     options.example("setae params afm.ibw --tip-radius \"10 nm\"", "parameters from heights and from the spectrum");
     options.example("setae params stylus.csv afm.ibw -o params.svg",
                     "figure of the contributions of wavelengths to height, slope, curvature and stored energy");

@@ -5,7 +5,7 @@ namespace setae::cli {
 
 void TextureOptions::add_to(Options& options) {
     options.ask<answers::TextureRequest>(*this);
-    options.add("--format", format, "format of a standard's parameters; default: text")
+    options.output("--format", format, "format of a standard's parameters; default: text")
         .one_of({"text", "md", "tsv", "latex", "json"});
 }
 

@@ -13,7 +13,8 @@ namespace setae::cli {
 
 void FigureOption::add_to(Options& options) {
     options
-        .add("--width", width, "width of a figure, one or two columns of a journal: single (85 mm) or double (178 mm)")
+        .output("--width", width,
+                "width of a figure, one or two columns of a journal: single (85 mm) or double (178 mm)")
         .one_of({"single", "double"})
         .default_shown();
 }

@@ -129,14 +129,16 @@ ExitCode run(const PlotArguments& arguments) {
 Action declare(Options& options) {
     auto arguments = std::make_shared<PlotArguments>();
     options.add("study", arguments->study, "TOML file of the study").of_inputs();
-    options.add(
-        "--figure", arguments->figure,
-        "identifier of the figure: 1, 2, 4, S1, S2, S3, S5, S6, S8, spectra:NAME, scales, prediction, replicates, agreement");
-    options.add("-o,--output", arguments->output,
-                "file OUT.svg, .pdf, .png or .csv; default: the name of the figure as .svg in the current folder");
     options
-        .add("--width", arguments->width,
-             "width of the figure, one or two columns of a journal: single (85 mm) or double (178 mm)")
+        .add(
+            "--figure", arguments->figure,
+            "identifier of the figure: 1, 2, 4, S1, S2, S3, S5, S6, S8, spectra:NAME, scales, prediction, replicates, agreement")
+        .in(OptionGroup::required);
+    options.output("-o,--output", arguments->output,
+                   "file OUT.svg, .pdf, .png or .csv; default: the name of the figure as .svg in the current folder");
+    options
+        .output("--width", arguments->width,
+                "width of the figure, one or two columns of a journal: single (85 mm) or double (178 mm)")
         .one_of({"single", "double"})
         .default_shown();
     options.flag("--list", arguments->list,

@@ -6,11 +6,12 @@
 namespace setae::cli {
 
 void Common::add_to(Options& options) {
-    options.flag("--json", json, "print JSON, SI units");
+    options.flag("--json", json, "print JSON, SI units").in(OptionGroup::output);
     options.flag("--explain", explain, "print formulas and sources, then stop");
     options.add("--threads", threads, "number of threads; results do not depend on it")
         .between(1, 1024)
-        .value_named("N");
+        .value_named("N")
+        .in(OptionGroup::advanced);
 }
 
 ExitCode explained(const Explanation& explanation) {

@@ -81,28 +81,56 @@ std::string subcommands_part(const ProgramCommand& command, std::size_t width) {
     return text;
 }
 
+std::string examples_part(const ProgramCommand& command, std::size_t width) {
+    std::string text = command.examples.empty() ? "" : "\nExamples:\n";
+    for (const auto& example : command.examples)
+        text += fmt::format("  {}\n      {}", example.command, wrapped(example.what, 6, width));
+    return text;
+}
+
+std::string options_part(const char* heading, const std::vector<ProgramOption>& options, std::size_t width) {
+    std::string text = options.empty() ? "" : fmt::format("\n{}:\n", heading);
+    for (const auto& option : options) text += entry(name_of(option), option.description, width);
+    return text;
+}
+
+/// The options of files by name only.
+std::string input_part(const ProgramCommand& command, std::size_t width) {
+    const auto flags = file_options(command);
+    if (flags.empty()) return {};
+    return "\nInput: " + wrapped(fmt::format("{}; see `setae help input`", fmt::join(flags, ", ")), 7, width);
+}
+
 }  // namespace
 
 std::string help_text(const ProgramCommand& command, std::size_t width) {
     auto text =
         wrapped("setae" + (command.path.empty() ? "" : " " + command.path) + ": " + command.description, 0, width) +
-        "\n" + usage(command);
+        "\n" + usage(command) + examples_part(command, width);
     if (!command.positionals.empty()) text += "\nArguments:\n";
     for (const auto& argument : command.positionals)
         text += entry(argument.flags.front() + " " + argument.value, argument.description, width);
     if (command.path.empty()) text += start_here();
     text += subcommands_part(command, width);
-    text += "\nOptions:\n";
-    for (const auto& option : command.options) text += entry(name_of(option), option.description, width);
-    if (!command.examples.empty()) text += "\nExamples:\n";
-    for (const auto& example : command.examples)
-        text += fmt::format("  {}\n      {}", example.command, wrapped(example.what, 6, width));
+    text += options_part("Required options", options_in(OptionGroup::required, command), width) +
+            options_part("Options", options_in(OptionGroup::common, command), width) + input_part(command, width) +
+            options_part("Output options", options_in(OptionGroup::output, command), width) +
+            options_part("Advanced options", options_in(OptionGroup::advanced, command), width);
     if (!command.path.empty()) return text;
     return text + "\n" +
            wrapped(
-               "`setae help COMMAND` lists arguments, options and examples of a command. Data go to standard output, messages to "
-               "standard error. Exit code 0: done, 1: some items failed, 2: nothing done.",
+               "`setae help COMMAND` lists arguments, options and examples of a command, `setae help input` the options of "
+               "files. Data go to standard output, messages to standard error. Exit code 0: done, 1: some items failed, "
+               "2: nothing done.",
                0, width);
+}
+
+std::string input_help(const std::vector<ProgramCommand>& commands, std::size_t width) {
+    std::string text = "setae help input: options of files, shared by several commands\n";
+    for (const auto& [heading, takers, options] : file_options(commands))
+        text += options_part(heading.c_str(), options, width) + "\n  " +
+                wrapped(fmt::format("taken by {}", fmt::join(takers, ", ")), 2, width);
+    return text;
 }
 
 }  // namespace setae::cli

@@ -57,7 +57,7 @@ struct Arguments {
 
 ExitCode run(const Arguments& arguments) {
     if (!arguments.documentation.empty()) {
-        write_page(arguments.documentation, command_page());
+        write_pages(arguments.documentation, command_pages());
         return ExitCode::done;
     }
     std::string text =
@@ -82,7 +82,8 @@ ExitCode run(const Arguments& arguments) {
 
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
-    options.add("--documentation", arguments->documentation, "file for the documentation page of all commands");
+    options.add("--documentation", arguments->documentation, "folder for one page per command and their list")
+        .in(OptionGroup::advanced);
     options.example("setae man | man -l -", "manual page on the screen");
     return action(options, arguments, explanation, run);
 }

@@ -22,9 +22,13 @@ struct Example {
     std::string command, what;
 };
 
+/// Where the help of a command lists an option. Options of files are described on one page, `setae help input`.
+enum class OptionGroup { required, common, height_files, loop_files, output, advanced };
+
 /// Declarations of commands that CLI11 does not store.
 struct Declarations {
     std::map<const CLI::Option*, std::vector<std::string>> choices;  ///< words that an option accepts
+    std::map<const CLI::Option*, OptionGroup> groups;                ///< of options that are not common ones
     std::map<const CLI::App*, std::vector<Example>> examples;
 };
 
@@ -45,6 +49,8 @@ public:
     Option& between(double min, double max);
     Option& positive();
     Option& required();
+    /// Where the help lists it.
+    Option& in(OptionGroup group);
     Option& excludes(const Option& other);
     /// Several values in one word, as in "12,17".
     Option& separated_by(char separator);
@@ -81,13 +87,19 @@ public:
     /// (std::optional) or several (std::vector).
     template <class Value>
     Option add(const std::string& names, Value& value, const std::string& description);
-
-    /// All options of a request, as fields::Asked describes them.
-    template <class Request>
-    void ask(Request& request) {
-        ask(fields::Asked<Request>::options, &request);
+    /// The same of a file or folder that is written.
+    template <class Value>
+    Option output(const std::string& names, Value& value, const std::string& description) {
+        return add(names, value, description).in(OptionGroup::output);
     }
-    void ask(std::span<const fields::Option> asked, void* request);
+
+    /// All options of a request, as fields::Asked describes them; the group is of those that are neither required nor
+    /// advanced.
+    template <class Request>
+    void ask(Request& request, OptionGroup group = OptionGroup::common) {
+        ask(fields::Asked<Request>::options, &request, group);
+    }
+    void ask(std::span<const fields::Option> asked, void* request, OptionGroup group = OptionGroup::common);
 
     /// A command line with its description, for the help of the command and the manual.
     void example(const std::string& command, const std::string& what);

@@ -87,6 +87,10 @@ Option& Option::required() {
     option_->required();
     return *this;
 }
+Option& Option::in(OptionGroup group) {
+    declared_->groups[option_] = group;
+    return *this;
+}
 Option& Option::excludes(const Option& other) {
     option_->excludes(other.option_);
     return *this;
@@ -152,7 +156,7 @@ Option Options::add(const std::string& names, Value& value, const std::string& d
     return real ? option.within(domain::finite) : natural ? option.natural() : option;
 }
 
-void Options::ask(std::span<const fields::Option> asked, void* request) {
+void Options::ask(std::span<const fields::Option> asked, void* request, OptionGroup group) {
     for (const auto& option : asked) {
         const auto names = (option.also.empty() ? "" : fmt::format("--{},", option.also)) + dashed(option.name) +
                            (option.word.empty() ? "" : fmt::format(",{}", option.word));
@@ -173,6 +177,7 @@ void Options::ask(std::span<const fields::Option> asked, void* request) {
         if (option.check) added.read_by(option.check);
         if (!option.choices.empty()) added.one_of({option.choices.begin(), option.choices.end()});
         if (option.shows_default) added.default_shown();
+        added.in(option.is_required ? OptionGroup::required : option.is_advanced ? OptionGroup::advanced : group);
     }
 }
 
@@ -259,6 +264,7 @@ ProgramOption described(const CLI::Option& option, const Declarations& declared)
     if (!option.get_default_str().empty()) result.description += "; default: " + option.get_default_str();
     if (const auto choices = declared.choices.find(&option); choices != declared.choices.end())
         result.choices = choices->second;
+    if (const auto group = declared.groups.find(&option); group != declared.groups.end()) result.group = group->second;
     return result;
 }
 
@@ -376,6 +382,10 @@ Parsed parsed(int argc, char** argv) {
     const auto [program, declared] = program_with_commands(result.action);
     auto words = help_as_option({argv + std::min(argc, 1), argv + argc});
     if (words.empty()) words = {"--help"};
+    if (words == std::vector<std::string>{"input", "--help"}) {
+        print(input_help(program_commands(), output_size().width));
+        return result;
+    }
     constexpr int nothing_done = static_cast<int>(ExitCode::nothing_done);
     if (const auto message = unknown_command(*program, words); !message.empty()) {
         print_message(message + (message.ends_with('?') ? " " : "; ") + "see `setae --help`");

@@ -15,6 +15,7 @@ struct ProgramOption {
     bool takes_value = false;
     std::string description;
     std::vector<std::string> choices;  ///< the words it accepts; empty if it accepts other words, too
+    OptionGroup group = OptionGroup::common;
 };
 
 /// A command of the program, or the program itself, with its subcommands, arguments and options.
@@ -31,5 +32,21 @@ struct ProgramCommand {
 /// The program and all its commands, parents before children; source of the manual page, the page of commands and the
 /// completions.
 [[nodiscard]] std::vector<ProgramCommand> program_commands();
+
+/// Options of a group in their order.
+[[nodiscard]] std::vector<ProgramOption> options_in(OptionGroup group, const ProgramCommand& command);
+
+/// Long names of the options of files that a command takes.
+[[nodiscard]] std::vector<std::string> file_options(const ProgramCommand& command);
+
+/// Options of files of one kind, and the commands that take them.
+struct FileOptions {
+    std::string heading;  ///< "Files of heights"
+    std::vector<std::string> commands;
+    std::vector<ProgramOption> options;
+};
+
+/// What `setae help input` lists.
+[[nodiscard]] std::vector<FileOptions> file_options(const std::vector<ProgramCommand>& commands);
 
 }  // namespace setae::cli

@@ -59,8 +59,9 @@ Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     options.add("command", arguments->command,
                 "command whose JSON is described, such as psd or contact solve; without a command: list of commands");
-    options.add("-o,--output", arguments->output, "folder for all schemas, one file per command");
-    options.add("--documentation", arguments->documentation, "file for the documentation page of all names");
+    options.output("-o,--output", arguments->output, "folder for all schemas, one file per command");
+    options.add("--documentation", arguments->documentation, "file for the documentation page of all names")
+        .in(OptionGroup::advanced);
     options.example("setae schema study", "names, types, units and meanings in study.json");
     options.example("setae schema contact solve", "JSON Schema of setae contact solve --json");
     return action(options, arguments, explanation, run);

@@ -78,7 +78,7 @@ Action declare(Options& options) {
     arguments->surface.add_to(options);
     options.ask(arguments->request);
     options.ask(arguments->request.fit);
-    options.add("-o,--output", arguments->output, "table OUT.csv or OUT.nc; figure OUT.svg, .pdf or .png");
+    options.output("-o,--output", arguments->output, "table OUT.csv or OUT.nc; figure OUT.svg, .pdf or .png");
     arguments->figure.add_to(options);
     options.example("setae psd afm.ibw --tip-radius \"10 nm\" -o psd.svg",
                     "spectrum as a figure, with the range limited by the tip");

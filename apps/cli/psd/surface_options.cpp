@@ -9,7 +9,7 @@ namespace setae::cli {
 
 void SurfaceOptions::add_measurements_to(Options& options, const char* meaning) {
     options.add("files", files, meaning).of_inputs();
-    options.ask(file);
+    options.ask(file, OptionGroup::height_files);
     options.ask(processing);
     options.ask<answers::MeasurementRequest>(*this);
     options.ask(fields::Asked<answers::AnalysisRequest>::memory, static_cast<answers::AnalysisRequest*>(this));

@@ -54,7 +54,7 @@ struct ScaleArguments {
     void add_to(Options& options) {
         surface.add_measurements_to(options, "measurements of one surface: files or containers");
         options.ask(request);
-        options.add("-o,--output,--csv", output, "table OUT.csv or OUT.nc; figure OUT.svg, .pdf or .png");
+        options.output("-o,--output,--csv", output, "table OUT.csv or OUT.nc; figure OUT.svg, .pdf or .png");
         figure.add_to(options);
     }
 };

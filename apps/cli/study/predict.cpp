@@ -151,7 +151,7 @@ ExitCode run(const PredictArguments& arguments) {
 Action declare(Options& options) {
     auto arguments = std::make_shared<PredictArguments>();
     options.add("study", arguments->study, "TOML file of the study").of_inputs();
-    options.add(
+    options.output(
         "-o,--output", arguments->output,
         "folder for hysteresis.csv, models.csv, model_works.csv, losses.csv, and figures of them and of each loop");
     options.ask(asked, arguments.get());

@@ -12,13 +12,17 @@ namespace setae::cli {
 
 void RunArguments::add_to(Options& options) {
     const auto folder =
-        options.add("--cache", cache_folder, "folder of stored results; default: $SETAE_CACHE, else ~/.cache/setae");
-    options.flag("--no-cache", no_cache, "compute everything again and store no results").excludes(folder);
+        options.add("--cache", cache_folder, "folder of stored results; default: $SETAE_CACHE, else ~/.cache/setae")
+            .in(OptionGroup::advanced);
+    options.flag("--no-cache", no_cache, "compute everything again and store no results")
+        .excludes(folder)
+        .in(OptionGroup::advanced);
     options
         .add("--progress", progress,
              "auto (bar on a terminal, else nothing), bar, json (lines on standard error) or none")
         .one_of_unlisted({"auto", "bar", "json", "none"})
-        .value_named("auto|bar|json|none");
+        .value_named("auto|bar|json|none")
+        .in(OptionGroup::advanced);
 }
 
 ProgressMode RunArguments::progress_mode() const {

@@ -274,9 +274,10 @@ Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     options.add("file", arguments->file, "TOML file of the study; a file with the name init is given as ./init")
         .of_inputs();
-    options.add("--output", arguments->output, "folder of the results; default: next to the study");
-    options.flag("--all", arguments->all, "every table and warning instead of one screen");
-    options.flag("--no-figures", arguments->no_figures, "no files of figures; the report contains its own figures");
+    options.output("--output", arguments->output, "folder of the results; default: next to the study");
+    options.flag("--all", arguments->all, "every table and warning instead of one screen").in(OptionGroup::output);
+    options.flag("--no-figures", arguments->no_figures, "no files of figures; the report contains its own figures")
+        .in(OptionGroup::output);
     arguments->run.add_to(options);
     options.flag("--dry-run", arguments->dry_run,
                  "list of the steps, of results kept from earlier runs, and of missing metadata; nothing is computed");
@@ -291,8 +292,10 @@ Action declare(Options& options) {
             "balances in W_int by their equation numbers, such as "
             "\"(7) - (10)\"")
         .value_named("NUMBER");
-    options.add("--documentation", arguments->documentation,
-                "folder for the pages on keys, warnings and figures of studies");
+    options
+        .add("--documentation", arguments->documentation,
+             "folder for the pages on keys, warnings and figures of studies")
+        .in(OptionGroup::advanced);
     options.example("setae study study.toml --dry-run", "list of the steps, with the steps that will fail");
     options.example("setae study study.toml", "tables, figures and a report");
     options.example("setae study study.toml --next",

@@ -59,7 +59,8 @@ ExitCode run(const Arguments& arguments) {
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     arguments->options.add_to(options);
-    options.add("-o,--output", arguments->output, "OUT.x3p, .sdf, .gwy, .nc, .npy, .txt or .csv");
+    options.output("-o,--output", arguments->output, "OUT.x3p, .sdf, .gwy, .nc, .npy, .txt or .csv")
+        .in(OptionGroup::required);
     options.example(
         "setae synthesize --hurst 0.8 --rolloff \"2 um\" --short-cutoff \"20 nm\" --rms-height \"20 nm\" --size \"10 um\" -o map.x3p",
         "self-affine map");

@@ -46,6 +46,8 @@ struct Option {
     bool shows_default = false;                        ///< the value of a new request is shown as the default
     char separator = '\0';                             ///< between several values in one word: ',' in "12,17"
     bool is_input = false;                             ///< an input file
+    bool is_required = false;                          ///< help lists it first; the request checks it
+    bool is_advanced = false;                          ///< help lists it last
     Place (*place)(void* request) = nullptr;
 
     [[nodiscard]] consteval Option of(const Expected& expected, std::string_view unit = {}) const {
@@ -107,6 +109,16 @@ struct Option {
     [[nodiscard]] consteval Option of_input() const {
         Option option = *this;
         option.is_input = true;
+        return option;
+    }
+    [[nodiscard]] consteval Option required() const {
+        Option option = *this;
+        option.is_required = true;
+        return option;
+    }
+    [[nodiscard]] consteval Option advanced() const {
+        Option option = *this;
+        option.is_advanced = true;
         return option;
     }
     [[nodiscard]] consteval Option short_name(std::string_view letter) const {

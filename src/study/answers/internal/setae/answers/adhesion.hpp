@@ -55,7 +55,8 @@ struct setae::fields::Asked<setae::answers::AdhesionRequest> {
             .of(positive(dimension::pressure))
             .such_as("0.7 ± 0.02 MPa")
             .short_name("E")
-            .in_python("E"),
+            .in_python("E")
+            .required(),
         option<&R::poisson_ratio>("poisson_ratio", "Poisson ratio of the soft solid, from 0 to 0.5")
             .within(domain::poisson_ratio)
             .default_shown()
@@ -65,19 +66,23 @@ struct setae::fields::Asked<setae::answers::AdhesionRequest> {
             .of(positive(dimension::surface_energy))
             .such_as("37 ± 3.7 mJ/m2")
             .short_name("w")
-            .in_python("W_int"),
+            .in_python("W_int")
+            .required(),
         option<&R::surface_energy>("surface_energy", "surface energy of the soft solid")
             .of(non_negative(dimension::surface_energy))
             .such_as("25 mJ/m2")
             .short_name("gamma")
-            .in_python("gamma"),
+            .in_python("gamma")
+            .required(),
         option<&R::rough_modulus>("rough_E", "Young's modulus of the rough solid")
             .of(positive(dimension::pressure))
             .such_as("70 GPa")
-            .or_else("a rigid solid"),
+            .or_else("a rigid solid")
+            .advanced(),
         option<&R::rough_poisson_ratio>("rough_nu", "Poisson ratio of the rough solid, from 0 to 0.5")
             .within(domain::poisson_ratio)
-            .default_shown(),
+            .default_shown()
+            .advanced(),
         option<&R::radius>("radius",
                            "radius of a soft sphere that is pressed on and pulled off, given with the preload")
             .of(positive(dimension::length))

@@ -79,9 +79,11 @@ struct setae::fields::Asked<setae::answers::SweepRequest> {
                                  "largest change of any gap per step, in ranges: 2 takes two thirds of the time, works "
                                  "change by up to 1 %")
             .within(domain::positive)
-            .default_shown(),
+            .default_shown()
+            .advanced(),
         option<&R::restart>("restart",
                             "file written every 20 steps; where it exists the sweep continues from it, to the same "
-                            "bytes; removed at the end"),
+                            "bytes; removed at the end")
+            .advanced(),
     };
 };

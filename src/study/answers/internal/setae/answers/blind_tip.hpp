@@ -52,6 +52,6 @@ struct setae::fields::Asked<setae::answers::BlindTipRequest> {
             .of(non_negative(dimension::length))
             .such_as("0.2 nm")
             .or_else("0"),
-        option<&R::rounds>("rounds", "largest number of passes over the map").default_shown(),
+        option<&R::rounds>("rounds", "largest number of passes over the map").default_shown().advanced(),
     };
 };

@@ -31,6 +31,7 @@ struct setae::fields::Asked<setae::answers::RulingRequest> {
     static constexpr std::array options{
         option<&R::pitch>("pitch", "distance of neighbouring lines of the ruling")
             .of(positive(dimension::length))
-            .such_as("10 ± 0.02 um"),
+            .such_as("10 ± 0.02 um")
+            .required(),
     };
 };

@@ -70,9 +70,10 @@ struct setae::fields::Asked<setae::answers::ComparisonRequest> {
             .default_shown(),
         option<&R::cell>("cell", "extent of each surface").such_as("2 um").or_else("twice the longest wavelength"),
         option<&R::surfaces>("surfaces", "number of surfaces").within(domain::positive).default_shown(),
-        option<&R::seed>("seed", "seed of the first surface; the others have the next ones").default_shown(),
+        option<&R::seed>("seed", "seed of the first surface; the others have the next ones").default_shown().advanced(),
         option<&R::tolerance>("tolerance", "largest relative duality gap of each contact")
             .within(domain::positive)
-            .default_shown(),
+            .default_shown()
+            .advanced(),
     };
 };

@@ -88,15 +88,20 @@ struct setae::fields::Asked<setae::answers::FrontRequest> {
                                                             "stress_intensity", "mean_circle"};
     static constexpr std::array<std::string_view, 2> methods{"trust_region", "rosso_krauth"};
     static constexpr std::array options{
-        option<&R::radius>("radius", "radius of the sphere").of(positive(dimension::length)).such_as("1.25 mm"),
+        option<&R::radius>("radius", "radius of the sphere")
+            .of(positive(dimension::length))
+            .such_as("1.25 mm")
+            .required(),
         option<&R::contact_modulus>("contact_modulus", "contact modulus E* of sphere and surface together")
             .of(positive(dimension::pressure))
-            .such_as("1 MPa"),
+            .such_as("1 MPa")
+            .required(),
         option<&R::work_of_adhesion>("work_of_adhesion", "energy gained per unit area of full contact")
             .of(positive(dimension::surface_energy))
             .such_as("50 mJ/m2")
             .short_name("w")
-            .in_python("W_int"),
+            .in_python("W_int")
+            .required(),
         option<&R::to_force>("to_force", "force of a smooth sphere where the loop turns")
             .of(positive(dimension::force))
             .such_as("0.1 mN"),
@@ -111,16 +116,19 @@ struct setae::fields::Asked<setae::answers::FrontRequest> {
         option<&R::shortest_wavelength>("shortest_wavelength", "shortest wavelength that counts")
             .of(positive(dimension::length))
             .such_as("1 um")
-            .or_else("four pixels"),
+            .or_else("four pixels")
+            .advanced(),
         option<&R::steps>("steps", "steps on approach; halved where the edge jumps")
             .within(domain::positive)
-            .default_shown(),
+            .default_shown()
+            .advanced(),
         option<&R::duration>("duration", "duration of the approach: times of the edge that is saved")
             .of(positive(dimension::time))
             .such_as("100 s"),
         option<&R::model>("model", "dependence of the energy on the position of the edge")
             .one_of(models)
-            .default_shown(),
-        option<&R::method>("method", "solver for the equilibria").one_of(methods).default_shown(),
+            .default_shown()
+            .advanced(),
+        option<&R::method>("method", "solver for the equilibria").one_of(methods).default_shown().advanced(),
     };
 };

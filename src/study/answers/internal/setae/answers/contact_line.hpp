@@ -107,22 +107,28 @@ struct setae::fields::Asked<setae::answers::LineRequest> {
     using R = answers::LineRequest;
     static constexpr std::array options{
         option<&R::angles>("angles", "number of places along the edge")
-            .or_else("one every 2 px of the largest contact"),
+            .or_else("one every 2 px of the largest contact")
+            .advanced(),
         option<&R::smallest_void>("smallest_void", "smallest area of a reported void, in px^2")
             .within(domain::positive)
-            .default_shown(),
+            .default_shown()
+            .advanced(),
         option<&R::ring_width>("ring_width", "width of the rings whose cells have a speed each")
             .of(positive(dimension::length))
             .such_as("5 um")
-            .or_else("the step of the edge from frame to frame"),
+            .or_else("the step of the edge from frame to frame")
+            .advanced(),
         option<&R::threshold>("threshold",
                               "factor by which a jump is faster, and an arrest slower, than the mean speed")
-            .default_shown(),
+            .default_shown()
+            .advanced(),
         option<&R::smallest_mode>("smallest_mode",
                                   "smallest mode of the edge's roughness; mode 1 is the centre, mode 2 an ellipse")
-            .default_shown(),
+            .default_shown()
+            .advanced(),
         option<&R::largest_mode>("largest_mode", "largest mode of the edge's roughness")
-            .or_else("a quarter of the places"),
+            .or_else("a quarter of the places")
+            .advanced(),
         option<&R::sphere_radius>("radius", "radius of the sphere, for the energy release rate")
             .of(positive(dimension::length))
             .such_as("1 mm"),

@@ -70,7 +70,8 @@ struct setae::fields::Asked<setae::answers::BodyRequest> {
     static constexpr std::array options{
         option<&R::contact_modulus>("contact_modulus", "contact modulus E* = E/(1 - nu^2) of the soft body")
             .of(positive(dimension::pressure))
-            .such_as("1 GPa"),
+            .such_as("1 GPa")
+            .required(),
         option<&R::layer>("layer", "thickness of an elastic layer on a rigid base")
             .of(positive(dimension::length))
             .such_as("1 um")

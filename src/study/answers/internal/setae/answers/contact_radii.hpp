@@ -39,9 +39,10 @@ struct setae::fields::Asked<setae::answers::RadiusRequest> {
     using R = answers::RadiusRequest;
     static constexpr std::array<std::string_view, 3> polarities{"automatic", "dark", "bright"};
     static constexpr std::array options{
-        option<&R::micrometres_per_pixel>("um_per_px", "size of a pixel in micrometres").such_as("1.82"),
+        option<&R::micrometres_per_pixel>("um_per_px", "size of a pixel in micrometres").such_as("1.82").advanced(),
         option<&R::ignore_stated_pixel_size>("ignore_stated_pixel_size",
-                                             "the given size of a pixel counts, even where a file states another"),
+                                             "the given size of a pixel counts, even where a file states another")
+            .advanced(),
         option<&R::first>("first", "number of the first frame that is analysed"),
         option<&R::last>("last", "number of the last frame that is analysed"),
         option<&R::region>("region", "part of the frames that is analysed: x,y,width,height in pixels")
@@ -49,9 +50,12 @@ struct setae::fields::Asked<setae::answers::RadiusRequest> {
         option<&R::polarity>("polarity", "grey level of the contact relative to the surroundings")
             .one_of(polarities)
             .default_shown(),
-        option<&R::smallest_radius>("smallest_radius", "smallest radius of a contact, in pixels").default_shown(),
+        option<&R::smallest_radius>("smallest_radius", "smallest radius of a contact, in pixels")
+            .default_shown()
+            .advanced(),
         option<&R::min_confidence>("least_confidence", "smallest confidence of a reported contact, from 0 to 1")
-            .default_shown(),
+            .default_shown()
+            .advanced(),
         option<&R::exclude>("exclude", "numbers of frames that are left out").such_as("12,17").separated_by(','),
         option<&R::reason>("reason", "reason why frames are left out").such_as("glare"),
     };

@@ -55,7 +55,8 @@ struct setae::fields::Asked<setae::answers::ContourRequest> {
             .such_as("5 nm"),
         option<&R::calibration>("calibration", "file of a calibration that was saved from another picture"),
         option<&R::ignore_stated>("ignore_stated_pixel_size",
-                                  "pixel size or scale bar given hold even where the file contradicts them"),
+                                  "pixel size or scale bar given hold even where the file contradicts them")
+            .advanced(),
         option<&R::foil_thickness>("foil_thickness", "thickness of the sample along the beam")
             .of(positive(dimension::length))
             .such_as("20 nm"),
@@ -63,13 +64,16 @@ struct setae::fields::Asked<setae::answers::ContourRequest> {
                            "part of the picture without sample as x,y,width,height in pixels, given once per part")
             .such_as("0,900,300,124")
             .in_python("hidden"),
-        option<&R::whole_picture>("whole_picture", "scale bars and text that are found are not hidden"),
+        option<&R::whole_picture>("whole_picture", "scale bars and text that are found are not hidden").advanced(),
         option<&R::smoothing>("smoothing", "length of the smoothing spline in pixels")
-            .or_else("that of the smallest expected error"),
+            .or_else("that of the smallest expected error")
+            .advanced(),
         option<&R::denoise>("denoise", "standard deviation in pixels of a Gaussian that smooths the picture first")
-            .default_shown(),
+            .default_shown()
+            .advanced(),
         option<&R::min_length>("least_length", "shortest length in pixels of a segment that is kept")
-            .or_else("50, of masks 0"),
+            .or_else("50, of masks 0")
+            .advanced(),
         option<&R::image>("image", "image of a file that holds several: a number, counted from 0, or a title")
             .or_else("the first that is no spectrum and no Fourier transform"),
     };

@@ -71,6 +71,7 @@ struct setae::fields::Asked<setae::answers::CurveRequest> {
             .default_shown()
             .in_python("contact_point"),
         option<&R::keep_baseline_slope>("keep_baseline_slope",
-                                        "only the mean of free flight is removed from a force curve, not the slope"),
+                                        "only the mean of free flight is removed from a force curve, not the slope")
+            .advanced(),
     };
 };

@@ -63,10 +63,12 @@ struct setae::fields::Asked<setae::answers::ScaleRequest> {
         option<&R::binned>("binned", "one measurement is shown in the bins of combined measurements, too"),
         option<&R::bins_per_decade>("bins_per_decade", "bins per decade of combined functions")
             .between(1, 1000)
-            .default_shown(),
+            .default_shown()
+            .advanced(),
         option<&R::weighting>("weighting", "weights of measurements that are combined")
             .one_of(weightings)
-            .default_shown(),
+            .default_shown()
+            .advanced(),
     };
     static constexpr std::array differences{
         option<&R::distance>("distance", "length of the stencil, or several lengths separated by commas")

@@ -66,6 +66,7 @@ struct setae::fields::Asked<setae::answers::HardWallRequest> {
             .or_else("the body stays elastic"),
         option<&R::tolerance>("tolerance", "largest relative duality gap of a converged contact")
             .within(domain::positive)
-            .default_shown(),
+            .default_shown()
+            .advanced(),
     };
 };

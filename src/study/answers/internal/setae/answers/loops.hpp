@@ -188,33 +188,42 @@ struct setae::fields::Asked<setae::answers::LoopSettings> {
             .in_python("segments"),
         option<&R::baseline_share>("baseline_share", "share of the record, from the start, that is free flight")
             .within(domain::share)
-            .or_else("found from the record"),
+            .or_else("found from the record")
+            .advanced(),
         option<&R::drift>("drift",
                           "drift of the force zero in time: auto, none, linear, quadratic, cubic, or extrapolate (only "
                           "the free flight before contact)")
             .default_shown(),
         option<&R::force_zero>("force_zero", "zero of force for a record without free flight; no drift is removed")
             .of(dimension::force)
-            .such_as("0 N"),
+            .such_as("0 N")
+            .advanced(),
         option<&R::displacement_drift>("displacement_drift", "drift rate of the displacement, where known")
             .of(dimension::velocity)
-            .such_as("0.1 nm/s"),
+            .such_as("0.1 nm/s")
+            .advanced(),
         option<&R::area_ratio>("area_ratio",
                                "ratio of true to apparent area of the hard surface, for losses per true area")
             .within(domain::positive)
             .default_shown(),
         option<&R::samples_dropped>("samples_dropped", "number of samples left out after the jump into contact")
             .between(0, 1000000)
-            .default_shown(),
+            .default_shown()
+            .advanced(),
         option<&R::relaxation>("relaxation",
                                "term SHARE:TIME of the bulk's relaxation E(t)/E∞ = 1 + Σ g e^(−t/τ), which is removed "
                                "from the force first")
-            .such_as("0.1:20s"),
-        option<&R::unweighted>("unweighted", "ordinary least squares in radius or depth, without errors of force"),
-        option<&R::no_drift>("no_drift", "constant zero of force, from the free flight before contact: drift none"),
+            .such_as("0.1:20s")
+            .advanced(),
+        option<&R::unweighted>("unweighted", "ordinary least squares in radius or depth, without errors of force")
+            .advanced(),
+        option<&R::no_drift>("no_drift", "constant zero of force, from the free flight before contact: drift none")
+            .advanced(),
         option<&R::whole_retraction>("whole_retraction",
-                                     "fit of the retraction from the largest force on, pinned stretch included"),
-        option<&R::modulus_free>("retraction_modulus_free", "E* as a free parameter of the retraction fit (Eq. S2)"),
+                                     "fit of the retraction from the largest force on, pinned stretch included")
+            .advanced(),
+        option<&R::modulus_free>("retraction_modulus_free", "E* as a free parameter of the retraction fit (Eq. S2)")
+            .advanced(),
     };
 };
 
@@ -235,7 +244,8 @@ struct setae::fields::Asked<setae::answers::LoopModelsRequest> {
             .default_shown(),
         option<&R::errors>("errors", "treatment of measurement errors in additional models and common fits")
             .one_of(kinds_of_errors)
-            .default_shown(),
+            .default_shown()
+            .advanced(),
         option<&R::contact_point>("model_contact_point", "contact point that is held fixed in additional models")
             .of(dimension::length)
             .such_as("1.2 um")
@@ -243,10 +253,13 @@ struct setae::fields::Asked<setae::answers::LoopModelsRequest> {
         option<&R::cohesive_stress>("cohesive_stress", "cohesive stress that is held fixed in the model maugis_dugdale")
             .of(positive(dimension::pressure))
             .such_as("5 MPa")
-            .or_else("fitted"),
+            .or_else("fitted")
+            .advanced(),
         option<&R::profile>("profile", "intervals of E* and W by profile likelihood"),
         option<&R::crack_speed>("crack_speed", "fit of G(v) = G0 (1 + (v/v0)^n) to the edge during retraction"),
-        option<&R::exponent>("exponent", "exponent n that is held fixed in the fit of G(v)").or_else("fitted"),
+        option<&R::exponent>("exponent", "exponent n that is held fixed in the fit of G(v)")
+            .or_else("fitted")
+            .advanced(),
         option<&R::shared>("share", "quantity that all loops have in common in one fit; modulus, work or both")
             .one_of(shareable),
     };

@@ -70,6 +70,6 @@ struct setae::fields::Asked<setae::answers::MadeSurfaceRequest> {
             .such_as("2 um")
             .or_else("twice the longest wavelength"),
         option<&R::surface>("surface", "name of the surface in a study from whose spectrum one is made"),
-        option<&R::seed>("seed", "seed of the phases of a surface made from a spectrum").default_shown(),
+        option<&R::seed>("seed", "seed of the phases of a surface made from a spectrum").default_shown().advanced(),
     };
 };

@@ -100,12 +100,19 @@ struct setae::fields::Asked<setae::answers::PatchSurveyRequest> {
                                    "ratio w dx/(E* ρ²) of the grid, at most 1, which sets the range of the attraction")
             .separated_by(',')
             .default_shown()
-            .in_python("squared_ratios"),
+            .in_python("squared_ratios")
+            .advanced(),
         option<&R::law>("law", "decay of the attraction with the gap")
             .one_of(Asked<answers::InteractionRequest>::laws)
-            .default_shown(),
-        option<&R::seeds>("seeds", "number of patches of each kind").within(domain::positive).default_shown(),
-        option<&R::seed>("seed", "seed of the first patch; further patches use the next numbers").default_shown(),
+            .default_shown()
+            .advanced(),
+        option<&R::seeds>("seeds", "number of patches of each kind")
+            .within(domain::positive)
+            .default_shown()
+            .advanced(),
+        option<&R::seed>("seed", "seed of the first patch; further patches use the next numbers")
+            .default_shown()
+            .advanced(),
         option<&R::loops>("loops", "whole loops as well, which take minutes instead of seconds"),
     };
 };

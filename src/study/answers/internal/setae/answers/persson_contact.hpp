@@ -66,7 +66,8 @@ struct setae::fields::Asked<setae::answers::PerssonRequest> {
             .read_by([](const std::string& text) { (void)answers::pressures_of(text); }),
         option<&R::energy_factor>("energy_factor", "factor of the stored energy of partial contact, in (0, 1]")
             .within(domain::positive)
-            .default_shown(),
+            .default_shown()
+            .advanced(),
     };
     /// Beside those of a contact without adhesion.
     static constexpr std::array adhesion{

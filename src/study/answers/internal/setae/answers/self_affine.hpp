@@ -47,8 +47,9 @@ struct setae::fields::Asked<setae::answers::SelfAffineRequest> {
         option<&R::range>("fit_range", "wavevectors of the self-affine fit in 1/m")
             .read_by([](const std::string& text) { (void)answers::wavevector_range(text); })
             .such_as("1e5:1e8")
-            .or_else("all"),
-        option<&R::no_rolloff>("no_rolloff", "self-affine fit of a power law without roll-off"),
-        option<&R::short_cutoff>("short_cutoff", "the self-affine fit also finds where the spectrum ends"),
+            .or_else("all")
+            .advanced(),
+        option<&R::no_rolloff>("no_rolloff", "self-affine fit of a power law without roll-off").advanced(),
+        option<&R::short_cutoff>("short_cutoff", "the self-affine fit also finds where the spectrum ends").advanced(),
     };
 };

@@ -179,35 +179,42 @@ struct setae::fields::Asked<setae::answers::AnalysisRequest> {
     static constexpr std::array memory{
         option<&R::memory>("memory", "memory for heights in GiB; larger maps are read in bands of scan lines")
             .within(domain::positive)
-            .default_shown(),
+            .default_shown()
+            .advanced(),
     };
     static constexpr std::array options{
         option<&R::longest>("longest_wavelength", "longest wavelength in all integrals")
             .of(positive(dimension::length))
             .such_as("100 um")
-            .in_python("longest"),
+            .in_python("longest")
+            .advanced(),
         option<&R::shortest>("shortest_wavelength", "shortest wavelength in all integrals")
             .of(positive(dimension::length))
             .such_as("50 nm")
-            .in_python("shortest"),
+            .in_python("shortest")
+            .advanced(),
         option<&R::window>("window", "window of the Fourier transform: automatic, none, hann or blackman_harris")
             .offering([] {
                 return std::vector<std::string>{"automatic", "none", "hann", "blackman_harris"};
             })
             .read_by([](const std::string& text) { (void)spectra::window_from_name(text); })
-            .or_else("automatic"),
+            .or_else("automatic")
+            .advanced(),
         option<&R::contours>("contours",
                              "spectrum of traced curves: corrected for straight segments between points, or of the "
                              "segments as they are")
             .one_of(contours)
-            .or_else("sinc_corrected"),
+            .or_else("sinc_corrected")
+            .advanced(),
         option<&R::conversion>(
             "conversion",
             "conversion of C1D to parameters of the surface: exact, or Eq. 11 of Dalvi et al. 2019 (eq11)")
             .one_of(conversions)
-            .or_else("exact"),
+            .or_else("exact")
+            .advanced(),
         option<&R::resamples>("bootstrap_resamples", "bootstrap replicas for standard errors, 0 for none")
             .between(0, 1000000)
-            .default_shown(),
+            .default_shown()
+            .advanced(),
     };
 };

@@ -108,19 +108,28 @@ struct setae::fields::Asked<setae::answers::SynthesisRequest> {
             "window_of",
             "extent of the periodic surface from which a window of the size given is cut, which is not periodic")
             .read_by([](const std::string& text) { (void)answers::extents(text); })
-            .such_as("20 um"),
+            .such_as("20 um")
+            .advanced(),
         option<&R::seed>("seed", "seed of the random numbers; equal seeds give equal surfaces").default_shown(),
         option<&R::line>("line", "a line on a surface with the spectrum, instead of a map"),
         option<&R::exact_rms>("exact_rms",
-                              "heights are scaled to the rms height of the spectrum, or to the rms height given"),
+                              "heights are scaled to the rms height of the spectrum, or to the rms height given")
+            .advanced(),
         option<&R::amplitudes>("amplitudes", "amplitudes of the modes: random, or exactly those of the spectrum")
             .one_of(amplitudes)
-            .default_shown(),
-        option<&R::stretch>("stretch", "factor by which features are longer along one direction").default_shown(),
+            .default_shown()
+            .advanced(),
+        option<&R::stretch>("stretch", "factor by which features are longer along one direction")
+            .default_shown()
+            .advanced(),
         option<&R::angle>("angle", "angle between the long direction of stretched features and x in degrees")
-            .default_shown(),
-        option<&R::skewness>("skewness", "skewness of the heights of a surface, which keeps the spectrum").or_else("0"),
+            .default_shown()
+            .advanced(),
+        option<&R::skewness>("skewness", "skewness of the heights of a surface, which keeps the spectrum")
+            .or_else("0")
+            .advanced(),
         option<&R::kurtosis>("kurtosis", "kurtosis of the heights of a surface, which keeps the spectrum")
-            .or_else("3, Gaussian"),
+            .or_else("3, Gaussian")
+            .advanced(),
     };
 };

@@ -92,25 +92,31 @@ struct setae::fields::Asked<setae::answers::TextureRequest> {
         option<&R::section_length>("section_length", "length of a section by iso21920")
             .of(positive(dimension::length))
             .such_as("0.8mm")
-            .or_else("the nesting index of the L-filter, else all"),
+            .or_else("the nesting index of the L-filter, else all")
+            .advanced(),
         option<&R::kind>("profile", "profile whose parameters iso21920 gives").one_of(profiles).or_else("roughness"),
         option<&R::averages>(
             "averages", "averages of iso21920: over the evaluation length (2021), or over sections (ISO 4287:1997)")
             .one_of(averages)
-            .or_else("evaluation_length"),
+            .or_else("evaluation_length")
+            .advanced(),
         option<&R::mean_line>("mean_line",
                               "zero of heights in iso21920: the mean, or zero for profiles that an instrument filtered")
             .one_of(mean_lines)
-            .or_else("mean"),
+            .or_else("mean")
+            .advanced(),
         option<&R::between>("between", "heights between points in the material ratio: linear (triangles), or nothing")
             .one_of(between)
-            .or_else("linear"),
+            .or_else("linear")
+            .advanced(),
         option<&R::material_height>("material_height", "height c above the mean in Smr(c) and Rmr(c)")
             .of(dimension::length)
             .such_as("0.2um")
-            .or_else("0"),
+            .or_else("0")
+            .advanced(),
         option<&R::material_ratio>("material_ratio", "material ratio p in Smc(p) and Rmc(p), from 0 to 1")
             .within(domain::share)
-            .or_else("0.5, the median"),
+            .or_else("0.5, the median")
+            .advanced(),
     };
 };
