@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -16,6 +17,7 @@
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/number_text.hpp"
+#include "setae/core/units.hpp"
 #include "setae/file_figures/contour_figure.hpp"
 #include "setae/imaging/calibration_file.hpp"
 #include "setae/output/contour_file.hpp"
@@ -175,6 +177,20 @@ Outcome traced(const Arguments& a, const std::string& path, const study::Contour
     return outcome;
 }
 
+/// One row per segment: the columns that a terminal shows, lengths with units.
+tables::TidyTable in_short(const tables::TidyTable& table) {
+    auto shown = tables::with_columns(
+        table, {"file", "segment", "state", "pixel_x [m]", "length [m]", "Rq [m]", "alerts or failure"});
+    for (auto& row : shown.rows) {
+        if (const double segment = std::get<double>(row[1]); !std::isnan(segment)) row[1] = fmt::format("{}", segment);
+        for (auto& cell : row)
+            if (const auto* length = std::get_if<double>(&cell)) cell = format_value(*length, "m");
+        row.front() = fs::path(std::get<std::string>(row.front())).filename().string();
+    }
+    shown.columns = {"file", "segment", "state", "pixel", "length", "Rq", "warnings or failure"};
+    return tables::constants_in_title(shown);
+}
+
 ExitCode run(const Arguments& a) {
     if (a.pictures.empty()) throw InvalidArgument("no picture given; name one, several, or a folder");
     const auto pictures = listed(a.pictures);
@@ -215,7 +231,8 @@ ExitCode run(const Arguments& a) {
     if (batch && !a.output.empty())
         bytes::write_whole_file((fs::path(a.output) / "contours.csv").string(), tables::as_csv(table));
     if (a.common.json) print_json(batch ? json : json.front());
-    else if (batch || !a.output.empty()) print(tables::as_text_within(table, output_size().width));
+    else if (batch || !a.output.empty())
+        print(tables::as_text_within(a.common.all ? table : in_short(table), output_size().width));
     else if (failed == 0)
         print(study::profile_text(*outcomes.front().picture,
                                   chosen_segments(a, outcomes.front().picture->profiles.size()).front(),

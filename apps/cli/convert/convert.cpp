@@ -55,9 +55,10 @@ std::string numbered(const std::string& path, std::size_t channel) {
         .string();
 }
 
-/// Files written, and whether a file failed.
+/// Files written with which warnings, and whether a file failed.
 struct Outcome {
     output::Json files = output::Json::array();
+    std::vector<Alert> alerts;
     bool failed = false;
 };
 
@@ -72,8 +73,8 @@ void convert_file(const Arguments& arguments, const Job& job, Outcome& outcome) 
         const auto& channel = channels[k];
         const auto measurement = channel.read();
         write_heights(output, measurement);
-        show(channel.info.alerts);
-        show(topography::metadata(measurement).alerts);
+        for (const auto& alerts : {channel.info.alerts, topography::metadata(measurement).alerts})
+            outcome.alerts.insert(outcome.alerts.end(), alerts.begin(), alerts.end());
         outcome.files.push_back(
             {{"input", job.input}, {"output", output}, {"channel", channel.info.name}, {"unit", "m"}});
     });
@@ -91,6 +92,7 @@ ExitCode run(const Arguments& arguments) {
         if (arguments.into_folder()) require_own_output(jobs, current);
         convert_file(arguments, jobs[current], outcome);
     });
+    show(outcome.alerts);
     if (outcome.files.empty()) return ExitCode::nothing_done;
     const bool one = !arguments.into_folder() && !arguments.all_channels;
     if (arguments.common.json) print_json(one ? outcome.files.front() : output::Json{{"files", outcome.files}});

@@ -50,21 +50,25 @@ std::vector<Job> jobs_of(const Arguments& arguments) {
     return jobs;
 }
 
-/// Processes, writes and prints one file; returns the record of its processing.
-output::Json level_file(const Arguments& arguments, const processing::Pipeline& pipeline, const Job& job) {
+/// Processes, writes and prints one file, and adds its alerts; returns the record of its processing.
+output::Json level_file(const Arguments& arguments, const processing::Pipeline& pipeline, const Job& job,
+                        std::vector<Alert>& alerts) {
     const auto processed = answers::processed_file(job.input, arguments.file.read_options(), arguments.file.channel,
                                                    pipeline, arguments.common.workers());
     const auto& [file, channel, before, result] = processed;
     if (file_figures::is_figure_path(job.output))
         file_figures::write_figure(file_figures::level_figure(before, result, arguments.figure.look()), job.output);
     else if (!job.output.empty()) write_heights(job.output, result.measurement);
-    show(channel.alerts);
-    show(topography::metadata(before).alerts);
+    const auto add = [&alerts](const std::vector<Alert>& more) {
+        alerts.insert(alerts.end(), more.begin(), more.end());
+    };
+    add(channel.alerts);
+    add(topography::metadata(before).alerts);
     std::string lines =
         fmt::format("{} ({}){}\n", job.input, channel.name, job.output.empty() ? "" : " -> " + job.output);
     for (const auto& record : result.records) {
         lines += as_line(record);
-        show(record.alerts);
+        add(record.alerts);
     }
     if (!arguments.common.json) print(lines);
     return answers::to_json(processed, job.output);
@@ -89,12 +93,14 @@ ExitCode run(const Arguments& arguments) {
     }
     const auto jobs = jobs_of(arguments);
     output::Json files = output::Json::array();
+    std::vector<Alert> alerts;
     std::size_t index = 0;
     const auto code = for_each_item(arguments.paths, [&](const std::string&) {
         const auto current = index++;
         if (!jobs[current].output.empty()) require_own_output(jobs, current);
-        files.push_back(level_file(arguments, pipeline, jobs[current]));
+        files.push_back(level_file(arguments, pipeline, jobs[current], alerts));
     });
+    show(alerts);
     if (arguments.common.json) print_json(answers::processing_json(pipeline, files));
     return code;
 }

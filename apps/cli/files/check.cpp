@@ -10,6 +10,7 @@
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
 #include "setae/answers/diagnosis.hpp"
+#include "setae/core/words.hpp"
 
 namespace setae::cli::check_command {
 namespace {
@@ -45,6 +46,11 @@ struct Arguments {
     bool strict = false;
 };
 
+/// The subject first: a check is about files.
+std::string line_of(const Alert& alert) {
+    return fmt::format("{}: {}: {}; {}", alert.subject, alert.code, alert.message, alert.action);
+}
+
 ExitCode run(const Arguments& arguments) {
     std::vector<answers::Suspect> suspects;
     for (const auto& path : arguments.files)
@@ -54,9 +60,10 @@ ExitCode run(const Arguments& arguments) {
     if (arguments.common.json) {
         print_json(answers::to_json(diagnosis));
     } else {
-        for (const auto& label : diagnosis.faultless) print(label + ": nothing found\n");
-        for (const auto& [alert, effects] : diagnosis.findings)
-            print(fmt::format("{}: {}: {}; {}\n", alert.subject, alert.code, alert.message, alert.action));
+        if (!diagnosis.faultless.empty()) print(listed(diagnosis.faultless) + ": nothing found\n");
+        std::vector<Alert> alerts;
+        for (const auto& finding : diagnosis.findings) alerts.push_back(finding.alert);
+        for (const auto& line : lines_of(alerts, line_of)) print(line + "\n");
     }
     if (!diagnosis.failures.empty())
         return diagnosis.failures.size() < arguments.files.size() ? ExitCode::some_failed : ExitCode::nothing_done;

@@ -29,6 +29,15 @@ tables::TidyTable as_table(const std::string& title, const Formats& formats) {
     return table;
 }
 
+/// One row per format; descriptions only where all is wanted.
+std::string text_of(tables::TidyTable table, bool all) {
+    const auto width = output_size().width;
+    if (all) return tables::as_text_within(table, width);
+    table.columns.pop_back();
+    for (auto& row : table.rows) row.pop_back();
+    return tables::as_text_within(tables::constants_in_title(table), width);
+}
+
 struct Arguments {
     Common common;
     std::string documentation;
@@ -47,7 +56,8 @@ std::string explanation() {
 
 /// Formats of topographies; formats that are not tested on an instrument file are marked.
 tables::TidyTable topographies_table() {
-    tables::TidyTable table{"", {"format", "name", "extensions", "reads", "writes", "real files", "description"}, {}};
+    tables::TidyTable table{
+        "topographies", {"format", "name", "extensions", "reads", "writes", "real files", "description"}, {}};
     for (const auto& f : formats::formats())
         table.rows.push_back({f.identifier, f.name, f.extensions, "yes", yes(f.writes()),
                               f.tested_on_real_files ? "yes" : "NO", f.description});
@@ -65,12 +75,13 @@ ExitCode run(const Arguments& arguments) {
     }
     const auto curves = as_table("force curves, for setae jkr", tables::force_curve_formats());
     const auto micrographs = as_table("micrographs, for setae contour", imaging::micrograph_formats());
-    const auto width = output_size().width;
+    const bool all = arguments.common.all;
     print(
-        tables::as_text_within(topographies_table(), width) +
+        text_of(topographies_table(), all) +
         "\nreal files NO: made from the published layout, not tested on a file of an instrument (please send one)\n\n" +
-        tables::as_text_within(curves, width) + "\n" + tables::as_text_within(micrographs, width) +
-        "\nloops of force, displacement and contact radius: any table with units, workbooks (.xlsx), docs/reference/loop-format.md\n");
+        text_of(curves, all) + "\n" + text_of(micrographs, all) +
+        "\nloops of force, displacement and contact radius: any table with units, workbooks (.xlsx), docs/reference/loop-format.md\n" +
+        (all ? "" : "--all prints the descriptions\n"));
     return ExitCode::done;
 }
 

@@ -40,16 +40,19 @@ struct Arguments {
 /// member of a container that cannot be opened is a channel without format; a warning contains the reason.
 bool show_warnings(const answers::Contents& contents, bool json) {
     bool any_bad_channel = false;
+    std::vector<Alert> shown;
     for (const auto& file : contents.files) {
-        if (file.content.picture && !json) show(file.content.picture->alerts);
-        std::vector<Alert> shown;  // channels of one table have the same warnings
-        for (const auto& channel : file.channels)
+        if (file.content.picture && !json) {
+            const auto& alerts = file.content.picture->alerts;
+            shown.insert(shown.end(), alerts.begin(), alerts.end());
+        }
+        for (const auto& channel : file.channels)  // channels of one table have the same warnings
             for (const auto& alert : channel.info.alerts) {
                 const bool known = std::find(shown.begin(), shown.end(), alert) != shown.end();
                 if (!known && (!json || channel.info.format.empty())) shown.push_back(alert);
             }
-        show(shown);
     }
+    show(shown);
     for (const auto& file : contents.files) {
         for (const auto& channel : file.channels) {
             if (!channel.heights.error.empty()) print_message(channel.heights.error);

@@ -124,7 +124,7 @@ std::string as_text(const MeasuredTexture& measured, std::size_t width) {
         const auto texts = cells(row);
         table.rows.emplace_back(texts.begin(), texts.end());
     }
-    return tables::as_text_within(table, width) + "\n";
+    return tables::as_text_within(tables::constants_in_title(table), width) + "\n";
 }
 
 constexpr std::string_view marker =

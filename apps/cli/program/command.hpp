@@ -16,10 +16,13 @@ namespace setae::cli {
 struct Common {
     bool json = false;
     bool explain = false;
+    bool all = false;  ///< every warning and column in full
     int threads = 0;
 
-    /// --json, --explain and --threads.
+    /// --json, --explain, --threads, and --all where the command has no option of this name.
     void add_to(Options& options);
+    /// Sets what these options ask of the program.
+    void apply() const;
     [[nodiscard]] parallel::Threads workers() const { return {threads}; }
 };
 
@@ -38,7 +41,7 @@ template <class Arguments>
                             ExitCode (*run)(const Arguments&)) {
     arguments->common.add_to(options);
     return [arguments, explanation, run] {
-        parallel::limit_threads(arguments->common.workers());
+        arguments->common.apply();
         return arguments->common.explain ? explained(explanation) : run(*arguments);
     };
 }

@@ -19,6 +19,11 @@ fields::Spelling& option_spelling() {
     return spelling;
 }
 
+bool& every_warning() {
+    static bool every = false;
+    return every;
+}
+
 }  // namespace
 
 void spell_options_by(fields::Spelling spelling) { option_spelling() = std::move(spelling); }
@@ -28,15 +33,27 @@ void print(const std::string& text) {
     std::fwrite(shown.data(), 1, shown.size(), stdout);
 }
 
+void print_for_reader(const std::string& text) {
+    std::fflush(stdout);
+    std::fputs(printable(text).c_str(), stderr);
+}
+
 void print_message(const std::string& message) {
     std::fflush(stdout);  // so that both streams have the right order on one terminal
     std::fputs(fmt::format("setae: {}\n", one_line(fields::spelled(message, option_spelling()))).c_str(), stderr);
 }
 
 void show(const std::vector<Alert>& alerts) {
-    for (const auto& alert : alerts)
-        print_message(fmt::format("{}: {}: {}{}", alert.code, alert.subject, alert.message,
-                                  alert.action.empty() ? "" : "; " + alert.action));
+    for (const auto& line : lines_of(alerts)) print_message(line);
+}
+
+void show_every_warning(bool every) { every_warning() = every; }
+
+std::vector<std::string> lines_of(const std::vector<Alert>& alerts, std::string (*line_of)(const Alert&)) {
+    if (!every_warning()) return output::warning_lines(alerts, line_of);
+    std::vector<std::string> lines;
+    for (const auto& alert : alerts) lines.push_back(line_of(alert));
+    return lines;
 }
 
 std::vector<Alert> show_reading_warnings(std::vector<Alert> alerts) {

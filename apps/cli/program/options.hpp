@@ -81,6 +81,7 @@ class Options {
 public:
     Options(CLI::App& command, Declarations& declared) : command_(command), declared_(declared) {}
 
+    [[nodiscard]] bool has(const std::string& name) const;
     /// "--json"; true if the option is given.
     Option flag(const std::string& names, bool& value, const std::string& description);
     /// "-o,--output", or "files" for an argument. Values are text, whole or real numbers; one value that may be missing

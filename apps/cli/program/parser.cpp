@@ -138,6 +138,8 @@ Option& Option::default_shown() {
     return *this;
 }
 
+bool Options::has(const std::string& name) const { return command_.get_option_no_throw(name) != nullptr; }
+
 Option Options::flag(const std::string& names, bool& value, const std::string& description) {
     return {*command_.add_flag(names, value, description), declared_};
 }

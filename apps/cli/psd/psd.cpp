@@ -65,9 +65,12 @@ ExitCode run(const Arguments& arguments) {
         return code;
     }
     if (arguments.output.empty()) print(tables::as_csv(table));
-    else if (fit) print(output::quantity_table("", answers::parameters_of(*fit), output_size().width));
+    if (fit) {
+        const auto text = output::quantity_table("", answers::parameters_of(*fit), output_size().width);
+        arguments.output.empty() ? print_beside(text) : print(text);
+    }
+    if (fit) alerts.insert(alerts.end(), fit->alerts.begin(), fit->alerts.end());
     show(alerts);
-    if (fit) show(fit->alerts);
     return code;
 }
 

@@ -67,6 +67,7 @@ ExitCode run(const ScaleArguments& arguments, answers::ScaleFunction function) {
     const auto found = answers::functions_of_scale(function, request, arguments.common.workers());
     for (const auto& failure : found.failures) print_message(failure);
     if (found.functions.empty()) return ExitCode::nothing_done;
+    if (request.all) show_every_warning(true);
     auto alerts = found.alerts;
     if (!arguments.common.json) alerts = show_reading_warnings(std::move(alerts));
     write_table_or_figure(

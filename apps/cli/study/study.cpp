@@ -304,7 +304,8 @@ Action declare(Options& options) {
                     "formulas, and contributions of the inputs to each standard error");
     arguments->common.add_to(options);
     return [arguments] {
-        parallel::limit_threads(arguments->common.workers());
+        arguments->common.apply();
+        show_every_warning(arguments->all);
         return arguments->common.explain ? explain(*arguments) : run(*arguments);
     };
 }

@@ -145,4 +145,34 @@ std::string as_text_within(const TidyTable& table, std::size_t width, int signif
     return fits || wraps ? aligned(shown, cells, width) : stacked(shown, cells);
 }
 
+TidyTable with_columns(const TidyTable& table, const std::vector<std::string>& names) {
+    TidyTable kept{table.title, {}, std::vector<std::vector<TidyTable::Cell>>(table.rows.size())};
+    for (const auto& name : names) {
+        const auto found = std::find(table.columns.begin(), table.columns.end(), name);
+        if (found == table.columns.end()) continue;
+        kept.columns.push_back(name);
+        const auto column = static_cast<std::size_t>(found - table.columns.begin());
+        for (std::size_t r = 0; r < table.rows.size(); ++r) kept.rows[r].push_back(table.rows[r][column]);
+    }
+    return kept;
+}
+
+TidyTable constants_in_title(const TidyTable& table, int significant_digits) {
+    if (table.rows.size() < 2) return table;
+    const auto shown = without_silent_columns(table);
+    const auto cells = text_cells(shown, significant_digits);
+    std::vector<std::string> others;
+    std::string constants;
+    for (std::size_t i = 0; i < shown.columns.size(); ++i) {
+        const auto& value = cells.rows.front()[i];
+        const bool constant =
+            std::all_of(cells.rows.begin(), cells.rows.end(), [&](const auto& row) { return row[i] == value; });
+        if (constant) constants += fmt::format("{}{} {}", constants.empty() ? "" : "; ", shown.columns[i], value);
+        else others.push_back(shown.columns[i]);
+    }
+    auto rest = with_columns(shown, others);
+    if (!constants.empty()) rest.title += (rest.title.empty() ? "" : ": ") + constants;
+    return rest;
+}
+
 }  // namespace setae::tables

@@ -49,5 +49,22 @@ TEST(TextOfATable, StacksRowsThatAreTooWide) {
               "  longer\n");
 }
 
+TEST(TextOfATable, StatesConstantColumnsOnceInTheTitle) {
+    const TidyTable measured{"a.csv",
+                             {"symbol", "filter", "note", "points", "value"},
+                             {{std::string("Sq"), std::string("none"), std::string(), 20.0, 1.0},
+                              {std::string("Sa"), std::string("none"), std::string(), 20.0, 2.0}}};
+    EXPECT_EQ(as_text(constants_in_title(measured)),
+              "a.csv: filter none; points 20.00\n"
+              "  symbol  value\n"
+              "  Sq      1.000\n"
+              "  Sa      2.000\n");
+    auto one = measured;
+    one.rows.pop_back();
+    EXPECT_EQ(constants_in_title(one).columns, one.columns);
+    EXPECT_EQ(with_columns(measured, {"value", "unknown", "symbol"}).columns,
+              (std::vector<std::string>{"value", "symbol"}));
+}
+
 }  // namespace
 }  // namespace setae::tables::tidy_table_test

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "setae/output/alert_groups.hpp"
+
 namespace setae::output::alert_kinds_test {
 namespace {
 
@@ -26,6 +28,12 @@ TEST(AlertKinds, SayTheirEffectAndWhatToDoInFullSentences) {
             ASSERT_FALSE(text->empty()) << kind.code;
             EXPECT_EQ(text->back(), '.') << kind.code << ": " << *text;
         }
+}
+
+TEST(AlertKinds, HaveGeneralRemarksAmongThem) {
+    int remarks = 0;
+    for (const auto& kind : alert_kinds()) remarks += is_general_remark(kind.code) ? 1 : 0;
+    EXPECT_EQ(remarks, 17);
 }
 
 TEST(AlertKinds, AreListedOnce) {

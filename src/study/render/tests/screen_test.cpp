@@ -162,6 +162,29 @@ TEST(AlertGroups, PutWhatMisleadsFirst) {
     EXPECT_EQ(groups[1].alerts.size(), 2u);
 }
 
+TEST(WarningLines, AreOnePerWarningAndTheWorstFirst) {
+    const auto lines = warning_lines({{"ONE_DIRECTION", "a", "one direction", "measure more"},
+                                      {"SCARS", "a", "3 scars", ""},
+                                      {"NO_INSTRUMENT", "b", "no instrument", "set it"}});
+    EXPECT_EQ(lines, (std::vector<std::string>{"NO_INSTRUMENT: b: no instrument; set it", "SCARS: a: 3 scars",
+                                               "1 general remark (ONE_DIRECTION); --all shows it"}));
+    EXPECT_TRUE(warning_lines({}).empty());
+}
+
+TEST(WarningLines, NameTheFilesOfAKindTogether) {
+    std::vector<Alert> alerts;
+    for (int i = 1; i <= 8; ++i) {
+        alerts.push_back({"SCARS", fmt::format("{}.ibw", i), fmt::format("{} scars", i), "despike"});
+        alerts.push_back({"ONE_PLACE", fmt::format("{}.ibw", i), "one place", ""});
+    }
+    EXPECT_EQ(warning_lines(alerts),
+              (std::vector<std::string>{
+                  "SCARS: 1.ibw: 1 scars; despike; also 2.ibw, 3.ibw, 4.ibw, 5.ibw, 6.ibw and 2 more; --all shows each",
+                  "8 general remarks (ONE_PLACE); --all shows them"}));
+    // warnings about one subject stay apart
+    EXPECT_EQ(warning_lines({{"SCARS", "a", "x", ""}, {"SCARS", "a", "y", ""}, {"SCARS", "a", "z", ""}}).size(), 3u);
+}
+
 /// A study with more rows than any screen has.
 StudyResult many() {
     auto result = result_of(test(0.4, 0.94, 0.0), 0.0372);

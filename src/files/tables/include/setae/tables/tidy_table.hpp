@@ -27,4 +27,10 @@ struct TidyTable {
 /// per further cell.
 [[nodiscard]] std::string as_text_within(const TidyTable& table, std::size_t width, int significant_digits = 4);
 
+/// The columns of these names, in this order; names that the table lacks are left out.
+[[nodiscard]] TidyTable with_columns(const TidyTable& table, const std::vector<std::string>& names);
+
+/// A table of several rows whose columns with one value throughout are in the title: "filter none; points 1024".
+[[nodiscard]] TidyTable constants_in_title(const TidyTable& table, int significant_digits = 4);
+
 }  // namespace setae::tables

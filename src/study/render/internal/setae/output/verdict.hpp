@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "setae/output/alert_groups.hpp"
 #include "setae/study/study_result.hpp"
 
 namespace setae::output {
@@ -26,11 +27,7 @@ struct Verdict {
 /// Why a pair may be some standard errors from its prediction while the test of all pairs is passed, in sentences.
 [[nodiscard]] std::string deviation_note(const adhesion::PredictionTest& test);
 
-/// Alerts of one kind, by kind: what misleads most first, then in the order they were found.
-struct AlertGroup {
-    std::string code;
-    std::vector<Alert> alerts;  ///< at least one
-};
+/// All alerts of a study by kind.
 [[nodiscard]] std::vector<AlertGroup> grouped_alerts(const study::StudyResult& result);
 
 }  // namespace setae::output
