@@ -180,7 +180,7 @@ Outcome traced(const Arguments& a, const std::string& path, const study::Contour
 /// One row per segment: the columns that a terminal shows, lengths with units.
 tables::TidyTable in_short(const tables::TidyTable& table) {
     auto shown = tables::with_columns(
-        table, {"file", "segment", "state", "pixel_x [m]", "length [m]", "Rq [m]", "alerts or failure"});
+        table, {"file", "segment", "state", "pixel_x [m]", "length [m]", "Rq [m]", table.columns.back()});
     for (auto& row : shown.rows) {
         if (const double segment = std::get<double>(row[1]); !std::isnan(segment)) row[1] = fmt::format("{}", segment);
         for (auto& cell : row)

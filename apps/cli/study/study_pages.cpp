@@ -49,8 +49,8 @@ std::string alerts_page() {
         }
         text += fmt::format("\n### {}\n\n{}\n\n- Effect: {}\n- Action: {}\n", kind.code, kind.said, kind.effect,
                             kind.action);
-        if (output::is_general_remark(kind.code))
-            text += "- General remark: the terminal only counts it without `--all`.\n";
+        if (output::is_general_warning(kind.code))
+            text += "- General warning: the terminal only counts it without `--all`.\n";
         if (!kind.rests_on.empty()) text += fmt::format("- Threshold: {}\n", kind.rests_on);
     }
     return text;

@@ -30,10 +30,10 @@ TEST(AlertKinds, SayTheirEffectAndWhatToDoInFullSentences) {
         }
 }
 
-TEST(AlertKinds, HaveGeneralRemarksAmongThem) {
-    int remarks = 0;
-    for (const auto& kind : alert_kinds()) remarks += is_general_remark(kind.code) ? 1 : 0;
-    EXPECT_EQ(remarks, 17);
+TEST(AlertKinds, HaveGeneralOnesAmongThem) {
+    int general = 0;
+    for (const auto& kind : alert_kinds()) general += is_general_warning(kind.code) ? 1 : 0;
+    EXPECT_EQ(general, 17);
 }
 
 TEST(AlertKinds, AreListedOnce) {

@@ -167,7 +167,7 @@ TEST(WarningLines, AreOnePerWarningAndTheWorstFirst) {
                                       {"SCARS", "a", "3 scars", ""},
                                       {"NO_INSTRUMENT", "b", "no instrument", "set it"}});
     EXPECT_EQ(lines, (std::vector<std::string>{"NO_INSTRUMENT: b: no instrument; set it", "SCARS: a: 3 scars",
-                                               "1 general remark (ONE_DIRECTION); --all shows it"}));
+                                               "1 general warning (ONE_DIRECTION); --all shows it"}));
     EXPECT_TRUE(warning_lines({}).empty());
 }
 
@@ -180,7 +180,7 @@ TEST(WarningLines, NameTheFilesOfAKindTogether) {
     EXPECT_EQ(warning_lines(alerts),
               (std::vector<std::string>{
                   "SCARS: 1.ibw: 1 scars; despike; also 2.ibw, 3.ibw, 4.ibw, 5.ibw, 6.ibw and 2 more; --all shows each",
-                  "8 general remarks (ONE_PLACE); --all shows them"}));
+                  "8 general warnings (ONE_PLACE); --all shows them"}));
     // warnings about one subject stay apart
     EXPECT_EQ(warning_lines({{"SCARS", "a", "x", ""}, {"SCARS", "a", "y", ""}, {"SCARS", "a", "z", ""}}).size(), 3u);
 }

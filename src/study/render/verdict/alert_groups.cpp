@@ -29,7 +29,7 @@ constexpr std::array<std::string_view, 9> of_heights{"HEIGHTS_IMPLAUSIBLE", "CON
                                                      "POSITIONS_REPEATED",  "ROWS_MISSING", "PASSES_SPLIT"};
 
 /// Kinds that describe the surface or the method.
-constexpr std::array<std::string_view, 17> remarks{"UNKNOWN_FIELD",
+constexpr std::array<std::string_view, 17> general{"UNKNOWN_FIELD",
                                                    "NAME_MISSING",
                                                    "NO_PROCESSED_COPY",
                                                    "PIXELS_NOT_SQUARE",
@@ -85,7 +85,7 @@ std::vector<AlertGroup> grouped_alerts(const study::StudyResult& result) {
     return grouped_alerts(alerts);
 }
 
-bool is_general_remark(const std::string& code) { return place_in(remarks, code) < remarks.size(); }
+bool is_general_warning(const std::string& code) { return place_in(general, code) < general.size(); }
 
 std::string warning_line(const Alert& alert) {
     return fmt::format("{}: {}: {}{}{}", alert.code, alert.subject, alert.message, alert.action.empty() ? "" : "; ",
@@ -97,7 +97,7 @@ std::vector<std::string> warning_lines(const std::vector<Alert>& alerts, std::st
     std::vector<std::string> lines, kinds;
     std::size_t folded = 0;
     for (const auto& [code, group] : grouped_alerts(alerts)) {
-        if (is_general_remark(code)) {
+        if (is_general_warning(code)) {
             kinds.push_back(code);
             folded += group.size();
             continue;
@@ -112,7 +112,7 @@ std::vector<std::string> warning_lines(const std::vector<Alert>& alerts, std::st
         lines.push_back(fmt::format("{}; also {}; --all shows each", line_of(group.front()), listed(subjects)));
     }
     if (folded > 0)
-        lines.push_back(fmt::format("{} ({}); --all shows {}", counted(folded, "general remark", "general remarks"),
+        lines.push_back(fmt::format("{} ({}); --all shows {}", counted(folded, "general warning", "general warnings"),
                                     listed(kinds), folded == 1 ? "it" : "them"));
     return lines;
 }

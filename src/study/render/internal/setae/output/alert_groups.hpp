@@ -15,14 +15,14 @@ struct AlertGroup {
 };
 [[nodiscard]] std::vector<AlertGroup> grouped_alerts(const std::vector<Alert>& alerts);
 
-/// Whether a kind is a general remark: it describes the surface or the method and puts no number in doubt.
-[[nodiscard]] bool is_general_remark(const std::string& code);
+/// Whether a kind is a general warning: it describes the surface or the method and puts no number in doubt.
+[[nodiscard]] bool is_general_warning(const std::string& code);
 
 /// "CODE: subject: message; action".
 [[nodiscard]] std::string warning_line(const Alert& alert);
 
 /// One line per alert, the worst kind first: of a kind with three subjects or more the first in full and the names of
-/// the others, and one line that counts the general remarks.
+/// the others, and one line that counts the general warnings.
 [[nodiscard]] std::vector<std::string> warning_lines(const std::vector<Alert>& alerts,
                                                      std::string (*line_of)(const Alert&) = warning_line);
 
