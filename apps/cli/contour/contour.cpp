@@ -212,6 +212,7 @@ ExitCode run(const Arguments& a) {
     auto table = study::contour_table();
     auto json = output::Json::array();
     std::size_t failed = 0;
+    std::vector<Alert> alerts;
     for (std::size_t i = 0; i < pictures.size(); ++i) {
         const auto& outcome = outcomes[i];
         if (!outcome.picture) {
@@ -221,10 +222,11 @@ ExitCode run(const Arguments& a) {
             json.push_back({{"image", {{"file", pictures[i]}}}, {"error", outcome.error}});
             continue;
         }
-        show(outcome.picture->alerts);
+        alerts.insert(alerts.end(), outcome.picture->alerts.begin(), outcome.picture->alerts.end());
         study::add_rows(table, *outcome.picture);
         if (a.common.json) json.push_back(output::to_json(*outcome.picture, options));
     }
+    show(alerts);
     if (!a.save_calibration.empty() && failed == 0)
         imaging::write_calibration(a.save_calibration,
                                    imaging::kept_calibration(outcomes.front().picture->calibration, pictures.front()));

@@ -145,6 +145,7 @@ ExitCode run(const Arguments& arguments) {
     output::Json list = output::Json::array();
     auto energies = output::energies_table();
     EnergyFigures figures(arguments);
+    std::vector<Alert> alerts;
     const bool courses = !arguments.course.empty() || !arguments.figures.empty();
     if (!arguments.course.empty()) std::filesystem::create_directories(arguments.course);
     const auto code = for_each_loop(arguments.request, arguments.common.workers(), [&](const AnalysedLoop& loop) {
@@ -153,7 +154,7 @@ ExitCode run(const Arguments& arguments) {
             list.push_back(answers::energy_json(loop));
         } else {
             print_energy_budget(loop);
-            show(loop.analysis.alerts);
+            alerts.insert(alerts.end(), loop.analysis.alerts.begin(), loop.analysis.alerts.end());
         }
         if (!courses) return;
         try {
@@ -166,6 +167,7 @@ ExitCode run(const Arguments& arguments) {
             print_message(fmt::format("{}: no course of the energy: {}", loop.file, error.what()));
         }
     });
+    show(alerts);
     if (arguments.common.json && !list.empty()) print_json(list.size() == 1 ? list.front() : list);
     if (code == ExitCode::nothing_done) return code;
     if (!arguments.figures.empty()) figures.write();

@@ -253,6 +253,7 @@ void print_all_results(const AnalysedLoop& loop, const study::LoopModelOptions& 
 /// Fits the loops among the files, and a shared fit if the options ask for one.
 ExitCode fit_loops(const Arguments& arguments, const LoopAnalysisRequest& request, output::Json& list,
                    std::optional<loops::GlobalFit>& global) {
+    if (arguments.full) show_every_warning(true);
     auto fits = output::fits_table();
     FigureFolder figures(arguments);
     const auto models = arguments.models.options();

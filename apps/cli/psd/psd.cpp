@@ -67,7 +67,7 @@ ExitCode run(const Arguments& arguments) {
     if (arguments.output.empty()) print(tables::as_csv(table));
     if (fit) {
         const auto text = output::quantity_table("", answers::parameters_of(*fit), output_size().width);
-        arguments.output.empty() ? print_beside(text) : print(text);
+        arguments.output.empty() ? print_for_reader(text) : print(text);
     }
     if (fit) alerts.insert(alerts.end(), fit->alerts.begin(), fit->alerts.end());
     show(alerts);
