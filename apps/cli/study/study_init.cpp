@@ -80,7 +80,8 @@ Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     options.add("folders", arguments->paths, "folders of measurements, micrographs and loops, or files").of_inputs();
     options
-        .add("-o,--output", arguments->output, "study file to be written; paths in the file are relative to its folder")
+        .output("-o,--output", arguments->output,
+                "study file to be written; paths in the file are relative to its folder")
         .default_shown();
     options.flag("--force", arguments->force, "replace an existing file");
     options.example("setae study init data -o study.toml", "draft of a study, with comments for missing metadata");
