@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""JSON of the package is that of the program, to the byte; docs/reference/python.md lists verbs and functions."""
+"""The JSON of the package equals the JSON of the program byte for byte; docs/reference/python.md lists commands and functions."""
 
 from __future__ import annotations
 
@@ -16,18 +16,18 @@ from conftest import ROOT
 SOLIDS = {"E": "0.7 ± 0.02 MPa", "W_int": "37 ± 2 mJ/m2", "gamma": "25 mJ/m2"}
 SOLIDS_TYPED = ("--E", "0.7 ± 0.02 MPa", "--w", "37 ± 2 mJ/m2", "--gamma", "25 mJ/m2")
 
-#: Files of the runs of the program.
+#: Data files of the tests of the program.
 DATA = ROOT / "tests/cli/data"
 
-#: Function of each verb, and why a verb has none.
+#: Function of each command, and the alternative for a command without a function.
 FUNCTIONS = {
     "info": "`setae.info`, `setae.read`, `setae.channels`",
     "formats": "`setae.formats`",
     "convert": "`Scan.save`; `Scan.heights` and `Scan.to_xarray()` without a file",
     "level": "`Scan.level`, `Scan.process` …; `Scan.processing` is its JSON",
-    "container check": "`setae.check_container`; `setae.channels` reads one",
+    "container check": "`setae.check_container`; `setae.channels` reads a container",
     "container write": "`setae.write_container`",
-    "contour": "`setae.contour`; anchors, and a trace made again, by the program alone",
+    "contour": "`setae.contour`; anchors and repeated traces only with the program",
     "check": "`setae.check`",
     "tip": "`setae.tip`",
     "psd": "`setae.power_spectrum`",
@@ -37,31 +37,31 @@ FUNCTIONS = {
     "params": "`setae.parameters`; of a standard (`--standard`) `setae.texture`",
     "adhesion": "`setae.work_of_adhesion`",
     "contact solve": "`setae.contact`",
-    "contact sweep": "`setae.contact_sweep`; its figure, and going on from `--restart`, by the program alone",
-    "contact front": "`setae.contact_front`; its figure by the program alone",
+    "contact sweep": "`setae.contact_sweep`; figure and `--restart` only with the program",
+    "contact front": "`setae.contact_front`; figure only with the program",
     "contact persson": "`setae.persson`",
-    "contact compare": "`setae.contact_compare`; its figure by the program alone",
-    "jkr radius": "`setae.contact_radii`; pictures with the edge drawn (`--overlay`) by the program alone",
-    "jkr line": "`setae.contact_line`; its figure by the program alone",
+    "contact compare": "`setae.contact_compare`; figure only with the program",
+    "jkr radius": "`setae.contact_radii`; pictures with the edge drawn in (`--overlay`) only with the program",
+    "jkr line": "`setae.contact_line`; figure only with the program",
     "jkr lens": "`setae.lens`",
     "jkr camera": "`setae.camera`",
     "jkr stiffness": "`setae.loop(…).machine_stiffness()`",
-    "jkr fit": "`setae.loop(…).fit()`, a loop at a time; `setae.force_curves`; fits that loops share by the program alone",
+    "jkr fit": "`setae.loop(…).fit()` for one loop; `setae.force_curves`; shared fits of several loops only with the program",
     "jkr energy": "`setae.loop(…).energy()`",
-    "jkr summary": "`setae.replicates`; its figure and tables by the program alone",
+    "jkr summary": "`setae.replicates`; figure and tables only with the program",
     "synthesize": "`setae.synthesize`",
     "study": "`setae.study(…).run()`; `--next` is `StudyResult.next_measurements`",
-    "lab conform": "`setae.conform`, `StudyResult.conform`; its table and figure by the program alone",
-    "predict": "`setae.study(…).run().predict()`; its tables and figures by the program alone",
+    "lab conform": "`setae.conform`, `StudyResult.conform`; table and figure only with the program",
+    "predict": "`setae.study(…).run().predict()`; tables and figures only with the program",
     "schema": "`setae.schema`",
 }
 GAPS = {
     "profile": "slices of `Scan.heights`",
-    "jkr import": "`setae.loop(…, mapping=…)` reads what it would write",
-    "lab make": "writes files; `subprocess` with `python -m setae lab make`",
+    "jkr import": "`setae.loop(…, mapping=…)` reads the same tables",
+    "lab make": "writes files; call `python -m setae lab make` with `subprocess`",
     "lab loops": "as lab make",
     "lab records": "as lab closure",
-    "lab closure": "hours of studies; by the program",
+    "lab closure": "takes hours; use the program",
     "lab contours": "as lab closure",
     "lab area": "as lab closure",
     "lab foil": "as lab closure",
@@ -70,9 +70,9 @@ GAPS = {
     "lab next": "as lab closure",
     "study init": "writes a draft for an editor",
     "plot": "`StudyResult.figures[…].save()`, `.plot()`",
-    "cache": "the program looks after what is kept; both use the same",
+    "cache": "use the program; package and program share the cache",
     "man": "`help()`",
-    "completion": "the shell's",
+    "completion": "for shells",
 }
 
 
@@ -421,17 +421,17 @@ def test_surface_has_the_numbers_of_params():
 
 
 def commands() -> list[str]:
-    """Of the program, by its own list of their pages."""
+    """Commands of the program, from the generated list of their pages."""
     page = (ROOT / "docs/reference/commands/README.md").read_text()
     return re.findall(r"^\| \[([a-z ]+)\]\(", page, re.M)
 
 
 def table() -> str:
-    rows = [f"| `setae {verb}` | {FUNCTIONS.get(verb) or '– ' + GAPS[verb]} |" for verb in commands()]
+    rows = [f"| `setae {command}` | {FUNCTIONS.get(command) or '– ' + GAPS[command]} |" for command in commands()]
     return "\n".join(["| command | function |", "|---|---|", *rows]) + "\n"
 
 
-def test_every_verb_has_a_function_or_a_reason():
+def test_every_command_has_a_function_or_an_alternative():
     assert set(commands()) == FUNCTIONS.keys() | GAPS.keys()
     assert table() in (ROOT / "docs/reference/python.md").read_text()
 
