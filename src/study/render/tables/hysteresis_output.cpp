@@ -147,9 +147,15 @@ std::string odds_number(double odds) {
     return fmt::format("{:.0f}", std::round(odds / unit) * unit);
 }
 
-/// "200 : 1 [20, 1000]".
+/// "200 : 1 [20, 1000]"; an end of the interval that is written like the value is left out: "> 10⁴ : 1 [≥ 300]", "1 :
+/// 1".
 std::string odds_text(const hysteresis::Odds& odds) {
-    return fmt::format("{} : 1 [{}, {}]", odds_number(odds.value), odds_number(odds.lower), odds_number(odds.upper));
+    const auto value = odds_number(odds.value), lower = odds_number(odds.lower), upper = odds_number(odds.upper);
+    const auto text = value + " : 1";
+    if (lower == value && upper == value) return text;
+    if (upper == value) return fmt::format("{} [≥ {}]", text, lower);
+    if (lower == value) return fmt::format("{} [≤ {}]", text, upper);
+    return fmt::format("{} [{}, {}]", text, lower, upper);
 }
 
 /// How a model compares with the most likely one.

@@ -40,12 +40,14 @@ std::string sentence_of_loss(const StudyResult& result) {
     const auto number = format_interval(loss, "J/m2");
     const auto sentence = fmt::format("The energy loss of loops gives W_int = {}", number);
     if (!result.modified) return sentence + ".";
-    const auto apart = *loss_less_approach(result);
-    if (!interval_of(apart)) return sentence + ".";
-    if (!may_be_zero(apart))
-        return fmt::format("{}, which differs from the W_int of approach by {}.", sentence,
-                           format_uncertain(apart, "J/m2"));
-    if (could_have_refused(apart, result)) return sentence + ", consistent with the W_int of approach.";
+    const auto excess = *loss_less_approach(result);
+    if (!interval_of(excess)) return sentence + ".";
+    if (!may_be_zero(excess))
+        return fmt::format(
+            "{}, which differs from the W_int of approach. By generalised least squares, with correlated "
+            "errors, the difference is {}.",
+            sentence, format_uncertain(excess, "J/m2"));
+    if (could_have_refused(excess, result)) return sentence + ", consistent with the W_int of approach.";
     return fmt::format("{}. The data of {} cannot decide whether this agrees with the W_int of approach.", sentence,
                        pairs_text(result.loop->through_origin.n));
 }

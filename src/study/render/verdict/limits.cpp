@@ -110,10 +110,11 @@ private:
 
     void say_of_fits() {
         if (const auto apart = loss_less_approach(result_); apart && interval_of(*apart) && !may_be_zero(*apart))
-            say_beside(
-                fmt::format("The energy loss and the approach give different W_int, with a difference of {}. The "
-                            "full-contact balance (Eq. 7) or the true-area loss (Eq. 10) is incomplete.",
-                            format_uncertain(*apart, "J/m2")));
+            say_beside(fmt::format(
+                "The energy loss and the approach give different W_int, with a difference of {} by generalised "
+                "least squares. The full-contact balance (Eq. 7) or the true-area loss (Eq. 10) is "
+                "incomplete.",
+                format_uncertain(*apart, "J/m2")));
         if (const auto apart = loss_less_approach(result_);
             apart && may_be_zero(*apart) && !could_have_refused(*apart, result_))
             say(
