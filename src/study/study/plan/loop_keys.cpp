@@ -69,59 +69,64 @@ Keys<ExperimentInput> keys_of_loops() {
     using Analysis = loops::AnalysisOptions;
     using Models = LoopModelOptions;
     Keys<ExperimentInput> keys;
-    keys.add(
-            {"columns", "table of texts", "", "",
-             "`{ force = \"Load\", displacement = \"3\" }`: columns of the file, in place of what names and units say, with a "
-             "unit that the header lacks as in `\"Kraft[uN]\"`, or expressions over them such as `\"-1 * load\"`; "
-             "also `contact_radius`, `time`"},
-            read_columns)
+    keys.add({"columns", "table of texts", "", "",
+              "`{ force = \"Load\", displacement = \"3\" }`: columns of the file, in place of those found "
+              "by names and units, with a unit that the header lacks as in `\"Kraft[uN]\"`, or expressions "
+              "over columns such as `\"-1 * load\"`; also `contact_radius`, `time`"},
+             read_columns)
         .whole("samples_dropped", analysis(&Analysis::samples_dropped), 0, max_samples,
-               "samples left out after the jump-in")
+               "number of samples left out after the jump-in")
         .whole("retraction_points", analysis(&Analysis::retraction_points), 2, max_samples,
-               "samples before pull-off that (S2) rests on")
+               "number of samples before pull-off that are used for Eq. S2")
         .add("effective_variance", analysis(&Analysis::effective_variance),
-             "fits allow for the errors of force too, where they are known")
+             "whether fits take the errors of force into account, too, where they are known")
         .parsed(
             "drift", "`auto`, `none`, `linear`, `quadratic`, `cubic`, `extrapolate`",
             [](ExperimentInput& e, const std::string& text) {
                 e.options.segments.drift = loops::drift_model_named(text);
             },
-            "curve that the zero of force follows in time ([loops](../concepts/loops.md#drift))")
+            "curve of the zero of force against time ([loops](../concepts/loops.md#drift))")
         .by_default("`auto`")
-        .add({"force_drift", "true or false", "", "true", "false: the same as `drift = \"none\"`"}, read_force_drift)
+        .add({"force_drift", "true or false", "", "true",
+              "whether a drift of force is removed; `false` is equivalent to `drift = \"none\"`"},
+             read_force_drift)
         .add(
             "force_zero", [](auto& e) -> auto& { return e.options.segments.force_baseline; }, dimension::force,
-            "zero of force where no free flight shows it; no drift is then removed")
+            "zero of force, for records without free flight; no drift is removed then")
         .add("leave_pinned_out", analysis(&Analysis::leave_pinned_out),
-             "unloading fits begin where the contact edge lets go")
+             "whether unloading fits begin where the contact edge starts to move")
         .add("retraction_modulus_free", analysis(&Analysis::retraction_modulus_free),
-             "E* of (S2) is fitted, not taken from loading")
+             "whether E* of Eq. S2 is fitted instead of taken from loading")
         .add("displacement_drift", analysis(&Analysis::displacement_drift_rate), dimension::length / dimension::time,
-             "rate of the displacement's drift, where a reference tells it")
+             "drift rate of the displacement, where a reference measurement gives it")
         .add("interaction_range", analysis(&Analysis::interaction_range), positive(dimension::length),
-             "z0 of the Tabor parameter")
+             "range of interaction z0 of the Tabor parameter")
         .plausible(1e-11, 1e-5)
         .by_default("3e-10")
         .add(
             "baseline_share", [](auto& e) -> auto& { return e.options.segments.baseline_share; },
             {dimension::none, domain::share},
-            "share of the record, from its start, that is free flight; where it is missing, free flight is found")
+            "share of the record, from its start, that is free flight; without this key, free flight is "
+            "determined from the record")
         .add("contact_radius_noise", analysis(&Analysis::contact_radius_noise), positive(dimension::length),
-             "of a radius; where it is missing, from the radii's second differences")
+             "standard error of a contact radius; without this key, it is determined from second "
+             "differences of the radii")
         .plausible(1e-12, 1e-2)
         .add({"machine_stiffness", "quantity ± error", si_unit(dimension::stiffness), "",
-              "of a stage whose position stands for the displacement"},
+              "stiffness of the testing machine, for records of the stage position instead of the displacement"},
              read_machine_stiffness)
         .add("force_calibration", &ExperimentInput::force_calibration, positive(dimension::none),
-             "true force over what the file says")
+             "true force divided by the force of the file")
         .plausible(0.01, 100.0)
         .by_default("1")
         .add("displacement_calibration", &ExperimentInput::displacement_calibration, positive(dimension::none),
-             "likewise of the displacement; a contact point or drift given here is multiplied, too")
+             "true displacement divided by the displacement of the file; a contact point or drift given "
+             "here is multiplied by it, too")
         .plausible(0.01, 100.0)
         .by_default("1")
         .add("contact_radius_calibration", &ExperimentInput::contact_radius_calibration, positive(dimension::none),
-             "likewise of the contact radius: the size of the camera's pixel, say; its noise is multiplied, too")
+             "true contact radius divided by the contact radius of the file, such as the size of the "
+             "camera's pixel; `contact_radius_noise` is multiplied by it, too")
         .plausible(1e-10, 1e3)
         .by_default("1")
         .parsed(
@@ -129,26 +134,26 @@ Keys<ExperimentInput> keys_of_loops() {
             [](ExperimentInput& e, const std::string& text) {
                 e.options.contact_point = loops::parse_contact_point(text);
             },
-            "where fits of force against displacement begin ([loops](../concepts/loops.md))")
+            "contact point of fits of force against displacement ([loops](../concepts/loops.md))")
         .by_default("`auto`")
-        .add(
-            {"models", "list of texts", "", "",
-             "models fitted beside JKR's own routes ([contact models](../concepts/contact-models.md)), or `[\"all\"]`; in study.json under "
-             "`models`"},
-            read_models)
-        .add("profile", fitted(&Models::profile), "E* and W by profile likelihood")
-        .add("crack_speed", fitted(&Models::crack_speed), "G(v) of the receding edge")
-        .add({"exponent", "number", "", "", "n of G(v), held; where it is missing it is fitted"}, read_exponent)
+        .add({"models", "list of texts", "", "",
+              "models that are fitted in addition to JKR ([contact "
+              "models](../concepts/contact-models.md)), or `[\"all\"]`; in study.json under `models`"},
+             read_models)
+        .add("profile", fitted(&Models::profile), "whether E* and W are fitted by profile likelihood")
+        .add("crack_speed", fitted(&Models::crack_speed), "whether G(v) of the retracting edge is fitted")
+        .add({"exponent", "number", "", "", "exponent n of G(v), kept fixed; without this key, n is fitted"},
+             read_exponent)
         .parsed(
             "fit_errors", "`orthogonal_distance`, `effective_variance`, `force_only`",
             [](ExperimentInput& e, const std::string& text) { e.models.errors = fit_errors_named(text); },
-            "errors of these fits")
+            "error model of the fits of `models`")
         .by_default("`" + to_string(Models{}.errors) + "`")
-        .add(
-            {"share", "list of texts", "", "",
-             "`modulus`, `work` or both: one fit of all loops on each elastomer that ask for it, alike in share, models and "
-             "fit_errors; in study.json under `shared_fit`"},
-            read_share);
+        .add({"share", "list of texts", "", "",
+              "shared parameters, `modulus`, `work` or both: one fit of all loops on each elastomer that "
+              "have this key; these loops need equal share, models and fit_errors; in study.json under "
+              "`shared_fit`"},
+             read_share);
     return keys;
 }
 

@@ -217,8 +217,8 @@ Ending ending_of(const std::string& path) {
     const auto ending = fs::path(path).extension().string();
     if (ending == ".yml" || ending == ".yaml") return Ending::yaml;
     if (ending == ".toml") return Ending::toml;
-    throw InvalidArgument(fmt::format(
-        "{}: cannot tell the format of a pipeline from the name; expected an ending .yml, .yaml or .toml", path));
+    throw InvalidArgument(
+        fmt::format("{}: the name gives no format of a pipeline; expected an ending .yml, .yaml or .toml", path));
 }
 
 }  // namespace

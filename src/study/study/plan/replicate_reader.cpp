@@ -273,7 +273,7 @@ std::vector<ExclusionRule> read_exclusions(const std::string& path) {
 
 ReplicateTables read_replicates(const std::vector<std::string>& paths, const ReplicateColumns& columns,
                                 const std::vector<ExclusionRule>& exclusions) {
-    if (paths.empty()) throw InvalidArgument("no table is given; expected CSV files with a row for each fit");
+    if (paths.empty()) throw InvalidArgument("no table is given; expected CSV files with one row per fit");
     std::vector<tables::TextTable> tables;
     for (const auto& path : paths) tables.push_back(tables::read_text_table(path));
     ReplicateTables result;

@@ -54,7 +54,7 @@ void require_other_references(const TomlReader& reader, const MeasurementInput& 
         if (fs::path(reference).lexically_normal() == fs::path(input.file).lexically_normal() ||
             fs::equivalent(reference, input.file, ignored))
             reader.fail("references",
-                        fmt::format("{} is the measurement itself, expected scans of a smooth standard", reference));
+                        fmt::format("{} is the measurement itself, expected scans of a smooth reference", reference));
     }
 }
 
@@ -62,64 +62,69 @@ const Keys<MeasurementInput>& measurement_keys() {
     using Input = MeasurementInput;
     static const auto keys =
         Keys<Input>()
-            .file("file", &Input::file, "map, line scan or contour")
+            .file("file", &Input::file, "file of a map, line scan or contour")
             .required()
-            .add(
-                {"channel", "whole number from 0 or text", "", "",
-                 "number or name of the file's channel, or the beginning of its name; a container without it gives all "
-                 "its members, other files their [preferred channel](formats/README.md#which-channel)"},
-                read_channel)
+            .add({"channel", "whole number from 0 or text", "", "",
+                  "number or name of the channel of the file, or the beginning of the name; without this key, "
+                  "a container gives all measurements that it contains, and another file gives its [preferred "
+                  "channel](formats/README.md#which-channel)"},
+                 read_channel)
             .choice<std::string>("instrument", &Input::instrument,
                                  {{"stylus", "stylus"}, {"afm", "afm"}, {"tem", "tem"}, {"optical", "optical"}},
-                                 "its kind")
+                                 "kind of the instrument")
             .add("tip_radius", &Input::tip_radius, positive(dimension::length),
-                 "what the tip hides is cut from the spectrum")
+                 "radius of the tip; wavelengths that the tip does not resolve are removed from the spectrum")
             .plausible(1e-10, 1e-3)
-            .choice<std::string>("tip_shape", &Input::tip_shape,
-                                 {{"sphere", "sphere"}, {"cone", "cone"}, {"paraboloid", "paraboloid"}},
-                                 "of the tip, with `tip_radius` at its apex; without it a sphere")
+            .choice<std::string>(
+                "tip_shape", &Input::tip_shape, {{"sphere", "sphere"}, {"cone", "cone"}, {"paraboloid", "paraboloid"}},
+                "shape of the tip, with `tip_radius` as the radius of the apex; without this key a sphere")
             .parsed(
                 "tip_half_angle", "an angle such as `20 deg`",
                 [](Input& input, const std::string& text) {
                     input.tip_half_angle = parse_quantity(text, {dimension::none, domain::acute_angle});
                 },
-                "between axis and flank of a cone")
+                "angle between the axis and the flank of a conical tip")
             .file("tip_file", &Input::tip_file,
-                  "a map of the tip, apex up, as `setae tip` writes it, in place of a shape; the fitted spectrum reads "
-                  "with it")
+                  "map of the tip, apex up, as `setae tip` writes it, in place of a shape; used for the fitted "
+                  "spectrum")
             .add("foil_thickness", &Input::foil_thickness, positive(dimension::length),
-                 "of a side view's lamella along the beam; without it what the contour's file says, else a line")
+                 "thickness of the foil of a projected contour (TEM) along the beam; without this key, the "
+                 "thickness that the contour file states, else zero (a line)")
             .plausible(1e-9, 1e-4)
-            .add(
-                "height_calibration", &Input::height_calibration, positive(dimension::none),
-                "true heights over those of the file, such as `1.00 ± 0.02`; heights are multiplied with it behind the "
-                "pipeline. Under one name in `[inputs]` it is one instrument's in all surfaces")
+            .add("height_calibration", &Input::height_calibration, positive(dimension::none),
+                 "true heights divided by heights of the file, such as `1.00 ± 0.02`; heights are multiplied "
+                 "by it after the pipeline. If it has a name in `[inputs]`, it is one input of one instrument "
+                 "in all surfaces")
             .plausible(0.01, 100.0)
             .add("lateral_calibration", &Input::lateral_calibration, positive(dimension::none),
-                 "the same of lengths along the surface; a micrograph has both under one name")
+                 "true lengths along the surface divided by lengths of the file; lengths are multiplied by it "
+                 "after the pipeline. Both calibrations of a micrograph have one name")
             .plausible(0.01, 100.0)
             .add("numerical_aperture", &Input::numerical_aperture, positive(dimension::none),
-                 "of an optical profiler; with `light_wavelength` the fitted spectrum allows for what it blurs")
+                 "numerical aperture of an optical profiler; with `light_wavelength`, the fitted spectrum "
+                 "takes the optical transfer function into account")
             .plausible(0.01, 1.6)
             .add("light_wavelength", &Input::light_wavelength, positive(dimension::length),
-                 "mean wavelength of its light")
+                 "mean wavelength of the light of an optical profiler")
             .plausible(1e-7, 1e-5)
             .add("resolution", &Input::resolution, positive(dimension::length),
-                 "what it hides is cut from the spectrum")
+                 "lateral resolution of the instrument; shorter wavelengths are removed from the spectrum")
             .plausible(1e-11, 1e-3)
             .parsed(
                 "trend", "`none`, `mean`, `tilt`, `parabola`",
                 [](Input& input, const std::string& name) { input.trend = topography::trend_from_name(name); },
-                "what is removed from the heights; without it: none behind a pipeline that levels, else what a container "
-                "says, else parabola for stylus, tilt otherwise")
+                "trend that is subtracted from the heights; without this key: none after a pipeline that "
+                "levels, else the trend that a container states, else `parabola` for a stylus and `tilt` for "
+                "other instruments")
             .parsed(
                 "direction", "`x`, `y`, an angle such as `30 deg`",
                 [](Input& input, const std::string& text) { input.direction = direction_from_text(text); },
-                "of its lines, or of a map's x, on the surface; without it x. Surfaces that are longer along one "
-                "direction need it where not all files were measured along the same")
-            .file("references", &Input::references, "scans of a smooth standard; their average is subtracted")
-            .add("unit", &Input::unit, "of lengths and heights, where the file leaves it open")
-            .add({"size", "one or two quantities above 0", "m", "", "where the file leaves it open"},
+                "direction of the lines, or of the x axis of a map, on the surface; without this key x. "
+                "Required for anisotropic surfaces whose files were not all measured along one direction")
+            .file("references", &Input::references, "scans of a smooth reference; their average is subtracted")
+            .add("unit", &Input::unit, "unit of lengths and heights, where the file does not state it")
+            .add({"size", "one or two quantities above 0", "m", "",
+                  "length of a line, or both lengths of a map, where the file does not state them"},
                  [](TomlReader& reader, Input& input) {
                      auto lengths = reader.quantities("size", positive(dimension::length));
                      if (lengths.size() > 2)
@@ -129,10 +134,11 @@ const Keys<MeasurementInput>& measurement_keys() {
                  })
             .choice<std::string>(
                 "layout", &Input::layout, {{"matrix", "matrix"}, {"columns", "columns"}},
-                "what a text's columns are where that is ambiguous: the rows of a map, or positions and heights")
+                "meaning of the columns of a text file where it is ambiguous: rows of a map, or positions and heights")
             .add("keep_values", &Input::keep_values,
-                 "values that [mark missing heights](undefined-heights.md) stay heights")
-            .add({"pipeline", "file", "", "", "[processing steps](../guides/processing.md) done before"},
+                 "values that [mark missing heights](undefined-heights.md) but are kept as heights")
+            .add({"pipeline", "file", "", "",
+                  "[processing steps](../guides/processing.md) that are applied before the analysis"},
                  read_pipeline_of);
     return keys;
 }
@@ -154,17 +160,17 @@ const Keys<PublishedMoments>& moment_keys() {
     using Moments = PublishedMoments;
     static const auto keys =
         Keys<Moments>()
-            .add("rms_height", &Moments::rms_height, positive(dimension::length), "h_rms")
+            .add("rms_height", &Moments::rms_height, positive(dimension::length), "rms height h_rms")
             .plausible(1e-12, 1e-3)
             .required()
-            .add("rms_slope", &Moments::rms_slope, positive(dimension::none), "h'_rms")
+            .add("rms_slope", &Moments::rms_slope, positive(dimension::none), "rms slope h'_rms")
             .plausible(1e-7, 1e2)
             .required()
-            .add("rms_curvature", &Moments::rms_curvature, positive(dimension::wavevector), "h''_rms")
+            .add("rms_curvature", &Moments::rms_curvature, positive(dimension::wavevector), "rms curvature h''_rms")
             .plausible(1e-3, 1e11)
             .required()
             .add("short_wavevector", &Moments::short_wavevector, positive(dimension::wavevector),
-                 "where the spectrum ends")
+                 "wavevector at which the spectrum ends")
             .plausible(1e2, 1e12)
             .required();
     return keys;
@@ -175,7 +181,7 @@ const Keys<SurfaceInput>& surface_keys() {
     static const auto keys =
         Keys<Input>()
             .add("description", &Input::description, "free text")
-            .add({"measurements", "list of tables", "", "", "files of the surface, keys below"},
+            .add({"measurements", "list of tables", "", "", "files of the surface; keys of each file are listed below"},
                  [](TomlReader& reader, Input& surface) {
                      reader.each_table("measurements", [&](TomlReader inner) {
                          const auto place = inner;
@@ -185,15 +191,15 @@ const Keys<SurfaceInput>& surface_keys() {
                      });
                  })
             .file("power_spectrum", &Input::power_spectrum,
-                  "a table of C1D, or of C_iso, against wavevector, frequency or wavelength in place of measurements")
+                  "table of C1D or C_iso against wavevector, frequency or wavelength, in place of measurements")
             .parsed(
                 "power_spectrum_unit", "two columns such as `1/um, nm3`",
                 [](Input& input, const std::string& text) {
                     input.spectrum_units = tables::SpectrumUnits::from_text(text);
                 },
-                "units of its columns where its header has none, and what they hold: `frequency 1/um, one-sided nm3`, "
-                "`wavevector, W1` (h_rms² = ∫ W1 dk over ±k), `Wr`, `W2`")
-            .add({"pipeline", "file", "", "", "processing steps of all measurements that name none of their own"},
+                "units and kind of the columns where the header does not state them: `frequency 1/um, "
+                "one-sided nm3`, `wavevector, W1` (h_rms² = ∫ W1 dk over ±k), `Wr`, `W2`")
+            .add({"pipeline", "file", "", "", "processing steps of all measurements without a pipeline of their own"},
                  [](TomlReader& reader, Input& surface) {
                      MeasurementInput of_all;
                      read_pipeline_of(reader, of_all);
@@ -208,7 +214,7 @@ const Keys<SurfaceInput>& surface_keys() {
                     forget_places(moments);
                     surface.moments = moments;
                 },
-                "published moments in place of measurements: a self-affine reconstruction");
+                "published moments in place of measurements; a self-affine spectrum is reconstructed from them");
     return keys;
 }
 
@@ -248,10 +254,10 @@ const Keys<StatedEdgeSpeed>& edge_speed_keys() {
     static const auto keys =
         Keys<Stated>()
             .add("reference_speed", &Stated::reference_speed, positive(dimension::length / dimension::time),
-                 "v0 of G(v) = W_ret [1 + (v/v0)^n]")
+                 "reference speed v0 of G(v) = W_ret [1 + (v/v0)^n]")
             .plausible(1e-15, 100.0)
             .required()
-            .add("exponent", &Stated::exponent, positive(dimension::none), "n")
+            .add("exponent", &Stated::exponent, positive(dimension::none), "exponent n of G(v)")
             .plausible(1e-3, 100.0)
             .required();
     return keys;
@@ -261,10 +267,10 @@ const Keys<StatedRelaxation>& relaxation_keys() {
     using Stated = StatedRelaxation;
     static const auto keys =
         Keys<Stated>()
-            .add("share", &Stated::share, non_negative(dimension::none), "g of E(t)/E∞ = 1 + Σ g e^(−t/τ)")
+            .add("share", &Stated::share, non_negative(dimension::none), "share g of E(t)/E∞ = 1 + Σ g e^(−t/τ)")
             .plausible(1e-6, 1e3)
             .required()
-            .add("time", &Stated::time, positive(dimension::time), "τ")
+            .add("time", &Stated::time, positive(dimension::time), "relaxation time τ")
             .plausible(1e-9, 1e9)
             .required();
     return keys;
@@ -275,59 +281,61 @@ const Keys<ElastomerInput>& elastomer_keys() {
     static const auto keys =
         Keys<Input>()
             .add("youngs_modulus", &Input::youngs_modulus, positive(dimension::pressure),
-                 "without it the mean of the loops on this elastomer")
+                 "Young's modulus; without this key, the mean of the loops on this elastomer")
             .plausible(1e2, 2e8)
-            .add("poisson_ratio", &Input::poisson_ratio, {dimension::none, domain::poisson_ratio}, "")
+            .add("poisson_ratio", &Input::poisson_ratio, {dimension::none, domain::poisson_ratio}, "Poisson's ratio")
             .by_default("0.5")
-            .add("surface_energy", &Input::surface_energy, non_negative(dimension::surface_energy), "γ1")
+            .add("surface_energy", &Input::surface_energy, non_negative(dimension::surface_energy), "surface energy γ1")
             .plausible(1e-3, 1.0)
             .required()
             .add({"surface_energy_law", "table", "", "",
-                  "`{ area_ratio = [1.0, …], surface_energy = [\"25 mJ/m2\", …], form = \"end_states\" }`: γ1 against "
-                  "stretched area, for the general balance; `form = \"printed\"` is (5)–(6) with ∫ γ1 dA"},
+                  "`{ area_ratio = [1.0, …], surface_energy = [\"25 mJ/m2\", …], form = \"end_states\" }`: γ1 "
+                  "against the ratio of stretched to unstretched area, for the balance with a strain-dependent "
+                  "surface energy (Eq. 6); `form = \"printed\"` uses Eqs. 5 and 6 as printed, with ∫ γ1 dA"},
                  [](TomlReader& reader, Input& elastomer) {
                      reader.table("surface_energy_law", [&](TomlReader inner) {
                          elastomer.surface_energy_law = read_surface_energy_law(std::move(inner));
                      });
                  })
-            .add(
-                "interface_change", &Input::interface_change, dimension::surface_energy,
-                "χ of an interface whose energy changes with the stretch of the soft side, γ1s2 − γ12 = χ (r − 1), for "
-                "the general balance")
-            .add("sphere_radius", &Input::sphere_radius, positive(dimension::length), "of the lens")
+            .add("interface_change", &Input::interface_change, dimension::surface_energy,
+                 "coefficient χ of an interfacial energy that changes with the stretch of the soft side, γ1s2 "
+                 "− γ12 = χ (r − 1), for the balance with a strain-dependent surface energy (Eq. 6)")
+            .add("sphere_radius", &Input::sphere_radius, positive(dimension::length), "radius of curvature of the lens")
             .plausible(1e-9, 1.0)
-            .add("sphere_height", &Input::sphere_height, positive(dimension::length), "of the lens")
+            .add("sphere_height", &Input::sphere_height, positive(dimension::length), "height of the lens")
             .plausible(1e-8, 1.0)
             .add("preload", &Input::preload, non_negative(dimension::force),
-                 "with sphere_radius: loops with this largest force are predicted, measured or not")
+                 "largest force of the predicted loops; requires `sphere_radius`. Loops are predicted for "
+                 "measured and unmeasured pairs")
             .plausible(1e-12, 10.0)
             .add("speed", &Input::speed, positive(dimension::length / dimension::time),
-                 "of the motor in loops of pairs that have none; without it the mean of the loops on this elastomer")
+                 "speed of the motor for pairs without a measured loop; without this key, the mean of the "
+                 "loops on this elastomer")
             .plausible(1e-12, 1.0)
             .add("hold_time", &Input::hold_time, non_negative(dimension::time),
-                 "of the motor at their turning point, likewise")
+                 "hold time at maximum preload for pairs without a measured loop; without this key, the mean "
+                 "of the loops on this elastomer")
             .plausible(1e-6, 1e7)
             .table<StatedEdgeSpeed>(
                 "crack_speed", edge_speed_keys(),
                 [](Input& e, StatedEdgeSpeed stated) { e.crack_speed = std::move(stated); },
-                "`{ reference_speed = \"1.0 ± 0.1 um/s\", exponent = \"0.60 ± 0.02\" }`: how much more energy an edge asks for "
-                "the faster it recedes; without it, it is fitted to the references on this elastomer "
-                "([hysteresis](../concepts/hysteresis.md))")
-            .add(
-                {"relaxation", "list of tables", "", "",
-                 "`[{ share = \"0.10 ± 0.02\", time = \"20 s\" }, …]`: terms of E(t)/E∞ = 1 + Σ g e^(−t/τ), by which its bulk "
-                 "relaxes"},
-                [](TomlReader& reader, Input& elastomer) {
-                    reader.each_table("relaxation", [&](TomlReader inner) {
-                        elastomer.relaxation.push_back(relaxation_keys().from(std::move(inner)));
-                    });
-                })
+                "`{ reference_speed = \"1.0 ± 0.1 um/s\", exponent = \"0.60 ± 0.02\" }`: dependence of the "
+                "work of retraction on the speed of the contact edge; without this key, it is fitted to the "
+                "references on this elastomer ([hysteresis](../concepts/hysteresis.md))")
+            .add({"relaxation", "list of tables", "", "",
+                  "`[{ share = \"0.10 ± 0.02\", time = \"20 s\" }, …]`: terms of the bulk relaxation E(t)/E∞ = "
+                  "1 + Σ g e^(−t/τ)"},
+                 [](TomlReader& reader, Input& elastomer) {
+                     reader.each_table("relaxation", [&](TomlReader inner) {
+                         elastomer.relaxation.push_back(relaxation_keys().from(std::move(inner)));
+                     });
+                 })
             .add("crosslink_molar_mass", &Input::crosslink_molar_mass, positive(dimension::molar_mass),
-                 "M_c, for the plausibility of E against ρRT/M_c")
+                 "molar mass M_c between crosslinks; E is compared with ρRT/M_c")
             .plausible(1e-3, 1e5)
-            .add("density", &Input::density, positive({{-3, 1, 0, 0, 0, 0}}), "ρ of it")
+            .add("density", &Input::density, positive({{-3, 1, 0, 0, 0, 0}}), "density ρ, for ρRT/M_c")
             .plausible(100.0, 1e4)
-            .add("temperature", &Input::temperature, positive(dimension::temperature), "T of it")
+            .add("temperature", &Input::temperature, positive(dimension::temperature), "temperature T, for ρRT/M_c")
             .plausible(50.0, 1000.0);
     return keys;
 }
@@ -337,17 +345,18 @@ const Keys<CameraInput>& camera_keys() {
     static const auto keys =
         Keys<Input>()
             .file("file", &Input::file,
-                  "contact radii on the camera's own clock, or its pictures: TIFF stack, AVI, folder")
+                  "file of contact radii with the camera's clock, or pictures: TIFF stack, AVI, folder")
             .required()
-            .file("mapping", &Input::mapping, "names the columns of a foreign table: its file or its name")
+            .file("mapping", &Input::mapping, "mapping of the columns of a foreign table: a file or a name")
             .add("clock_offset", &Input::clock_offset, dimension::time,
-                 "added to the camera's times; without it, it is found")
-            .add("pixel_size", &Input::pixel_size, positive(dimension::length), "of pictures that do not say it")
+                 "time that is added to the camera's times; without this key, it is determined from the record")
+            .add("pixel_size", &Input::pixel_size, positive(dimension::length),
+                 "size of a pixel, for pictures that do not state it")
             .plausible(1e-10, 1e-2)
             .add("frame_rate", &Input::frame_rate, positive(dimension::none / dimension::time),
-                 "of pictures that do not say it")
+                 "frame rate, for pictures that do not state it")
             .plausible(1e-5, 1e8)
-            .add("fringes", &Input::fringes, "pictures show Newton's rings around the contact");
+            .add("fringes", &Input::fringes, "whether the pictures contain Newton's rings around the contact");
     return keys;
 }
 
@@ -355,50 +364,51 @@ const Keys<ExperimentInput>& experiment_keys() {
     using Input = ExperimentInput;
     static const auto keys =
         Keys<Input>()
-            .file("file", &Input::file, "a loop: table, workbook or force curve")
+            .file("file", &Input::file, "file of a loop: table, workbook or force curve")
             .required()
-            .file(
-                "mapping", &Input::mapping,
-                "names the columns of a foreign table (examples/mappings/eoh.toml): its file, or its name where it came "
-                "with setae, such as `eoh`")
+            .file("mapping", &Input::mapping,
+                  "mapping of the columns of a foreign table (examples/mappings/eoh.toml): a file, or the name "
+                  "of a mapping that setae contains, such as `eoh`")
             .table<CameraInput>(
                 "camera", camera_keys(), [](Input& e, CameraInput camera) { e.camera = std::move(camera); },
-                "contact radii from elsewhere, keys below")
+                "contact radii from a separate file; keys are listed below")
             .add(
                 "spring_constant", [](auto& e) -> auto& { return e.force_curve.spring_constant; },
-                positive(dimension::stiffness), "of force curves whose file does not say it")
+                positive(dimension::stiffness), "spring constant, for force curves whose file does not state it")
             .plausible(1e-6, 1e9)
             .parsed(
                 "sensitivity", "quantity",
                 [](Input& e, const std::string& text) { e.force_curve.sensitivity = tables::parse_sensitivity(text); },
-                "likewise, in m/V or m/A")
+                "deflection sensitivity, in m/V or m/A, for force curves whose file does not state it")
             .add({"segments", "list of texts", "", "",
-                  "replace what was found in the record, such as `\"loading=120:900\"`, `\"ignore=30:35 (slip)\"` "
-                  "([loops](../concepts/loops.md))"},
+                  "corrections to the segments that were found in the record, such as `\"loading=120:900\"`, "
+                  "`\"ignore=30:35 (slip)\"` ([loops](../concepts/loops.md))"},
                  [](TomlReader& reader, Input& e) {
                      for (const auto& edit : reader.texts("segments"))
                          parse_at(reader, "segments", [&] { loops::add_segment_edit(e.options.segments.edits, edit); });
                  })
             .choice<bool>("role", &Input::reference, {{"rough", false}, {"reference", true}},
-                          "a reference is measured on a smooth reference surface and names no surface of the study")
-            .add("surface", &Input::surface, "one of [surfaces]")
-            .add("elastomer", &Input::elastomer, "one of [elastomers]")
+                          "kind of the loop: a loop on a rough surface of the study, or a reference on a smooth "
+                          "surface, which names no surface")
+            .add("surface", &Input::surface, "name of one of [surfaces]")
+            .add("elastomer", &Input::elastomer, "name of one of [elastomers]")
             .required()
-            .add("sphere_radius", &Input::sphere_radius, positive(dimension::length), "overrides the elastomer's")
+            .add("sphere_radius", &Input::sphere_radius, positive(dimension::length),
+                 "radius of curvature of the lens of this loop, in place of the value of the elastomer")
             .plausible(1e-9, 1.0)
             .choice<std::string>("stage", &Input::stage, {{"before", "before"}, {"after", "after"}},
-                                 "of a reference: before or after the rough loops")
-            .add(
-                "lens", &Input::lens,
-                "label of what was repeated, for all loops on an elastomer or none: measured values are then means of a "
-                "mixed model ([replicates](../guides/replicates.md))")
-            .add("spot", &Input::spot, "likewise")
+                                 "whether a reference was measured before or after the rough loops")
+            .add("lens", &Input::lens,
+                 "label of the lens of a repeated loop, given for all loops on an elastomer or for none; "
+                 "measured values are then means of a mixed model ([replicates](../guides/replicates.md))")
+            .add("spot", &Input::spot,
+                 "label of the spot on the surface, given for all loops on an elastomer or for none, like `lens`")
             .add({"exclude", "text", "", "",
-                  "why the loop is left out of every mean; it is analysed and shown all the same"},
+                  "reason for which the loop is left out of all means; the loop is still analysed and shown"},
                  [](TomlReader& reader, Input& e) {
                      const auto reason = reader.text("exclude");
                      if (reason && trimmed(*reason).empty())
-                         reader.fail("exclude", "an exclusion without a reason; write why the loop is left out");
+                         reader.fail("exclude", "an exclusion without a reason; state why the loop is left out");
                      e.exclusion = reason.value_or("");
                  });
     return keys;
@@ -413,10 +423,11 @@ void require_same_shared_fit(const TomlReader& reader, const ExperimentInput& ex
     if (!asks(experiment)) return;
     for (const auto& other : study.experiments)
         if (other.elastomer == experiment.elastomer && asks(other) && fit(other.models) != fit(experiment.models))
-            reader.fail("share",
-                        fmt::format("expected what {} on the same elastomer says of share, models and fit_errors, as "
-                                    "both are in one fit; or share = [] to leave this loop out of it",
-                                    other.file));
+            reader.fail(
+                "share",
+                fmt::format("expected the share, models and fit_errors of {} on the same elastomer, as both are in one "
+                            "fit; or share = [] to leave this loop out of the fit",
+                            other.file));
 }
 
 /// The mapping of that name in a folder, where there is no such file beside the study.
@@ -475,14 +486,14 @@ public:
     }
 
     [[nodiscard]] static std::vector<KeyDescription> descriptions() {
-        std::vector<KeyDescription> keys{
-            {"elastomers", "list of texts", "", "", "names, in the order of the rows' entries"}};
+        std::vector<KeyDescription> keys{{"elastomers", "list of texts", "", "",
+                                          "names of the elastomers, in the order of the entries of each row"}};
         for (const auto& field : fields())
             keys.push_back({field.key, "table", si_unit(field.dimension), "", field.meaning});
-        keys.push_back({radius_key, "table", si_unit(dimension::length), "", "at maximum preload"});
+        keys.push_back({radius_key, "table", si_unit(dimension::length), "", "contact radius at maximum preload"});
         keys.push_back({"reference", "table", "", "",
-                        "`KEY = [one value an elastomer]` of the smooth standard, KEY one of "
-                        "approach, pull_off, retraction, loss, contact_radius"});
+                        "`KEY = [one value per elastomer]` of the smooth reference, with KEY one of approach, "
+                        "pull_off, retraction, loss, contact_radius"});
         return keys;
     }
 
@@ -498,11 +509,12 @@ private:
     };
     static const std::vector<Field>& fields() {
         static const std::vector<Field> list{
-            {"approach", dimension::surface_energy, &PublishedPair::approach, "W of loading"},
-            {"pull_off", dimension::surface_energy, &PublishedPair::pull_off, "W by (S1)"},
+            {"approach", dimension::surface_energy, &PublishedPair::approach, "work of adhesion W of loading"},
+            {"pull_off", dimension::surface_energy, &PublishedPair::pull_off,
+             "work of adhesion W from the pull-off force (Eq. S1)"},
             {"retraction", dimension::surface_energy, &PublishedPair::retraction,
-             "W by (S2) or of the retraction branch"},
-            {"loss", dimension::energy, &PublishedPair::loss, "E_loss"}};
+             "work of adhesion W from the points before pull-off (Eq. S2) or from the retraction branch"},
+            {"loss", dimension::energy, &PublishedPair::loss, "energy loss E_loss of a loop"}};
         return list;
     }
 
@@ -556,45 +568,49 @@ const Keys<SurfaceAnalysisOptions>& analysis_keys() {
             .choice<SpectrumMethod>(
                 "spectrum", &Options::spectrum,
                 {{"average", SpectrumMethod::average}, {"likelihood", SpectrumMethod::likelihood}},
-                "the mean of C1D over measurements, or C_iso fitted to all of them at once; without it "
-                "the likelihood of surfaces with several measurements")
+                "spectrum of a surface: the mean of C1D over measurements, or C_iso fitted to all "
+                "measurements at once; without this key `likelihood` for surfaces with several measurements")
             .add("longest_wavelength", &Options::longest_wavelength, positive(dimension::length),
-                 "limit of all integrals; its ± is in every number of every surface that reaches so far")
+                 "longest wavelength of all integrals; its standard error is propagated to every result of "
+                 "every surface whose data reach it")
             .plausible(1e-10, 1.0)
-            .add("shortest_wavelength", &Options::shortest_wavelength, positive(dimension::length), "likewise")
+            .add(
+                "shortest_wavelength", &Options::shortest_wavelength, positive(dimension::length),
+                "shortest wavelength of all integrals; its standard error is propagated to every result of every surface whose data reach it")
             .plausible(1e-11, 1e-3)
             .add(
                 "surface_shortest_wavelength", [](auto& o) -> auto& { return o.likelihood.shortest_wavelength; },
                 positive(dimension::length),
-                "shorter waves the surface does not have, and data that speak of them are left out; of likelihoods")
+                "shortest wavelength of the surface; the spectrum has no shorter wavelengths, and data at "
+                "shorter wavelengths are left out; for likelihoods")
             .plausible(1e-11, 1e-3)
             .choice<Conversion>(
                 "conversion", &Options::conversion, {{"exact", Conversion::exact}, {"eq11", Conversion::eq11}},
-                "how C1D gives 2D parameters, with the other one beside it; of averages and given spectra")
+                "conversion of C1D to 2D parameters; results of the other conversion are reported, too; for "
+                "averages and given spectra")
             .choice<ContourTreatment>(
                 "contours", &Options::contours,
                 {{"sinc_corrected", ContourTreatment::sinc_corrected}, {"segments", ContourTreatment::segments}},
-                "`segments` is the paper's way; of averages")
+                "treatment of contours; `segments` is that of Dalvi et al. 2019; for averages")
             .choice<Weighting>("weighting", &Options::weighting,
                                {{"equal", Weighting::equal},
                                 {"per_instrument", Weighting::per_instrument},
                                 {"inverse_variance", Weighting::inverse_variance}},
-                               "of measurements in averages")
+                               "weights of measurements in averages")
             .parsed(
                 "window", "`automatic`, `none`, `hann`, `blackman_harris`",
                 [](Options& options, const std::string& name) { options.window = spectra::window_from_name(name); },
-                "`automatic`: Hann for data that are not periodic; of averages")
+                "window of the periodogram; `automatic`: Hann for data that are not periodic; for averages")
             .by_default("`automatic`")
             .add("tip_percentile", &Options::tip_percentile, {dimension::none, domain::share},
-                 "share of positions that may be sharper than the tip; 0 is the strict criterion; of averages")
-            .whole(
-                "bootstrap_resamples", &Options::bootstrap_resamples, 0, 1'000'000,
-                "replicas over measurements, draws of fitted spectra (at least 40); 0 for neither standard errors nor "
-                "intervals of averages")
+                 "share of positions that may be sharper than the tip; 0 is the strict criterion; for averages")
+            .whole("bootstrap_resamples", &Options::bootstrap_resamples, 0, 1'000'000,
+                   "number of bootstrap replicas over measurements, or of draws of fitted spectra (at least "
+                   "40); 0: averages have neither standard errors nor intervals")
             .whole("seed", &Options::seed, std::numeric_limits<std::int64_t>::min(), Keys<Options>::unbounded,
-                   "of the replicas")
+                   "seed of the random numbers of the replicas")
             .add("cutoff_scan", &Options::cutoff_scan, positive(dimension::length),
-                 "shortest wavelengths at which W_int is fitted again")
+                 "shortest wavelengths for which W_int is fitted again")
             .plausible(1e-11, 1e-2);
     return keys;
 }
@@ -607,10 +623,11 @@ struct RoughSolid {
 const Keys<RoughSolid>& rough_solid_keys() {
     static const auto keys =
         Keys<RoughSolid>()
-            .add("youngs_modulus", &RoughSolid::youngs_modulus, positive(dimension::pressure), "")
+            .add("youngs_modulus", &RoughSolid::youngs_modulus, positive(dimension::pressure), "Young's modulus")
             .plausible(1e6, std::numeric_limits<double>::infinity())  // a rigid one is stated by any large number
             .required()
-            .add("poisson_ratio", &RoughSolid::poisson_ratio, {dimension::none, domain::poisson_ratio}, "")
+            .add("poisson_ratio", &RoughSolid::poisson_ratio, {dimension::none, domain::poisson_ratio},
+                 "Poisson's ratio")
             .required();
     return keys;
 }
@@ -619,12 +636,13 @@ const Keys<ComparisonOptions>& comparison_keys() {
     using Options = ComparisonOptions;
     static const auto keys =
         Keys<Options>()
-            .add(
-                "crossed", &Options::crossed,
-                "`[\"lens\"]` where a lens's label names the same lens on every surface: it was pressed on all of them "
-                "([replicates](../guides/replicates.md)); without it a lens belongs to its surface")
+            .add("crossed", &Options::crossed,
+                 "levels that are crossed with surfaces: `[\"lens\"]` where one label of a lens is one lens "
+                 "on all surfaces ([replicates](../guides/replicates.md)); without this key, each surface has "
+                 "lenses of its own")
             .add("margin", &Options::margin, positive(dimension::surface_energy),
-                 "hysteresis and loss per area of a smooth reference are tested to be smaller")
+                 "margin of an equivalence test: whether hysteresis and loss per area of a smooth reference "
+                 "are smaller")
             .plausible(1e-6, 10.0);
     return keys;
 }
@@ -649,21 +667,21 @@ struct Reported {
 const Keys<Reported>& reported_keys() {
     static const auto keys =
         Keys<Reported>()
-            .add("work_of_adhesion", &Reported::work_of_adhesion, positive(dimension::surface_energy), "W_int")
-            .add("r_squared", &Reported::r_squared, dimension::none, "R²")
-            .add("source", &Reported::source, "where it stands");
+            .add("work_of_adhesion", &Reported::work_of_adhesion, positive(dimension::surface_energy), "reported W_int")
+            .add("r_squared", &Reported::r_squared, dimension::none, "reported R²")
+            .add("source", &Reported::source, "place in the report, such as a table or figure");
     return keys;
 }
 
 const Keys<Study>& top_keys() {
     static const auto keys = Keys<Study>()
-                                 .add("title", &Study::title, "of the report")
+                                 .add("title", &Study::title, "title of the report")
                                  .by_default("name of the file")
                                  .add("description", &Study::description, "free text")
                                  .file("output", &Study::output, "folder of the results")
                                  .by_default("`NAME_results` beside `NAME.toml`")
                                  .add("work_of_adhesion", &Study::work_of_adhesion, positive(dimension::surface_energy),
-                                      "W_int for predictions; without it the fitted one")
+                                      "work of adhesion W_int for predictions; without this key, the fitted W_int")
                                  .plausible(1e-4, 10.0);
     return keys;
 }
@@ -770,34 +788,38 @@ Study read_study(const std::string& path, const std::string& mapping_folder) {
 
 std::vector<KeyTable> study_keys() {
     return {
-        {"", "At the top of the file.", top_keys().descriptions()},
-        {"[analysis]", "How measurements become a spectrum, and a spectrum numbers.", analysis_keys().descriptions()},
-        {"[rough_solid]", "The rough, hard body; needed as soon as there are elastomers.",
-         rough_solid_keys().descriptions()},
-        {"[surfaces.NAME]", "A rough surface: exactly one of measurements, power_spectrum, moments.",
+        {"", "Keys at the top of the file.", top_keys().descriptions()},
+        {"[analysis]", "Determination of spectra from measurements, and of parameters from spectra.",
+         analysis_keys().descriptions()},
+        {"[rough_solid]", "Rough, hard body; required if the study has elastomers.", rough_solid_keys().descriptions()},
+        {"[surfaces.NAME]", "Rough surface, with exactly one of measurements, power_spectrum, moments.",
          surface_keys().descriptions()},
-        {"measurements of [surfaces.NAME]", "One file of a surface.", measurement_keys().descriptions()},
+        {"measurements of [surfaces.NAME]", "File of a surface.", measurement_keys().descriptions()},
         {"moments of [surfaces.NAME]", "", moment_keys().descriptions()},
-        {"[elastomers.NAME]", "A soft solid.", elastomer_keys().descriptions()},
-        {"[[experiments]]", "One loop; every key of [loops], too, for this loop alone.",
+        {"[elastomers.NAME]", "Soft solid.", elastomer_keys().descriptions()},
+        {"[[experiments]]", "Loop. Every key of [loops] can be given for one loop, too.",
          experiment_keys().descriptions()},
         {"crack_speed of [elastomers.NAME]", "", edge_speed_keys().descriptions()},
         {"relaxation of [elastomers.NAME]", "", relaxation_keys().descriptions()},
         {"camera of [[experiments]]", "", camera_keys().descriptions()},
-        {"[loops]", "How every loop is analysed, and what is fitted to it; an experiment may say otherwise.",
+        {"[loops]",
+         "Analysis of loops, and models that are fitted to them; keys of an experiment override these "
+         "keys.",
          loop_keys().descriptions()},
-        {"[comparison]", "How repeated loops and the smooth reference are compared.", comparison_keys().descriptions()},
-        {"[published]", "Measured values of others, rows `SURFACE = [one value an elastomer]`.",
+        {"[comparison]", "Comparison of repeated loops and of the smooth reference.", comparison_keys().descriptions()},
+        {"[published]", "Published measured values, with rows `SURFACE = [one value per elastomer]`.",
          PublishedTables::descriptions()},
         {"[inputs]",
-         "Values with a name, which any key below may mention by it ([inputs](../guides/study.md#inputs-with-a-name)).",
-         {{"any name", "quantity ± error", "", "", "such as `\"1.25 ± 0.01 mm\"`, or `\"1.2 to 1.3 mm\"`"}}},
+         "Named values, to which any key below can refer by name ([inputs](../guides/study.md#inputs-with-a-name)).",
+         {{"any name", "quantity ± error", "", "", "value, such as `\"1.25 ± 0.01 mm\"`, or `\"1.2 to 1.3 mm\"`"}}},
         {"[costs]",
-         "What the next measurement takes, for `setae study STUDY --next`.",
-         {{"loop", "quantity above 0", "s", "", "one more loop on a pair, such as `\"0.5 h\"`"},
-          {"measurements", "quantity above 0", "s", "", "the measurements of a surface once more"},
-          {"any name", "quantity above 0", "s", "", "an input of that name known to half its ±"}}},
-        {"[reported.FIT]", "What others found by `modified`, `persson_tosatti` or `loop`; printed beside ours.",
+         "Duration of further measurements, for `setae study STUDY --next`.",
+         {{"loop", "quantity above 0", "s", "", "duration of one more loop on a pair, such as `\"0.5 h\"`"},
+          {"measurements", "quantity above 0", "s", "", "duration of repeating the measurements of a surface"},
+          {"any name", "quantity above 0", "s", "",
+           "duration of halving the standard error of the input of that name"}}},
+        {"[reported.FIT]",
+         "Reported results of `modified`, `persson_tosatti` or `loop`; printed next to those of setae.",
          reported_keys().descriptions()}};
 }
 
