@@ -52,15 +52,20 @@ template <>
 struct Described<hysteresis::LawTrials> {
     using T = hysteresis::LawTrials;
     static constexpr std::array rows{
-        made<T>("planted", "the law", [](const T& of) { return of.planted.name(); }),
+        made<T>("planted", "retraction model of the simulated pairs", [](const T& of) { return of.planted.name(); }),
         inner<&T::planted>(),
-        field<&T::runs>("runs", "how often"),
-        field<&T::found>("found", "it came out best"),
-        field<&T::possible>("possible", "another came out best, it was not excluded"),
-        field<&T::excluded>("excluded", "another was clearly better, or a constant refused it"),
+        field<&T::runs>("runs", "number of data sets"),
+        field<&T::found>("found", "number of data sets in which the true model was ranked best"),
+        field<&T::possible>("possible",
+                            "number of data sets in which another model was ranked best and the true model was not "
+                            "excluded"),
+        field<&T::excluded>(
+            "excluded",
+            "number of data sets in which the true model was excluded: another model was clearly better, "
+            "or a constant error was found"),
         inner<&T::most_taken>(),
     };
-    static constexpr Description description{"", "what became of a law that was planted", rows};
+    static constexpr Description description{"", "recovery of a known retraction model from simulated pairs", rows};
 };
 static_assert(complete<hysteresis::LawTrials>);
 

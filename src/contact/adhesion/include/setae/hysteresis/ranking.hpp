@@ -120,11 +120,12 @@ struct Described<hysteresis::Odds> {
     static constexpr std::array<std::string_view, 3> distinctions{"cannot be distinguished", "better",
                                                                   "clearly better"};
     static constexpr std::array rows{
-        field<&T::value>("value", "of the data as they are"),
-        field<&T::lower>("lower", "lower end as data vary within their own ±"),
-        field<&T::upper>("upper", "upper end"),
-        made<T>("level", "probability between the two", [](const T&) { return 0.9; }),
-        made<T>("distinction", "by the lower end", [](const T& of) { return hysteresis::name_of(of.distinction()); })
+        field<&T::value>("value", "odds for the measured data"),
+        field<&T::lower>("lower", "lower end of the interval when the data vary within their standard errors"),
+        field<&T::upper>("upper", "upper end of the interval"),
+        made<T>("level", "probability of the interval", [](const T&) { return 0.9; }),
+        made<T>("distinction", "distinction of the models by the lower end of the interval",
+                [](const T& of) { return hysteresis::name_of(of.distinction()); })
             .one_of(distinctions),
     };
     static constexpr Description description{"odds", "odds for one model against another", rows};
@@ -135,9 +136,10 @@ template <>
 struct Described<hysteresis::ProportionalWork> {
     using T = hysteresis::ProportionalWork;
     static constexpr std::array rows{
-        field<&T::surfaces_left_out>("surfaces_left_out", "on approach"),
-        field<&T::elastomers_left_out>("elastomers_left_out", "on approach"),
-        field<&T::both_branches>("both_branches", "surfaces left out, by the likeliest model"),
+        field<&T::surfaces_left_out>("surfaces_left_out", "odds on approach, with surfaces left out"),
+        field<&T::elastomers_left_out>("elastomers_left_out", "odds on approach, with elastomers left out"),
+        field<&T::both_branches>("both_branches",
+                                 "odds on both branches, with surfaces left out, by the likeliest model"),
     };
     static constexpr Description description{
         "", "odds for W_int of each elastomer in proportion to its smooth reference, against one W_int", rows};
@@ -154,43 +156,48 @@ struct Described<hysteresis::ModelScore> {
         return of.fitted.parameter.estimate();
     }
     static constexpr std::array rows{
-        made<T>("model", "name of the law", [](const T& of) { return of.fitted.model.name(); }),
-        made<T>("formula", "W_ret at pull-off by it", [](const T& of) { return of.fitted.model.formula(); }),
-        made<T>("parameters", "numbers fitted to all pairs",
+        made<T>("model", "name of the model", [](const T& of) { return of.fitted.model.name(); }),
+        made<T>("formula", "formula of the model for W_ret at pull-off",
+                [](const T& of) { return of.fitted.model.formula(); }),
+        made<T>("parameters", "parameters fitted to all pairs",
                 [](const T& of) { return of.fitted.model.fitted() ? 1 : 0; }),
         made<T>("pinning_coefficient", "k", "1", "k, where it is fitted",
                 [](const T& of) { return parameter(of, "pinning_coefficient"); }),
         made<T>("work_per_true_area", "W_x", "J/m2", "W_x at pull-off, where it is fitted",
                 [](const T& of) { return parameter(of, "work_per_true_area"); }),
-        value<&T::rms_residual>("rms_residual", "J/m2", "measured less law"),
-        value<&T::surface_left_out>("rms_residual_surface_left_out", "J/m2", "of surfaces that the fit has not seen"),
-        value<&T::elastomer_left_out>("rms_residual_elastomer_left_out", "J/m2",
-                                      "of elastomers that the fit has not seen"),
-        made_value<T>("scatter", "J/m2", "of a pair about the law beyond all ±, one standard deviation",
+        value<&T::rms_residual>("rms_residual", "J/m2", "rms of measured minus predicted W_ret"),
+        value<&T::surface_left_out>("rms_residual_surface_left_out", "J/m2", "leave-one-surface-out error (rms)"),
+        value<&T::elastomer_left_out>("rms_residual_elastomer_left_out", "J/m2", "leave-one-elastomer-out error (rms)"),
+        made_value<T>("scatter", "J/m2",
+                      "scatter of a pair about the model beyond all standard errors, one standard deviation",
                       [](const T& of) { return of.fitted.scatter.standard_error; }),
-        field<&T::log_likelihood>("log_likelihood", "ln density of all measured values"),
+        field<&T::log_likelihood>("log_likelihood", "ln of the probability density of all measured values"),
         field<&T::left_out_log_likelihood>(
             "log_likelihood_surface_left_out",
-            "ln density of each surface by the fit to the others, summed over both branches"),
-        field<&T::left_out_approach>("log_likelihood_approach", "of it, that of W_app"),
-        field<&T::left_out_retraction>("log_likelihood_retraction", "of it, that of W_ret"),
-        field<&T::weight>("weight", "share of the model among all that were ranked"),
-        field<&T::odds_against>("odds_against", "odds for the likeliest model that no constant refuses"),
-        made<T>("constant", "b", "J/m2", "what W_ret of all pairs is off by",
+            "ln of the probability density of each surface by the fit to the other surfaces, summed over "
+            "both branches"),
+        field<&T::left_out_approach>("log_likelihood_approach", "contribution of W_app to the left-out log-likelihood"),
+        field<&T::left_out_retraction>("log_likelihood_retraction",
+                                       "contribution of W_ret to the left-out log-likelihood"),
+        field<&T::weight>("weight", "weight of the model among all ranked models"),
+        field<&T::odds_against>("odds_against",
+                                "odds for the likeliest model without a constant error, against this model"),
+        made<T>("constant", "b", "J/m2", "constant error of W_ret of all pairs",
                 [](const T& of) { return of.bias.value; }),
-        made<T>("constant_probability", "of a constant at least as far from 0 where there is none",
+        made<T>("constant_probability", "probability of a constant at least as far from 0 by chance",
                 [](const T& of) { return of.bias.probability; }),
-        made<T>("constant_odds", "odds for the model with a free constant, on surfaces left out",
+        made<T>("constant_odds", "odds for the model with a free constant, with surfaces left out",
                 [](const T& of) { return of.bias.odds_with_it; }),
-        made<T>("refused", "whether the constant refuses the model", [](const T& of) { return of.bias.refuses_model; }),
-        quantity<&T::work_of_adhesion>("work_of_adhesion", "W_int", "J/m2", "W_int by both branches"),
+        made<T>("refused", "whether the model is refused because of the constant error",
+                [](const T& of) { return of.bias.refuses_model; }),
+        quantity<&T::work_of_adhesion>("work_of_adhesion", "W_int", "J/m2", "W_int fitted to both branches"),
         inner<&T::fitted>(),
         inner<&T::fit>(),
         inner<&T::bias>(),
         inner<&T::approach_scatter>(),
         inner<&T::left_out>(),
     };
-    static constexpr Description description{"", "how well a model says what was measured", rows};
+    static constexpr Description description{"", "agreement of a model with the measured values", rows};
 };
 static_assert(complete<hysteresis::ModelScore>);
 
@@ -198,12 +205,13 @@ template <>
 struct Described<hysteresis::UnrankedModel> {
     using T = hysteresis::UnrankedModel;
     static constexpr std::array rows{
-        made<T>("model", "name of the law", [](const T& of) { return of.model.name(); }),
-        made<T>("formula", "W_ret at pull-off by it", [](const T& of) { return of.model.formula(); }),
-        field<&T::reason>("reason", "why it is missing, or left out"),
+        made<T>("model", "name of the model", [](const T& of) { return of.model.name(); }),
+        made<T>("formula", "formula of the model for W_ret at pull-off",
+                [](const T& of) { return of.model.formula(); }),
+        field<&T::reason>("reason", "reason for which it is missing or left out"),
         inner<&T::model>(),
     };
-    static constexpr Description description{"", "a model that cannot be judged", rows};
+    static constexpr Description description{"", "model that cannot be ranked", rows};
 };
 static_assert(complete<hysteresis::UnrankedModel>);
 
@@ -211,7 +219,7 @@ template <>
 struct Described<hysteresis::Ranking> {
     using T = hysteresis::Ranking;
     static constexpr std::array rows{
-        made<T>("best", "the likeliest that no constant refuses",
+        made<T>("best", "likeliest model without a constant error",
                 [](const T& of) {
                     const auto* best = of.best();
                     return best ? std::optional(best->fitted.model.name()) : std::nullopt;
@@ -223,18 +231,20 @@ struct Described<hysteresis::Ranking> {
                     for (const auto* score : of.possible()) names.push_back(score->fitted.model.name());
                     return names;
                 }),
-        field<&T::approach_against_pinning>("approach_without_pinning",
-                                            "odds on approach for nothing that pins the edge")
+        field<&T::approach_against_pinning>("approach_without_pinning", "odds on approach against pinning of the edge")
             .or_null(),
         field<&T::proportional_work>(
             "proportional_work",
             "odds for W_int of each elastomer in proportion to its smooth reference, against one W_int")
             .or_null(),
-        field<&T::models>("models", "the likeliest first"),
-        field<&T::unranked>("unranked", "laws that could not be judged"),
+        field<&T::models>("models", "ranked models, the likeliest first"),
+        field<&T::unranked>("unranked", "models that could not be ranked"),
     };
     static constexpr Description description{
-        "law_ranking", "models of the works of adhesion by how well they say what was measured on both branches", rows};
+        "law_ranking",
+        "models of the works of adhesion, ranked by their agreement with measured values on both "
+        "branches",
+        rows};
 };
 static_assert(complete<hysteresis::Ranking>);
 

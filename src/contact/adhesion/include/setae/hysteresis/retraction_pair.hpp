@@ -131,17 +131,18 @@ template <>
 struct Described<hysteresis::BranchPinning> {
     using T = hysteresis::BranchPinning;
     static constexpr std::array rows{
-        field<&T::larkin_lengths>(
-            "larkin_lengths", "N, Larkin lengths over which the edge bends; null without a sphere: an endless edge"),
+        field<&T::larkin_lengths>("larkin_lengths",
+                                  "length of the edge in Larkin lengths N; null without a sphere, for an endless edge"),
         field<&T::measured>("measured", "whether fronts with this energy share and length were simulated"),
         made<T>("pinning_coefficient", "k", "1", "k",
                 [](const T& of) {
                     return Estimate{.value = of.coefficient.value, .standard_error = of.coefficient.standard_error};
                 }),
         inner<&T::coefficient>(),
-        value<&T::contact_radius>("contact_radius", "m", "of the edge, by JKR; null without a sphere").or_null(),
+        value<&T::contact_radius>("contact_radius", "m", "contact radius of the edge, by JKR; null without a sphere")
+            .or_null(),
     };
-    static constexpr Description description{"branch_pinning", "how roughness pins the edge on one branch", rows};
+    static constexpr Description description{"branch_pinning", "pinning of the edge by roughness on one branch", rows};
 };
 static_assert(complete<hysteresis::BranchPinning>);
 
@@ -149,12 +150,13 @@ template <>
 struct Described<hysteresis::PairPinning> {
     using T = hysteresis::PairPinning;
     static constexpr std::array rows{
-        field<&T::energy_share>("energy_share", "U_el/(A W) of the contact"),
-        field<&T::approach>("approach", "at the largest load"),
-        field<&T::retraction>("retraction", "at pull-off under a dead load"),
+        field<&T::energy_share>("energy_share", "energy share U_el/(A W) of the contact"),
+        field<&T::approach>("approach", "pinning at the largest load"),
+        field<&T::retraction>("retraction", "pinning at pull-off under a dead load"),
         inner<&T::measured_radius>(),
     };
-    static constexpr Description description{"", "k of simulated fronts as long as the edge of the contact", rows};
+    static constexpr Description description{
+        "", "pinning coefficient k of simulated fronts as long as the edge of the contact", rows};
 };
 static_assert(complete<hysteresis::PairPinning>);
 
@@ -162,17 +164,18 @@ template <>
 struct Described<hysteresis::EnergyShares> {
     using T = hysteresis::EnergyShares;
     static constexpr std::array rows{
-        quantity<&T::jump_in>("jump_in", "E_in", "J", "in the sphere's jump into contact"),
-        quantity<&T::jump_out>("jump_out", "E_out", "J", "in its jump out of contact"),
+        quantity<&T::jump_in>("jump_in", "E_in", "J", "energy that is dissipated in the jump into contact"),
+        quantity<&T::jump_out>("jump_out", "E_out", "J", "energy that is dissipated in the jump out of contact"),
         quantity<&T::crack_tip>(
             "crack_tip", "E_tip", "J",
-            "what an edge on a smooth reference needs more on retraction, or the speed of the edge costs"),
-        quantity<&T::roughness>("roughness", "E_rough", "J", "what roughness adds, by the law"),
+            "additional energy of an edge on a smooth reference on retraction, or the contribution of "
+            "the speed of the edge"),
+        quantity<&T::roughness>("roughness", "E_rough", "J", "contribution of roughness, by the retraction model"),
         quantity<&T::bulk>("bulk", "E_bulk", "J",
-                           "what relaxes in the bulk of the elastomer, where its relaxation is stated"),
+                           "energy that relaxes in the bulk of the elastomer, where the relaxation is stated"),
     };
-    static constexpr Description description{"energy_shares", "where the energy goes; they add to the loss of the law",
-                                             rows};
+    static constexpr Description description{
+        "energy_shares", "contributions to the predicted energy loss; their sum is that loss", rows};
 };
 static_assert(complete<hysteresis::EnergyShares>);
 

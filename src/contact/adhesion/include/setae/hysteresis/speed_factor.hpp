@@ -70,7 +70,7 @@ struct Described<hysteresis::TracedRelaxation> {
     using T = hysteresis::TracedRelaxation;
     static constexpr std::array rows{quantity<&T::share>("share", "g", "1", "g"),
                                      quantity<&T::time>("time", "τ", "s", "τ")};
-    static constexpr Description description{"", "a term of E(t)/E∞ = 1 + Σ g e^(−t/τ)", rows};
+    static constexpr Description description{"", "term of E(t)/E∞ = 1 + Σ g e^(−t/τ)", rows};
 };
 static_assert(complete<hysteresis::TracedRelaxation>);
 

@@ -179,7 +179,7 @@ struct BulkRelaxation {
 /// A record: its first contact in full, and what there is beside it.
 struct LoopAnalysis : ContactAnalysis {
     Loop corrected;  ///< the record as analysed: force counted from its zero, drift and the machine's own deflection
-                     ///< taken off
+    ///< taken off
     ForceZero force_zero;  ///< what was taken off the force
     Segments segments;
     std::vector<Outcome<ContactAnalysis>> further_contacts;  ///< of segments.contacts 1, 2, …
@@ -225,14 +225,14 @@ template <>
 struct Described<loops::FitRange> {
     using T = loops::FitRange;
     static constexpr std::array rows{
-        field<&T::name>("name", "as the file or the user says"),
+        field<&T::name>("name", "name in the file, or given by the user"),
         field<&T::first>("first", "index of the first sample"),
         field<&T::last>("last", "index of the last sample"),
-        field<&T::n>("n", "how many points, measurements or pairs it rests on"),
-        quantity<&T::force_first>("force_first", "F", "N", "at the first sample").as("force"),
-        quantity<&T::force_last>("force_last", "F", "N", "at the last sample").as("force"),
+        field<&T::n>("n", "number of points, measurements or pairs"),
+        quantity<&T::force_first>("force_first", "F", "N", "force at the first sample").as("force"),
+        quantity<&T::force_last>("force_last", "F", "N", "force at the last sample").as("force"),
     };
-    static constexpr Description description{"", "samples that were fitted", rows};
+    static constexpr Description description{"", "range of the fitted samples", rows};
 };
 static_assert(complete<loops::FitRange>);
 
@@ -240,14 +240,14 @@ template <>
 struct Described<loops::RangeSensitivity> {
     using T = loops::RangeSensitivity;
     static constexpr std::array rows{
-        field<&T::dropped>("samples_dropped", "how many"),
+        field<&T::dropped>("samples_dropped", "number of dropped samples"),
         fields_of<T>(Described<loops::JkrFit>::moduli,
                      [](const T& of) -> const loops::Outcome<loops::JkrFit>& { return of.fit; }),
-        made<T>("reason", "why it is missing, or left out",
+        made<T>("reason", "reason for which it is missing or left out",
                 [](const T& of) { return of.fit ? std::nullopt : std::optional(of.fit.reason); }),
         inner<&T::fit>(),
     };
-    static constexpr Description description{"", "the fit with samples dropped at the end of low loads", rows};
+    static constexpr Description description{"", "fit without some samples at the low-load end", rows};
 };
 static_assert(complete<loops::RangeSensitivity>);
 
@@ -255,25 +255,26 @@ template <>
 struct Described<loops::BranchAnalysis> {
     using T = loops::BranchAnalysis;
     static constexpr std::array route_rows{
-        field<&T::radius_force>("radius_force", "from contact radius and force"),
-        field<&T::radius_force_effective_variance>("radius_force_effective_variance", "the same with errors of both"),
-        field<&T::linear_form>("linear_form", "from the linear form of the same"),
-        field<&T::force_displacement>("force_displacement", "from force and displacement"),
-        field<&T::joint>("joint", "from force, displacement and contact radius together"),
-        field<&T::pointwise>("pointwise", "from each point alone"),
+        field<&T::radius_force>("radius_force", "fit of contact radius against force"),
+        field<&T::radius_force_effective_variance>("radius_force_effective_variance",
+                                                   "fit of contact radius against force with errors of both"),
+        field<&T::linear_form>("linear_form", "fit of the linear form of contact radius against force"),
+        field<&T::force_displacement>("force_displacement", "fit of force against displacement"),
+        field<&T::joint>("joint", "fit of force, displacement and contact radius together"),
+        field<&T::pointwise>("pointwise", "E* of each single point"),
     };
     static constexpr Description routes{"", "fits by each route", route_rows};
     static constexpr std::array rows{
         fields_of<T>(Described<loops::JkrFit>::moduli,
                      [](const T& of) -> const loops::JkrFit& { return of.primary(); }),
-        made<T>("method", "the route that counts", [](const T& of) { return of.primary().method; }),
-        field<&T::range>("range", "samples that were fitted"),
-        part<T>("fits", "by each route", routes),
-        field<&T::energy_release_rate>("energy_release_rate", "G at each point"),
-        field<&T::sensitivity>("sensitivity_to_range", "with samples dropped at the end of low loads"),
+        made<T>("method", "route whose results are reported", [](const T& of) { return of.primary().method; }),
+        field<&T::range>("range", "range of the fitted samples"),
+        part<T>("fits", "fits by each route", routes),
+        field<&T::energy_release_rate>("energy_release_rate", "energy release rate G at each point"),
+        field<&T::sensitivity>("sensitivity_to_range", "fit without some samples at the low-load end"),
         inner<&T::effective_variance_first>(),
     };
-    static constexpr Description description{"branch", "loading or unloading of a loop", rows};
+    static constexpr Description description{"branch", "loading or unloading branch of a loop", rows};
 };
 static_assert(complete<loops::BranchAnalysis>);
 
@@ -281,12 +282,12 @@ template <>
 struct Described<loops::ComplianceEffect> {
     using T = loops::ComplianceEffect;
     static constexpr std::array rows{
-        quantity<&T::stiffness>("machine_stiffness", "k", "N/m", "k of the machine"),
-        quantity<&T::modulus_change>("modulus_change", "E*(k + SE) - E*(k)", "Pa", "of E*"),
-        quantity<&T::work_change>("work_change", "W(k + SE) - W(k)", "J/m2", "of W"),
-        quantity<&T::energy_change>("energy_change", "of the approach", "J", "of the energy"),
+        quantity<&T::stiffness>("machine_stiffness", "k", "N/m", "stiffness k of the testing machine"),
+        quantity<&T::modulus_change>("modulus_change", "E*(k + SE) - E*(k)", "Pa", "change of E*"),
+        quantity<&T::work_change>("work_change", "W(k + SE) - W(k)", "J/m2", "change of W"),
+        quantity<&T::energy_change>("energy_change", "change of the work of the approach", "J", "of the energy"),
     };
-    static constexpr Description description{"compliance", "what the machine's stiffness, one standard error off, does",
+    static constexpr Description description{"compliance", "effect of one standard error of the machine stiffness",
                                              rows};
 };
 static_assert(complete<loops::ComplianceEffect>);
@@ -301,10 +302,10 @@ struct Described<loops::HoldGrowth> {
         return (*(of.*changed)).*which;
     }
     static constexpr auto first = &loops::Change::first, last = &loops::Change::last;
-    static constexpr std::string_view at_first = "at the first sample", at_last = "at the last sample";
+    static constexpr std::string_view at_first = "value at the first sample", at_last = "value at the last sample";
     static constexpr std::array rows{
         field<&T::samples>("samples", "first and last sample"),
-        quantity<&T::duration>("duration", "t", "s", "of the hold"),
+        quantity<&T::duration>("duration", "t", "s", "duration of the hold"),
         made<T>("force_first", "F", "N", at_first, [](const T& of) { return of.force.first; }),
         made<T>("force_last", "F", "N", at_last, [](const T& of) { return of.force.last; }),
         made<T>("displacement_first", "delta", "m", at_first,
@@ -324,7 +325,7 @@ struct Described<loops::HoldGrowth> {
         inner<&T::contact_radius>(),
         inner<&T::work_of_adhesion>(),
     };
-    static constexpr Description description{"hold", "what changed while the load was held", rows};
+    static constexpr Description description{"hold", "changes while the load is held", rows};
 };
 static_assert(complete<loops::HoldGrowth>);
 
@@ -338,14 +339,15 @@ template <>
 struct Described<ClosedLoop> {
     using T = ClosedLoop;
     static constexpr std::array rows{
-        made<T>("energy", "E_loss", "J", "of the closed loop, drift removed",
+        made<T>("energy", "E_loss", "J", "energy of the closed loop, drift removed",
                 [](const T& of) { return of.loop.estimate(); })
             .from("closed integral of F d(delta), baseline and linear drift removed"),
-        made<T>("energy_without_drift", "E_loss", "J", "with no drift removed",
+        made<T>("energy_without_drift", "E_loss", "J", "energy of the closed loop without removal of drift",
                 [](const T& of) { return of.loop.without_drift; }),
-        made<T>("standard_error_budget", "parts of the ±", [](const T& of) { return of.loop.standard_error; }),
+        made<T>("standard_error_budget", "contributions to the standard error",
+                [](const T& of) { return of.loop.standard_error; }),
         quantity<&T::ideal_smooth_sphere>("ideal_smooth_sphere_loss", "E_ideal", "J",
-                                          "jumps of the ideal smooth JKR sphere under fixed grips")
+                                          "energy loss of the jumps of the ideal smooth JKR sphere under fixed grips")
             .from("jumps of the ideal smooth JKR sphere under fixed grips, E* and W of loading"),
         inner<&T::loop>(),
     };
@@ -362,20 +364,20 @@ struct Described<loops::ContactAnalysis> {
     }
     static constexpr Row loop =
         made<T>("loop", "energy of the closed loop", [](const T& of) { return closed_loop(of); });
-    static constexpr Row ledger = field<&T::ledger>("ledger", "where the energy of the loop goes");
+    static constexpr Row ledger = field<&T::ledger>("ledger", "energy budget of the loop");
     static constexpr std::array rows{
-        field<&T::loading>("loading", "branch of loading"),
-        field<&T::hold>("hold", "what changed while the load was held"),
-        field<&T::unloading>("unloading", "branch of unloading; null where there is none"),
-        field<&T::retraction>("retraction", "W_ret at pull-off, of the last points, [D19] (S2)"),
+        field<&T::loading>("loading", "loading branch"),
+        field<&T::hold>("hold", "changes while the load is held"),
+        field<&T::unloading>("unloading", "unloading branch; null where there is none"),
+        field<&T::retraction>("retraction", "W_ret at pull-off from the last points, Eq. S2 of [D19]"),
         field<&T::work_along_retraction>(
             "work_along_retraction",
-            "W_ret along the retraction, a line in the contact radius; null where only the pull-off is known"),
-        field<&T::pull_off>("pull_off", "the smallest force"),
+            "W_ret along the retraction, linear in the contact radius; null where only the pull-off is known"),
+        field<&T::pull_off>("pull_off", "smallest force"),
         loop,
         ledger,
-        field<&T::contact_points>("contact_points", "estimates of the displacement at first touch"),
-        field<&T::compliance>("compliance", "what the machine's stiffness, one standard error off, does"),
+        field<&T::contact_points>("contact_points", "estimates of the displacement at first contact"),
+        field<&T::compliance>("compliance", "effect of one standard error of the machine stiffness"),
         made<T>("largest_contact_radius", "a_max", "m", "a_max",
                 [](const T& of) {
                     return Quantity{
@@ -384,17 +386,17 @@ struct Described<loops::ContactAnalysis> {
                 }),
         made<T>("largest_contact_area", "pi a_max^2", "m2", "π a_max²",
                 [](const T& of) { return of.context.largest_contact_area; }),
-        made<T>("tabor_parameter", "mu", "1", "μ, JKR holds for large ones",
+        made<T>("tabor_parameter", "mu", "1", "Tabor parameter μ; JKR applies for large μ",
                 [](const T& of) { return of.context.tabor_parameter; }),
-        made<T>("applicable_model", "which contact model μ says",
+        made<T>("applicable_model", "contact model that applies at this μ",
                 [](const T& of) { return of.context.applicable_model; }),
         inner<&T::pinned>(),
         inner<&T::loop>(),
         inner<&T::context>(),
     };
-    static constexpr Description description{"contact", "everything fitted to one touch", rows};
+    static constexpr Description description{"contact", "results of one contact", rows};
     static constexpr std::array energy_rows{loop, ledger};
-    static constexpr Description energies{"", "the energies of one touch", energy_rows};
+    static constexpr Description energies{"", "energies of one contact", energy_rows};
 };
 static_assert(complete<loops::ContactAnalysis>);
 
@@ -406,12 +408,12 @@ struct Described<loops::CycleAnalysis> {
         return Estimate{.value = *of.energy, .standard_error = of.energy_standard_error, .method = "error budget"};
     }
     static constexpr Row contact =
-        made<T>("contact", "number of the touch, from 0", [](const T& of) { return of.cycle.contact; });
+        made<T>("contact", "number of the contact, counted from 0", [](const T& of) { return of.cycle.contact; });
     static constexpr Row energy =
-        made<T>("energy", "E_loss", "J", "of the closed loop", [](const T& of) { return lost(of); });
+        made<T>("energy", "E_loss", "J", "energy of the closed loop", [](const T& of) { return lost(of); });
     static constexpr std::array rows{
-        field<&T::loading>("loading", "branch of loading"),
-        field<&T::unloading>("unloading", "branch of unloading; null where there is none"),
+        field<&T::loading>("loading", "loading branch"),
+        field<&T::unloading>("unloading", "unloading branch; null where there is none"),
         made<T>("loading_samples", "first and last sample", [](const T& of) { return of.cycle.loading; }),
         made<T>("unloading_samples", "first and last sample", [](const T& of) { return of.cycle.unloading; }),
         contact,
@@ -420,9 +422,9 @@ struct Described<loops::CycleAnalysis> {
         inner<&T::energy>(),
         inner<&T::energy_standard_error>(),
     };
-    static constexpr Description description{"", "one press and release within a touch", rows};
+    static constexpr Description description{"", "cycle of unloading and loading within one contact", rows};
     static constexpr std::array energy_rows{contact, energy};
-    static constexpr Description energies{"", "the energy of one press and release", energy_rows};
+    static constexpr Description energies{"", "energy of one cycle of unloading and loading", energy_rows};
 };
 static_assert(complete<loops::CycleAnalysis>);
 
@@ -431,7 +433,7 @@ struct Described<loops::BulkRelaxation> {
     using T = loops::BulkRelaxation;
     static constexpr std::array rows{quantity<&T::energy_loss>("energy_loss", "E_bulk", "J", "∮ F₁ dδ"),
                                      quantity<&T::largest_force>("largest_force", "F_1", "N", "largest |F₁|")};
-    static constexpr Description description{"", "what relaxes in the bulk", rows};
+    static constexpr Description description{"", "relaxation in the bulk", rows};
 };
 static_assert(complete<loops::BulkRelaxation>);
 
@@ -444,11 +446,11 @@ template <>
 struct Described<FurtherContact> {
     using T = FurtherContact;
     static constexpr std::array rows{
-        made<T>("contact", "number of the touch, from 0",
+        made<T>("contact", "number of the contact, counted from 0",
                 [](const T& of) -> const loops::Outcome<loops::ContactAnalysis>& { return *of.contact; }),
         inner<&T::contact>(),
     };
-    static constexpr Description description{"", "a later touch of a record", rows};
+    static constexpr Description description{"", "later contact of a record", rows};
 };
 static_assert(complete<FurtherContact>);
 
@@ -457,36 +459,37 @@ struct Described<loops::LoopAnalysis> {
     using T = loops::LoopAnalysis;
     static constexpr std::array force_zero_rows{
         fields_of<T>([](const T& of) -> const loops::ForceDrift& { return of.force_zero.drift; }),
-        made<T>("steps", "in free flight, where it was cut",
+        made<T>("steps", "steps of force in free flight, where the record was split",
                 [](const T& of) -> const std::vector<loops::ForceStep>& { return of.segments.steps; }),
-        field<&T::steps_in_contact>("steps_in_contact", "within contact"),
+        field<&T::steps_in_contact>("steps_in_contact", "steps of force within contact"),
     };
-    static constexpr Description force_zero{"force_zero", "the zero of force and its drift, which were removed",
+    static constexpr Description force_zero{"force_zero", "zero of force and its drift, which were removed",
                                             force_zero_rows};
-    static constexpr Description loop_models{"loop_models", "fits that a schema of its own describes", {}};
+    static constexpr Description loop_models{"loop_models", "fits that have a schema of their own", {}};
     static constexpr std::array rows{
         inherited<loops::ContactAnalysis, T>(),
         field<&T::bulk>("bulk_relaxation",
-                        "what relaxes in the bulk, where its relaxation is stated: taken off the force "
-                        "first, in the loop's energy again"),
-        made<T>("further_contacts", "later touches in the same record",
+                        "relaxation in the bulk, where it is stated: subtracted from the force before the fits, "
+                        "included in the energy of the loop"),
+        made<T>("further_contacts", "later contacts in the same record",
                 [](const T& of) {
                     std::vector<FurtherContact> contacts;
                     for (const auto& contact : of.further_contacts) contacts.push_back({&contact});
                     return contacts;
                 }),
-        field<&T::segments>("segments", "how the record was divided"),
-        part<T>("force_zero", "the zero of force and its drift, which were removed", force_zero),
-        field<&T::cycles>("cycles", "further loading and unloading within one touch"),
-        field<&T::alerts>("alerts", "what the reader must know"),
-        written_elsewhere("file", "as it was named").with(Missing::left_out),
-        written_elsewhere("models", "contact models fitted beside JKR", loop_models).with(Missing::left_out),
+        field<&T::segments>("segments", "segments of the record"),
+        part<T>("force_zero", "zero of force and its drift, which were removed", force_zero),
+        field<&T::cycles>("cycles", "further loading and unloading within one contact"),
+        field<&T::alerts>("alerts", "warnings"),
+        written_elsewhere("file", "name of the file as it was given").with(Missing::left_out),
+        written_elsewhere("models", "contact models that are fitted in addition to JKR", loop_models)
+            .with(Missing::left_out),
         inner<&T::corrected>(),
         inner<&T::force_zero>(),
         inner<&T::further_contacts>(),
         inner<&T::faults>(),
     };
-    static constexpr Description description{"loop", "everything fitted to a loop", rows};
+    static constexpr Description description{"loop", "results of a loop", rows};
 };
 static_assert(complete<loops::LoopAnalysis>);
 

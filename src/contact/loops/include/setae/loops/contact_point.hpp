@@ -106,9 +106,9 @@ template <>
 struct Described<loops::ContactPointEstimate> {
     using T = loops::ContactPointEstimate;
     static constexpr std::array rows{
-        made<T>("method", "how it was found", [](const T& of) { return loops::contact_point_name(of.method); }),
+        made<T>("method", "method of the estimate", [](const T& of) { return loops::contact_point_name(of.method); }),
         made<T>("contact_point", "delta0", "m", "δ0", [](const T& of) { return of.contact_point.value; }),
-        made<T>("reason", "why it is missing, or left out",
+        made<T>("reason", "reason for which it is missing or left out",
                 [](const T& of) { return of.contact_point ? std::nullopt : std::optional(of.contact_point.reason); }),
         fields_of<T>(Described<loops::JkrFit>::moduli,
                      [](const T& of) -> const loops::Outcome<loops::JkrFit>& { return of.fit; }),
@@ -124,19 +124,20 @@ template <>
 struct Described<loops::ContactPoints> {
     using T = loops::ContactPoints;
     static constexpr std::array rows{
-        made<T>("chosen", "which of them counts, or `given`",
+        made<T>("chosen", "estimate that is used, or `given`",
                 [](const T& of) { return of.chosen ? loops::contact_point_name(*of.chosen) : std::string("given"); }),
         quantity<&T::contact_point>("contact_point", "delta0", "m", "δ0"),
-        field<&T::estimates>("estimates", "one entry a method"),
-        quantity<&T::spread>("spread", "spread", "m", "of the estimates"),
-        quantity<&T::spread_share>("spread_share", "spread", "1", "of the spread in the largest indentation"),
+        field<&T::estimates>("estimates", "one entry per method"),
+        quantity<&T::spread>("spread", "spread", "m", "spread of the estimates"),
+        quantity<&T::spread_share>("spread_share", "spread", "1",
+                                   "spread of the estimates divided by the largest indentation"),
         field<&T::chi2>("chi_squared", "χ²"),
-        field<&T::degrees_of_freedom>("degrees_of_freedom", "of the estimates"),
+        field<&T::degrees_of_freedom>("degrees_of_freedom", "degrees of freedom of the estimates"),
         quantity<&T::work_by_contact_point>("work_by_contact_point", "dW/d(delta0)", "J/m3", "dW/dδ0"),
         quantity<&T::modulus_by_contact_point>("modulus_by_contact_point", "dE*/d(delta0)", "Pa/m", "dE*/dδ0"),
         inner<&T::chosen>(),
     };
-    static constexpr Description description{"contact_points", "displacements at first touch", rows};
+    static constexpr Description description{"contact_points", "displacements at first contact", rows};
 };
 static_assert(complete<loops::ContactPoints>);
 

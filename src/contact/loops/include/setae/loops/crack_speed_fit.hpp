@@ -69,24 +69,25 @@ template <>
 struct Described<loops::CrackSpeedFit> {
     using T = loops::CrackSpeedFit;
     static constexpr std::array rows{
-        field<&T::converged>("converged", "whether it was found"),
-        field<&T::n>("n", "how many points, measurements or pairs it rests on"),
+        field<&T::converged>("converged", "whether the iteration converged"),
+        field<&T::n>("n", "number of points, measurements or pairs"),
         quantity<&T::threshold>("threshold", "G0", "J/m2", "G0"),
         quantity<&T::reference_speed>("reference_speed", "v0", "m/s", "v0"),
         quantity<&T::exponent>("exponent", "n", "1", "n"),
         quantity<&T::contact_modulus>("contact_modulus", "E*", "Pa", "E*"),
-        field<&T::modulus_deviation>("modulus_deviation", "of E* from that of the loop"),
-        made<T>("covariance", "of the parameters", [](const T& of) { return Eigen::MatrixXd(of.covariance); }),
-        field<&T::chi2_reduced>("chi_squared_reduced", "χ² over degrees of freedom"),
-        field<&T::relative_residual>("relative_residual", "rms residual over the rms of what was fitted"),
-        field<&T::speed_ratio>("speed_ratio", "largest over smallest speed"),
-        field<&T::residuals>("residuals", "measured minus fitted"),
+        field<&T::modulus_deviation>("modulus_deviation", "deviation of E* from E* of the loop"),
+        made<T>("covariance", "covariance of the parameters",
+                [](const T& of) { return Eigen::MatrixXd(of.covariance); }),
+        field<&T::chi2_reduced>("chi_squared_reduced", "χ² divided by the degrees of freedom"),
+        field<&T::relative_residual>("relative_residual", "rms residual divided by the rms of the fitted values"),
+        field<&T::speed_ratio>("speed_ratio", "largest divided by smallest speed"),
+        field<&T::residuals>("residuals", "measured minus fitted values"),
         inner<&T::law>(),
         inner<&T::covariance>(),
         inner<&T::iterations>(),
         inner<&T::slow_speed>(),
     };
-    static constexpr Description description{"crack_speed", "G0 (1 + (v/v0)^n) fitted to the crack's speed", rows};
+    static constexpr Description description{"crack_speed", "G0 (1 + (v/v0)^n) fitted to the speed of the crack", rows};
 };
 static_assert(complete<loops::CrackSpeedFit>);
 

@@ -96,7 +96,7 @@ struct Described<loops::WorkEntry> {
                     return Estimate{
                         .value = of.energy, .standard_error = of.standard_error.total, .method = "error budget"};
                 }),
-        field<&T::standard_error>("standard_error_budget", "parts of the ±"),
+        field<&T::standard_error>("standard_error_budget", "contributions to the standard error"),
         inner<&T::range>(),
         inner<&T::energy>(),
     };
@@ -114,12 +114,13 @@ struct Described<loops::EnergyLedger> {
         field<&T::retraction>("retraction", "work of the retraction"),
         field<&T::jump_out>("jump_out", "work in the jump out of contact").or_null(),
         field<&T::after_contact>("after_contact", "work after contact"),
-        quantity<&T::recovered_share>("recovered_share", "recovered", "1", "share of the work that came back"),
+        quantity<&T::recovered_share>("recovered_share", "recovered", "1", "share of the work that is recovered"),
         quantity<&T::ideal_fixed_grips>("ideal_loss_fixed_grips", "E_ideal", "J",
-                                        "jumps of the ideal smooth sphere, fixed grips"),
-        quantity<&T::ideal_this_machine>("ideal_loss_this_machine", "E_ideal", "J",
-                                         "the same at the machine's stiffness"),
-        quantity<&T::machine_stiffness>("machine_stiffness", "k", "N/m", "k of the machine"),
+                                        "energy loss of the jumps of the ideal smooth sphere under fixed grips"),
+        quantity<&T::ideal_this_machine>(
+            "ideal_loss_this_machine", "E_ideal", "J",
+            "energy loss of the jumps of the ideal smooth sphere at the machine stiffness"),
+        quantity<&T::machine_stiffness>("machine_stiffness", "k", "N/m", "stiffness k of the testing machine"),
         quantity<&T::true_area_ratio>("true_area_ratio", "r", "1", "A_true/A_app"),
         made<T>("largest_true_area", "r pi a_max^2", "m2", "r π a_max²",
                 [](const T& of) { return of.largest_true_area(); }),
@@ -129,7 +130,7 @@ struct Described<loops::EnergyLedger> {
         inner<&T::loop>(),
         inner<&T::largest_contact_area>(),
     };
-    static constexpr Description description{"energy_ledger", "where the energy of a loop goes", rows};
+    static constexpr Description description{"energy_ledger", "energy budget of a loop", rows};
 };
 static_assert(complete<loops::EnergyLedger>);
 

@@ -65,9 +65,9 @@ namespace setae::fields {
 template <>
 struct Described<loops::ForceStep> {
     using T = loops::ForceStep;
-    static constexpr std::array rows{field<&T::sample>("sample", "last sample before it"),
+    static constexpr std::array rows{field<&T::sample>("sample", "last sample before the step"),
                                      quantity<&T::size>("size", "dF", "N", "change of the force")};
-    static constexpr Description description{"", "a sudden change of the force", rows};
+    static constexpr Description description{"", "sudden change of the force", rows};
 };
 static_assert(complete<loops::ForceStep>);
 
@@ -75,15 +75,15 @@ template <>
 struct Described<loops::ForceDrift> {
     using T = loops::ForceDrift;
     static constexpr std::array rows{
-        field<&T::degree>("degree", "of the polynomial in time that was removed; 0 is a constant"),
-        field<&T::stretches>("stretches", "of free flight that the zero is known from: 0, 1 or 2"),
-        field<&T::irregular>("irregular", "whether no curve fits the free flight; a line was then removed"),
-        quantity<&T::change>("change", "dF0", "N", "of the zero from the first sample to the last"),
+        field<&T::degree>("degree", "degree of the polynomial in time that was removed; 0 for a constant"),
+        field<&T::stretches>("stretches", "number of sections of free flight that determine the zero: 0, 1 or 2"),
+        field<&T::irregular>("irregular", "whether no curve fits the free flight; a line was removed then"),
+        quantity<&T::change>("change", "dF0", "N", "change of the zero from the first sample to the last"),
         quantity<&T::largest_in_contact>("largest_in_contact", "dF0", "N",
                                          "largest change of the zero since the first sample within contact"),
         quantity<&T::bend>("bend", "dF0", "N", "largest distance of the zero from a line within contact"),
     };
-    static constexpr Description description{"", "the drift of the zero of force", rows};
+    static constexpr Description description{"", "drift of the zero of force", rows};
 };
 static_assert(complete<loops::ForceDrift>);
 

@@ -79,17 +79,17 @@ template <>
 struct Described<loops::GlobalBranchFit> {
     using T = loops::GlobalBranchFit;
     static constexpr std::array rows{
-        field<&T::name>("name", "as the file or the user says"),
-        field<&T::n>("n", "how many points, measurements or pairs it rests on"),
+        field<&T::name>("name", "name in the file, or given by the user"),
+        field<&T::n>("n", "number of points, measurements or pairs"),
         field<&T::chi2>("chi_squared", "χ²"),
         quantity<&T::contact_modulus>("contact_modulus", "E*", "Pa", "E*"),
         quantity<&T::youngs_modulus>("youngs_modulus", "E", "Pa", "E"),
         quantity<&T::work_of_adhesion>("work_of_adhesion", "W", "J/m2", "W"),
-        field<&T::separate>("separate", "the same loop on its own"),
+        field<&T::separate>("separate", "separate fit of the loop"),
         inner<&T::transition_parameter>(),
         inner<&T::contact_point>(),
     };
-    static constexpr Description description{"", "a loop of a fit that shares parameters", rows};
+    static constexpr Description description{"", "loop of a fit with shared parameters", rows};
 };
 static_assert(complete<loops::GlobalBranchFit>);
 
@@ -97,12 +97,12 @@ template <>
 struct Described<loops::SharingTest> {
     using T = loops::SharingTest;
     static constexpr std::array rows{
-        field<&T::f_ratio>("f_ratio", "of the fits with and without sharing"),
-        field<&T::extra_parameters>("extra_parameters", "of separate fits"),
-        field<&T::degrees_of_freedom>("degrees_of_freedom", "of Student's t, or of χ²"),
-        field<&T::p_value>("p_value", "of so large a ratio by chance"),
+        field<&T::f_ratio>("f_ratio", "F ratio of the fits with and without sharing"),
+        field<&T::extra_parameters>("extra_parameters", "additional parameters of separate fits"),
+        field<&T::degrees_of_freedom>("degrees_of_freedom", "degrees of freedom of Student's t or of χ²"),
+        field<&T::p_value>("p_value", "probability of a ratio at least as large by chance"),
     };
-    static constexpr Description description{"", "whether one value does for all", rows};
+    static constexpr Description description{"", "test of whether one value fits all loops", rows};
 };
 static_assert(complete<loops::SharingTest>);
 
@@ -111,21 +111,21 @@ struct Described<loops::GlobalFit> {
     using T = loops::GlobalFit;
     static constexpr std::array rows{
         made<T>("model", "name of the contact model", [](const T& of) { return to_string(of.options.fit.model); }),
-        field<&T::converged>("converged", "whether it was found"),
+        field<&T::converged>("converged", "whether the iteration converged"),
         quantity<&T::contact_modulus>("contact_modulus", "E*", "Pa", "E*"),
         quantity<&T::work_of_adhesion>("work_of_adhesion", "W", "J/m2", "W"),
-        field<&T::branches>("loops", "one entry a loop"),
+        field<&T::branches>("loops", "one entry per loop"),
         field<&T::parameters>("parameters", "names of the fitted parameters, in the order of the covariance"),
-        field<&T::covariance>("covariance", "of the parameters"),
-        field<&T::n>("n", "how many points, measurements or pairs it rests on"),
-        field<&T::chi2_reduced>("chi_squared_reduced", "χ² over degrees of freedom"),
-        field<&T::sharing>("sharing_test", "whether one value does for all"),
+        field<&T::covariance>("covariance", "covariance of the parameters"),
+        field<&T::n>("n", "number of points, measurements or pairs"),
+        field<&T::chi2_reduced>("chi_squared_reduced", "χ² divided by the degrees of freedom"),
+        field<&T::sharing>("sharing_test", "test of whether one value fits all loops"),
         inner<&T::options>(),
         inner<&T::iterations>(),
         inner<&T::chi2>(),
         inner<&T::correlated_samples>(),
     };
-    static constexpr Description description{"shared_fit", "a fit whose parameters loops share", rows};
+    static constexpr Description description{"shared_fit", "fit with parameters that the loops share", rows};
 };
 static_assert(complete<loops::GlobalFit>);
 

@@ -187,33 +187,38 @@ struct Described<loops::JkrFit> {
     };
     static constexpr Description moduli{"", "E*, E and W of a fit", moduli_rows};
     static constexpr std::array rows{
-        field<&T::method>("method", "the route"),
-        field<&T::converged>("converged", "whether it was found"),
+        field<&T::method>("method", "route of the fit"),
+        field<&T::converged>("converged", "whether the iteration converged"),
         fields_of<T>(moduli, [](const T& of) -> const T& { return of; }),
         made<T>("contact_point", "delta0", "m", "δ0",
                 [](const T& of) {
                     return std::isnan(of.contact_point.value) ? std::nullopt : std::optional(of.contact_point);
                 }),
-        field<&T::correlation>("correlation", "of the two parameters"),
-        field<&T::correlated_samples>("correlated_samples",
-                                      "samples that count as one, since residuals follow their neighbours"),
-        field<&T::covariance>("covariance", "of the parameters"),
-        field<&T::n>("n", "how many points, measurements or pairs it rests on"),
-        field<&T::within_noise>("within_noise",
-                                "whether noise makes the residuals: not where χ²_red > 4 and neighbours follow each "
-                                "other; null where the noise is not known")
+        field<&T::correlation>("correlation", "correlation of the two parameters"),
+        field<&T::correlated_samples>(
+            "correlated_samples",
+            "number of samples that correspond to one independent sample, because neighbouring residuals "
+            "are correlated"),
+        field<&T::covariance>("covariance", "covariance of the parameters"),
+        field<&T::n>("n", "number of points, measurements or pairs"),
+        field<&T::within_noise>(
+            "within_noise",
+            "whether noise explains the residuals: false where χ²_red > 4 and neighbouring residuals are "
+            "correlated; null where the noise is unknown")
             .or_null(),
         quantity<&T::unbounded_work>("unbounded_work_of_adhesion", "W", "J/m2",
-                                     "W below 0 at which the sum of squares is least, where it is; W is then 0"),
-        field<&T::chi2_reduced>("chi_squared_reduced", "χ² over degrees of freedom"),
+                                     "W below 0 with the smallest sum of squares, where it exists; W is 0 then"),
+        field<&T::chi2_reduced>("chi_squared_reduced", "χ² divided by the degrees of freedom"),
         made<T>("rms_residual", "rms", "", "root mean square residual",
                 [](const T& of) { return Quantity{.estimate = {.value = of.rms_residual}, .unit = of.residual_unit}; }),
-        field<&T::relative_residual>("relative_residual", "rms residual over the rms of what was fitted"),
-        made<T>("residuals", "measured minus fitted", [](const T& of) { return thinned(of.residuals); }),
-        made<T>("depth_residuals", "of the displacement", [](const T& of) { return thinned(of.depth_residuals); })
+        field<&T::relative_residual>("relative_residual", "rms residual divided by the rms of the fitted values"),
+        made<T>("residuals", "measured minus fitted values", [](const T& of) { return thinned(of.residuals); }),
+        made<T>("depth_residuals", "residuals of the displacement",
+                [](const T& of) { return thinned(of.depth_residuals); })
             .with(Missing::left_out),
         made<T>("residuals_every",
-                "of more than 20 000 samples the residuals are those of every so many; absent where they are of all",
+                "step between the samples whose residuals are given, for more than 20 000 samples; absent "
+                "where all residuals are given",
                 [](const T& of) { return step_of(of.residuals.size()); }),
         field<&T::runs>("runs", "test of the signs of residuals"),
         inner<&T::iterations>(),
@@ -226,7 +231,7 @@ struct Described<loops::JkrFit> {
         inner<&T::depth_residuals>(),
         inner<&T::rms_residual>(),
     };
-    static constexpr Description description{"jkr_fit", "a fit of JKR to a branch", rows};
+    static constexpr Description description{"jkr_fit", "fit of JKR to a branch", rows};
 };
 static_assert(complete<loops::JkrFit>);
 
@@ -237,12 +242,12 @@ struct Described<loops::PointwiseModulus> {
         quantity<&T::contact_modulus>("contact_modulus", "E*", "Pa", "E*"),
         quantity<&T::youngs_modulus>("youngs_modulus", "E", "Pa", "E"),
         quantity<&T::contact_point>("contact_point", "delta0", "m", "δ0"),
-        field<&T::n>("n", "how many points, measurements or pairs it rests on"),
-        field<&T::relative_residual>("relative_residual", "rms residual over the rms of what was fitted"),
+        field<&T::n>("n", "number of points, measurements or pairs"),
+        field<&T::relative_residual>("relative_residual", "rms residual divided by the rms of the fitted values"),
         inner<&T::pointwise>(),
         inner<&T::rms_residual>(),
     };
-    static constexpr Description description{"", "E* from each point alone", rows};
+    static constexpr Description description{"", "E* of each single point", rows};
 };
 static_assert(complete<loops::PointwiseModulus>);
 
@@ -251,20 +256,24 @@ struct Described<loops::EnergyReleaseRate> {
     using T = loops::EnergyReleaseRate;
     static constexpr std::array rows{
         made<T>("contact_radius", "a", [](const T& of) { return thinned(of.contact_radius); }),
-        made<T>("contact_radius_unit", "of the radii", [](const T&) { return "m"; }),
-        made<T>("energy_release_rate", "G at each point", [](const T& of) { return thinned(of.energy_release_rate); }),
-        made<T>("standard_error", "one standard deviation", [](const T& of) { return thinned(of.standard_error); }),
-        made<T>("systematic", "what an error of E* does to it", [](const T& of) { return thinned(of.systematic); }),
-        made<T>("energy_release_rate_unit", "of G", [](const T&) { return "J/m2"; }),
-        field<&T::radius_measured>("contact_radius_measured", "whether the radius was measured, or follows from JKR"),
-        made<T>("every", "of more than 20 000 points the columns hold every so many; absent where they hold all",
+        made<T>("contact_radius_unit", "unit of the contact radii", [](const T&) { return "m"; }),
+        made<T>("energy_release_rate", "energy release rate G at each point",
+                [](const T& of) { return thinned(of.energy_release_rate); }),
+        made<T>("standard_error", "standard error", [](const T& of) { return thinned(of.standard_error); }),
+        made<T>("systematic", "change of G by an error of E*", [](const T& of) { return thinned(of.systematic); }),
+        made<T>("energy_release_rate_unit", "unit of G", [](const T&) { return "J/m2"; }),
+        field<&T::radius_measured>("contact_radius_measured",
+                                   "whether the contact radius was measured; otherwise it is computed by JKR"),
+        made<T>("every",
+                "step between the points in the columns, for more than 20 000 points; absent where the "
+                "columns contain all points",
                 [](const T& of) { return step_of(of.contact_radius.size()); }),
         inner<&T::contact_radius>(),
         inner<&T::energy_release_rate>(),
         inner<&T::standard_error>(),
         inner<&T::systematic>(),
     };
-    static constexpr Description description{"", "G at each point", rows};
+    static constexpr Description description{"", "energy release rate G at each point", rows};
 };
 static_assert(complete<loops::EnergyReleaseRate>);
 

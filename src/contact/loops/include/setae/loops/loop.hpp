@@ -62,7 +62,7 @@ struct Described<loops::IndexRange> {
     using T = loops::IndexRange;
     static constexpr std::array rows{field<&T::first>("first", "index of the first sample"),
                                      field<&T::last>("last", "index of the last sample")};
-    static constexpr Description description{"samples", "a range of samples", rows};
+    static constexpr Description description{"samples", "range of samples", rows};
 };
 static_assert(complete<loops::IndexRange>);
 

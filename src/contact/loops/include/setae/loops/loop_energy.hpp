@@ -60,15 +60,16 @@ template <>
 struct Described<loops::LoopErrorBudget> {
     using T = loops::LoopErrorBudget;
     static constexpr std::array rows{
-        field<&T::noise>("noise", "of the signals"),
-        field<&T::drift>("drift", "of the force"),
-        field<&T::compliance>("compliance", "of the machine"),
-        field<&T::sampling>("sampling", "of the points"),
-        field<&T::discretisation>("discretisation", "of the integral"),
-        made<T>("unit", "of the numbers beside it", [](const T&) { return "J"; }),
+        field<&T::noise>("noise", "contribution of the noise of the signals"),
+        field<&T::drift>("drift", "contribution of the drift of force"),
+        field<&T::compliance>("compliance", "contribution of the machine stiffness"),
+        field<&T::sampling>("sampling", "contribution of the sampling"),
+        field<&T::discretisation>("discretisation", "contribution of the discretisation of the integral"),
+        made<T>("unit", "unit of the numbers of this object", [](const T&) { return "J"; }),
         inner<&T::total>(),
     };
-    static constexpr Description description{"energy_error_budget", "parts of the ± of an energy", rows};
+    static constexpr Description description{"energy_error_budget", "contributions to the standard error of an energy",
+                                             rows};
 };
 static_assert(complete<loops::LoopErrorBudget>);
 

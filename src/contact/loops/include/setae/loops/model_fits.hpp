@@ -173,11 +173,11 @@ struct Described<ResidualsInUnit> {
     using T = ResidualsInUnit;
     static constexpr std::array rows{
         made<T>("rms", "root mean square", [](const T& of) { return of.of->rms; }),
-        field<&T::unit>("unit", "of the numbers beside it"),
-        made<T>("values", "a point", [](const T& of) -> const Array1D& { return of.of->values; }),
+        field<&T::unit>("unit", "unit of the numbers of this object"),
+        made<T>("values", "residual of each point", [](const T& of) -> const Array1D& { return of.of->values; }),
         inner<&T::of>(),
     };
-    static constexpr Description description{"channel_residuals", "measured minus fitted", rows};
+    static constexpr Description description{"channel_residuals", "measured minus fitted values", rows};
 };
 static_assert(complete<ResidualsInUnit>);
 
@@ -190,10 +190,11 @@ template <>
 struct Described<ApplicableModel> {
     using T = ApplicableModel;
     static constexpr std::array rows{
-        made<T>("sentence", "the same in words", [](const T& of) { return of.verdict->sentence; }),
-        made<T>("tabor_parameter", "μ, JKR holds for large ones",
+        made<T>("sentence", "applicability of the model in words", [](const T& of) { return of.verdict->sentence; }),
+        made<T>("tabor_parameter", "Tabor parameter μ; JKR applies for large μ",
                 [](const T& of) { return of.verdict->tabor_parameter; }),
-        made<T>("transition_parameter", "λ of Maugis", [](const T& of) { return of.verdict->transition_parameter; }),
+        made<T>("transition_parameter", "transition parameter λ of Maugis",
+                [](const T& of) { return of.verdict->transition_parameter; }),
         inner<&T::verdict>(),
     };
     static constexpr Description description{"", "whether the model is that of the Tabor parameter", rows};
@@ -215,42 +216,44 @@ struct Described<loops::ModelFit> {
         if (of.values.size() == 0) return {};
         return ResidualsInUnit{&of, unit};
     }
-    static constexpr std::string_view signed_distance = "measured minus fitted";
+    static constexpr std::string_view signed_distance = "measured minus fitted values";
     static constexpr std::array rows{
         made<T>("model", "name of the contact model", [](const T& of) { return to_string(of.model); }),
-        made<T>("channels", "what was fitted: force, displacement, contact radius",
+        made<T>("channels", "fitted channels: force, displacement, contact radius",
                 [](const T& of) { return loops::names_of(of.channels); }),
-        made<T>("errors", "whose errors were minimised", [](const T& of) { return to_string(of.errors); }),
-        field<&T::converged>("converged", "whether it was found"),
+        made<T>("errors", "channels whose errors were minimised", [](const T& of) { return to_string(of.errors); }),
+        field<&T::converged>("converged", "whether the iteration converged"),
         quantity<&T::contact_modulus>("contact_modulus", "E*", "Pa", "E*"),
         quantity<&T::youngs_modulus>("youngs_modulus", "E", "Pa", "E"),
         quantity<&T::work_of_adhesion>("work_of_adhesion", "W", "J/m2", "W"),
-        made<T>("cohesive_stress", "sigma0", "Pa", "σ0 of Maugis",
+        made<T>("cohesive_stress", "sigma0", "Pa", "cohesive stress σ0 of Maugis",
                 [](const T& of) { return number_of(of, &T::cohesive_stress, true); }),
-        made<T>("transition_parameter", "lambda", "1", "λ of Maugis",
+        made<T>("transition_parameter", "lambda", "1", "transition parameter λ of Maugis",
                 [](const T& of) { return number_of(of, &T::transition_parameter, true); }),
-        made<T>("transition_share", "alpha", "1", "α between DMT and JKR",
+        made<T>("transition_share", "alpha", "1", "transition parameter α between DMT and JKR",
                 [](const T& of) { return number_of(of, &T::transition_share, false); }),
         made<T>("zero_load_radius", "a0", "m", "a0",
                 [](const T& of) { return number_of(of, &T::zero_load_radius, false); }),
-        made<T>("pull_off_force", "F_c", "N", "of the model",
+        made<T>("pull_off_force", "F_c", "N", "pull-off force of the model",
                 [](const T& of) { return number_of(of, &T::pull_off_force, false); }),
         made<T>("contact_point", "delta0", "m", "δ0",
                 [](const T& of) {
                     return std::isnan(of.contact_point.value) ? std::nullopt : std::optional(of.contact_point);
                 }),
         field<&T::parameters>("parameters", "names of the fitted parameters, in the order of the covariance"),
-        field<&T::covariance>("covariance", "of the parameters"),
-        field<&T::correlations>("correlations", "of the parameters"),
+        field<&T::covariance>("covariance", "covariance of the parameters"),
+        field<&T::correlations>("correlations", "correlations of the parameters"),
         field<&T::undetermined>("undetermined", "parameters that the data do not determine").with(Missing::left_out),
-        field<&T::n>("n", "how many points, measurements or pairs it rests on"),
-        field<&T::degrees_of_freedom>("degrees_of_freedom", "of Student's t, or of χ²"),
-        field<&T::chi2_reduced>("chi_squared_reduced", "χ² over degrees of freedom"),
+        field<&T::n>("n", "number of points, measurements or pairs"),
+        field<&T::degrees_of_freedom>("degrees_of_freedom", "degrees of freedom of Student's t or of χ²"),
+        field<&T::chi2_reduced>("chi_squared_reduced", "χ² divided by the degrees of freedom"),
         made<T>("noise_known", "whether the errors of all channels were stated",
                 [](const T& of) { return of.noise.all_known; }),
-        field<&T::akaike>("akaike", "Akaike's criterion"),
-        field<&T::correlated_samples>("correlated_samples",
-                                      "samples that count as one, since residuals follow their neighbours"),
+        field<&T::akaike>("akaike", "Akaike's information criterion"),
+        field<&T::correlated_samples>(
+            "correlated_samples",
+            "number of samples that correspond to one independent sample, because neighbouring residuals "
+            "are correlated"),
         field<&T::runs>("runs", "test of the signs of residuals"),
         made<T>("force_residuals", signed_distance, [](const T& of) { return residuals(of.force_residuals, "N"); }),
         made<T>("displacement_residuals", signed_distance,
@@ -277,7 +280,7 @@ struct Described<loops::ModelFit> {
         inner<&T::contact_radius_residuals>(),
         inner<&T::verdict>(),
     };
-    static constexpr Description description{"model_fit", "a contact model fitted to a branch", rows};
+    static constexpr Description description{"model_fit", "contact model fitted to a branch", rows};
 };
 static_assert(complete<loops::ModelFit>);
 
@@ -288,14 +291,14 @@ struct Described<loops::ComparedModel> {
         fields_of<T>([](const T& of) -> const loops::Outcome<loops::ModelFit>& { return of.fit; }),
         made<T>("model", "name of the contact model",
                 [](const T& of) { return of.fit ? std::nullopt : std::optional(to_string(of.model)); }),
-        made<T>("reason", "why it is missing, or left out",
+        made<T>("reason", "reason for which it is missing or left out",
                 [](const T& of) { return of.fit ? std::nullopt : std::optional(of.fit.reason); }),
-        field<&T::akaike_difference>("akaike_difference", "from the best model"),
-        field<&T::akaike_weight>("akaike_weight", "share of the evidence"),
+        field<&T::akaike_difference>("akaike_difference", "difference of Akaike's criterion from the best model"),
+        field<&T::akaike_weight>("akaike_weight", "Akaike weight of the model"),
         inner<&T::model>(),
         inner<&T::fit>(),
     };
-    static constexpr Description description{"compared_model", "a contact model beside others", rows};
+    static constexpr Description description{"compared_model", "contact model in comparison with others", rows};
 };
 static_assert(complete<loops::ComparedModel>);
 
@@ -303,13 +306,13 @@ template <>
 struct Described<loops::ModelComparison> {
     using T = loops::ModelComparison;
     static constexpr std::array rows{
-        made<T>("channels", "what was fitted: force, displacement, contact radius",
+        made<T>("channels", "fitted channels: force, displacement, contact radius",
                 [](const T& of) { return loops::names_of(of.channels); }),
-        field<&T::models>("models", "one entry a model"),
-        made<T>("best", "name of the best",
+        field<&T::models>("models", "one entry per model"),
+        made<T>("best", "name of the best model",
                 [](const T& of) { return of.best ? std::optional(to_string(*of.best)) : std::nullopt; })
             .or_null(),
-        field<&T::sentence>("sentence", "the same in words"),
+        field<&T::sentence>("sentence", "comparison in words"),
         inner<&T::channels>(),
         inner<&T::best>(),
     };

@@ -18,7 +18,7 @@ struct PullOff {
     /// there. δ(F) is vertical at that point: a record with few samples reads too much.
     Outcome<Estimate> work_of_adhesion_fixed_grips;
     double machine_stiffness = 0.0;  ///< k of the jump [N/m], |ΔF| = k (|Δδ| − vΔt), v the speed of the motor; infinite
-                                     ///< where δ moves no more than the motor, NaN where unknown
+    ///< where δ moves no more than the motor, NaN where unknown
 };
 
 /// The last points before pull-off as a JKR curve (S2).
@@ -51,17 +51,17 @@ template <>
 struct Described<loops::PullOff> {
     using T = loops::PullOff;
     static constexpr std::array rows{
-        field<&T::index>("index", "of the sample"),
+        field<&T::index>("index", "index of the sample"),
         quantity<&T::force>("force", "F_po", "N", "smallest"),
         quantity<&T::work_of_adhesion>("work_of_adhesion", "W_po", "J/m2", "W")
-            .from("at pull-off, W = 2|F_po|/(3 pi R), the smallest force; [D19] (S1)"),
-        quantity<&T::last_force>("last_force", "F_last", "N", "of the last sample in contact"),
+            .from("at pull-off, W = 2|F_po|/(3 pi R), the smallest force; [D19], Eq. S1"),
+        quantity<&T::last_force>("last_force", "F_last", "N", "force of the last sample in contact"),
         quantity<&T::work_of_adhesion_fixed_grips>("work_of_adhesion_fixed_grips", "W_po", "J/m2",
                                                    "6|F|/(5πR) of the last force")
             .from("W = 6|F_last|/(5 pi R), fixed grips"),
-        quantity<&T::machine_stiffness>("machine_stiffness", "k", "N/m", "k of the machine"),
+        quantity<&T::machine_stiffness>("machine_stiffness", "k", "N/m", "stiffness k of the testing machine"),
     };
-    static constexpr Description description{"pull_off", "the smallest force", rows};
+    static constexpr Description description{"pull_off", "smallest force", rows};
 };
 static_assert(complete<loops::PullOff>);
 
@@ -71,17 +71,18 @@ struct Described<loops::RetractionFit> {
     static constexpr std::array rows{
         made<T>("work_of_adhesion", "W_ret", "J/m2", "W",
                 [](const T& of) { return with_count(of.n, of.work_of_adhesion); })
-            .from("at pull-off, [D19] (S2) on the last points"),
+            .from("at pull-off, [D19], Eq. S2 on the last points"),
         quantity<&T::contact_modulus>("contact_modulus", "E*", "Pa", "E*"),
         field<&T::modulus_free>("contact_modulus_free", "whether E* was fitted, too"),
         field<&T::first>("first", "index of the first sample"),
         field<&T::last>("last", "index of the last sample"),
         quantity<&T::rms_residual>("rms_residual", "rms", "N", "root mean square residual"),
-        field<&T::radius_measured>("contact_radius_measured", "whether the radius was measured, or follows from JKR"),
+        field<&T::radius_measured>("contact_radius_measured",
+                                   "whether the contact radius was measured; otherwise it is computed by JKR"),
         inner<&T::work_of_adhesion>(),
         inner<&T::n>(),
     };
-    static constexpr Description description{"retraction", "the last points before pull-off", rows};
+    static constexpr Description description{"retraction", "last points before pull-off", rows};
 };
 static_assert(complete<loops::RetractionFit>);
 

@@ -88,13 +88,13 @@ struct Described<loops::ContactSegments> {
     static constexpr std::array rows{
         field<&T::extent>("extent", "samples in contact"),
         field<&T::jump_in>("jump_in", "samples of the jump into contact").or_null(),
-        field<&T::loading>("loading", "branch of loading"),
-        field<&T::hold>("hold", "what changed while the load was held").or_null(),
-        field<&T::unloading>("unloading", "branch of unloading; null where there is none").or_null(),
-        field<&T::pull_off>("pull_off", "the smallest force").or_null(),
+        field<&T::loading>("loading", "loading branch"),
+        field<&T::hold>("hold", "changes while the load is held").or_null(),
+        field<&T::unloading>("unloading", "unloading branch; null where there is none").or_null(),
+        field<&T::pull_off>("pull_off", "smallest force").or_null(),
         inner<&T::cycles>(),
     };
-    static constexpr Description description{"", "how one touch was divided", rows};
+    static constexpr Description description{"", "segments of one contact", rows};
 };
 static_assert(complete<loops::ContactSegments>);
 
@@ -106,14 +106,14 @@ struct Described<loops::Segments> {
         made<T>("baseline_after", "samples after contact",
                 [](const T& of) { return of.after ? of.after->range : std::nullopt; })
             .or_null(),
-        field<&T::contacts>("contacts", "one entry a touch"),
+        field<&T::contacts>("contacts", "one entry per contact"),
         field<&T::ignored>("ignored", "samples that were left out"),
         inner<&T::before>(),
         inner<&T::after>(),
         inner<&T::cycles>(),
         inner<&T::steps>(),
     };
-    static constexpr Description description{"segments", "how a record was divided", rows};
+    static constexpr Description description{"segments", "segments of a record", rows};
 };
 static_assert(complete<loops::Segments>);
 

@@ -10,7 +10,7 @@ namespace setae::loops {
 
 /// W_ret as a straight line in the contact radius, from the largest contact to pull-off.
 ///
-///   W_ret(a) = W_po + s (a − a_po),  a_po <= a <= a_max
+/// W_ret(a) = W_po + s (a − a_po), a_po <= a <= a_max
 ///
 /// a_po: radius where the force is smallest. A contact that remains below it follows the same line.
 struct WorkAlongRetraction {
@@ -41,7 +41,7 @@ struct RetractionCourse {
 /// errors hold the scatter of the residuals, which may depend on their neighbours, the zero of force, E* and, of the
 /// losses, W_app. An edge whose W_ret depends on its speed has a slope, too: fit_crack_speed() tells the two apart.
 ///
-///   ∮F dδ = E_jump in + U_E(a_out) + F_out²/2k + ∫ W_ret dA − W_app A_max,  A from a_out to a_max
+/// ∮F dδ = E_jump in + U_E(a_out) + F_out²/2k + ∫ W_ret dA − W_app A_max, A from a_out to a_max
 ///
 /// a_out: radius at which d(δ + F/k)/da = 0 on the line, where the contact parts; U_E = E*(δ²a − 2/3 δa³/R + a⁵/5R²).
 /// @throws InvalidArgument for R, E*, a_max or k <= 0; UndefinedDataError without measured contact radius, for fewer
@@ -61,22 +61,23 @@ struct Described<loops::WorkAlongRetraction> {
         quantity<&T::at_pull_off>("work_at_pull_off", "W_ret(a_po)", "J/m2", "W_ret at the smallest contact radius"),
         quantity<&T::at_largest_contact>("work_at_largest_contact", "W_ret(a_max)", "J/m2",
                                          "W_ret at the largest contact radius"),
-        made<T>("slope", "dW_ret/da", "J/m3", "dW_ret/da; above 0, W_ret falls as the contact shrinks",
+        made<T>("slope", "dW_ret/da", "J/m3", "slope dW_ret/da; above 0, W_ret decreases as the contact shrinks",
                 [](const T& of) { return with_count(of.n, of.slope); })
-            .from("line through G(a) = (4E*a^3/3R - F)^2/(8 pi E* a^3) of the receding edge"),
+            .from("line through G(a) = (4E*a^3/3R - F)^2/(8 pi E* a^3) of the retracting edge"),
         quantity<&T::smallest_radius>("smallest_contact_radius", "a_po", "m", "a_po"),
         quantity<&T::largest_radius>("largest_contact_radius", "a_max", "m", "a_max"),
-        quantity<&T::rms_residual>("rms_residual", "rms", "J/m2", "G measured less the line"),
+        quantity<&T::rms_residual>("rms_residual", "rms", "J/m2", "measured G minus the line"),
         field<&T::chi2_reduced>("chi_squared_reduced", "χ² per degree of freedom; null where the noise is unknown"),
         quantity<&T::energy_loss>("energy_loss", "E_loss", "J",
                                   "∮F dδ of a loop with W_app on approach and this W_ret on retraction"),
-        quantity<&T::energy_loss_constant>("energy_loss_constant_work", "E_loss", "J",
-                                           "the same with W_ret at pull-off during the whole retraction"),
+        quantity<&T::energy_loss_constant>(
+            "energy_loss_constant_work", "E_loss", "J",
+            "∮F dδ of a loop with W_app on approach and W_ret at pull-off during the whole retraction"),
         inner<&T::slope>(),
         inner<&T::n>(),
     };
     static constexpr Description description{"work_along_retraction",
-                                             "W_ret(a), a line from the largest contact to pull-off", rows};
+                                             "linear W_ret(a) from the largest contact to pull-off", rows};
 };
 static_assert(complete<loops::WorkAlongRetraction>);
 

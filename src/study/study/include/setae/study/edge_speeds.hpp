@@ -52,12 +52,14 @@ struct Described<study::ElastomerEdgeSpeed> {
     using T = study::ElastomerEdgeSpeed;
     static constexpr std::array rows{
         field<&T::references>("references",
-                              "loops on the smooth standard that it is fitted to; 0: the study states it"),
-        made<T>("rest_factor", "φ", "1", "φ, what a smooth edge at rest needs over W_app",
+                              "number of loops on the smooth reference to which the dependence is fitted; 0 where the "
+                              "study states it"),
+        made<T>("rest_factor", "φ", "1",
+                "factor φ: work of an edge at zero speed on the smooth reference, divided by W_app",
                 [](const T& of) { return of.law.rest_factor; }),
         made<T>("reference_speed", "v0", "m/s", "v0", [](const T& of) { return of.law.reference_speed; }),
         made<T>("exponent", "n", "1", "n", [](const T& of) { return of.law.exponent; }),
-        quantity<&T::threshold>("threshold", "G0", "J/m2", "G0 of the references"),
+        quantity<&T::threshold>("threshold", "G0", "J/m2", "threshold G0 of the references"),
         inner<&T::law>(),
     };
     static constexpr Description description{"", "W_ret(v) = φ W [1 + (v/v0)^n]", rows};

@@ -164,16 +164,16 @@ template <>
 struct Described<study::LossDecomposition> {
     using T = study::LossDecomposition;
     static constexpr std::array rows{
-        field<&T::model>("model", "the likeliest model"),
-        made<T>("of", "`loop`: its own area; `works`: from W_app, W_ret and the contact area",
+        field<&T::model>("model", "name of the likeliest model"),
+        made<T>("of", "`loop`: area of the measured loop; `works`: computed from W_app, W_ret and the contact area",
                 [](const T& of) { return of.of_works ? "works" : "loop"; }),
         quantity<&T::measured>("energy_loss", "E_loss", "J", "measured"),
-        field<&T::shares>("energy_loss_shares", "where the energy goes; they add to the loss of the law"),
-        quantity<&T::unexplained>("unexplained", "E_loss - Σ", "J", "measured less the law's"),
-        field<&T::not_told_apart>("not_told_apart", "shares of which only the sum is known"),
+        field<&T::shares>("energy_loss_shares", "contributions to the predicted energy loss; their sum is that loss"),
+        quantity<&T::unexplained>("unexplained", "E_loss - Σ", "J", "measured minus predicted energy loss"),
+        field<&T::not_told_apart>("not_told_apart", "contributions of which only the sum is known"),
         inner<&T::of_works>(),
     };
-    static constexpr Description description{"", "where the joules of a measured loop went", rows};
+    static constexpr Description description{"", "energy budget of a measured loop", rows};
 };
 static_assert(complete<study::LossDecomposition>);
 
@@ -184,14 +184,15 @@ struct Described<study::JointInput> {
         return {.quantity = name, .estimate = value, .unit = of.unit};
     }
     static constexpr std::array rows{
-        field<&T::name>("name", "of the input"),
-        made<T>("before", "as stated or fitted elsewhere", [](const T& of) { return stated("before", of.before, of); }),
-        made<T>("after", "with what the loops say", [](const T& of) { return stated("after", of.after, of); }),
+        field<&T::name>("name", "name of the input"),
+        made<T>("before", "value as stated, or fitted elsewhere",
+                [](const T& of) { return stated("before", of.before, of); }),
+        made<T>("after", "value after the fit to the loops", [](const T& of) { return stated("after", of.after, of); }),
         inner<&T::unit>(),
         inner<&T::before>(),
         inner<&T::after>(),
     };
-    static constexpr Description description{"", "an input of all loops before and after their fit", rows};
+    static constexpr Description description{"", "input of all loops before and after the fit", rows};
 };
 static_assert(complete<study::JointInput>);
 
@@ -199,12 +200,12 @@ template <>
 struct Described<study::JointLossFit> {
     using T = study::JointLossFit;
     static constexpr std::array rows{
-        field<&T::energies>("energies", "E_loss of loops in it"),
-        field<&T::works>("works", "W_ret of pairs in it"),
-        field<&T::chi2>("chi2", "of both"),
+        field<&T::energies>("energies", "number of energy losses of loops in the fit"),
+        field<&T::works>("works", "number of W_ret of pairs in the fit"),
+        field<&T::chi2>("chi2", "χ² of both"),
         value<&T::unexplained_per_area>("unexplained_per_area", "J/m2",
-                                        "what energies scatter by beyond what their inputs leave open"),
-        field<&T::inputs>("inputs", "what loops rest on, before and after"),
+                                        "scatter of energies beyond the uncertainty of their inputs"),
+        field<&T::inputs>("inputs", "inputs of the loops before and after the fit"),
     };
     static constexpr Description description{"", "one fit of all loops", rows};
 };
@@ -214,13 +215,13 @@ template <>
 struct Described<study::LoopResiduals> {
     using T = study::LoopResiduals;
     static constexpr std::array rows{
-        field<&T::loops>("loops", "records behind it"),
-        value<&T::approach>("approach", "N", "while it is pressed"),
-        value<&T::retraction>("retraction", "N", "while it is pulled off"),
+        field<&T::loops>("loops", "number of records"),
+        value<&T::approach>("approach", "N", "rms difference on approach"),
+        value<&T::retraction>("retraction", "N", "rms difference on retraction"),
         inner<&T::largest_force>(),
     };
     static constexpr Description description{
-        "", "force of records less that of the predicted loop at the same displacement, rms by branch", rows};
+        "", "force of records minus that of the predicted loop at the same displacement, rms by branch", rows};
 };
 static_assert(complete<study::LoopResiduals>);
 
@@ -229,11 +230,12 @@ struct Described<study::LikelierModel> {
     using T = study::LikelierModel;
     static constexpr std::array rows{
         made<T>("model", "name of the model", [](const T& of) { return of.model.name(); }),
-        quantity<&T::work_retraction>("work_of_adhesion_retraction", "W_ret", "J/m2", "from roughness alone"),
+        quantity<&T::work_retraction>("work_of_adhesion_retraction", "W_ret", "J/m2",
+                                      "W_ret predicted from roughness only"),
         quantity<&T::pull_off_force>("pull_off_force", "F_po", "N", "magnitude"),
         inner<&T::model>(),
     };
-    static constexpr Description description{"", "the likeliest model where it is not the answer", rows};
+    static constexpr Description description{"", "likeliest model where it is not used for the predictions", rows};
 };
 static_assert(complete<study::LikelierModel>);
 
@@ -244,49 +246,51 @@ struct Described<study::PairHysteresis> {
     static constexpr std::array rows{
         field<&T::surface>("surface", "name of the surface"),
         field<&T::elastomer>("elastomer", "name of the elastomer"),
-        made<T>("model", "the law whose numbers follow", [](const T& of) { return of.model.name(); }),
-        made<T>(
-            "chosen_by",
-            "`conforming_pairs`, `all_pairs`: best of that ranking with a smooth limit; `assumed`: `reversible`, where "
-            "nothing was ranked",
-            [](const T& of) { return choices[static_cast<std::size_t>(of.choice)]; })
+        made<T>("model", "model by which the numbers are predicted", [](const T& of) { return of.model.name(); }),
+        made<T>("chosen_by",
+                "ranking that gives the model: `conforming_pairs`, `all_pairs`: best model of that ranking "
+                "with a smooth limit; `assumed`: `reversible`, where no models are ranked",
+                [](const T& of) { return choices[static_cast<std::size_t>(of.choice)]; })
             .one_of(choices),
-        field<&T::energy_share>("energy_share", "U_el over what conforming gains"),
-        field<&T::conforms>("conforms", "whether the bodies come into full contact of themselves"),
+        field<&T::energy_share>("energy_share", "U_el divided by the energy that is gained in full contact"),
+        field<&T::conforms>("conforms", "whether full contact forms spontaneously"),
         field<&T::contact_fraction>("contact_fraction",
-                                    "of the area in contact without load, as simulated patches have it"),
-        quantity<&T::tip_factor>("tip_factor", "φ", "1", "φ, W_ret/W_app of the smooth reference"),
+                                    "share of the area that is in contact without load, from simulated patches"),
+        quantity<&T::tip_factor>("tip_factor", "φ", "1", "factor φ, W_ret/W_app of the smooth reference"),
         quantity<&T::speed_factor>(
             "speed_factor", "φ(v)", "1",
-            "φ(v), W_ret as read over what roughness asks for, at the speed of the pair's own edge"),
-        quantity<&T::work_approach>("work_of_adhesion_approach", "W_app", "J/m2",
-                                    "by (7) where contact is full, of the contact that there is where it is not"),
-        quantity<&T::work_retraction>("work_of_adhesion_retraction", "W_ret", "J/m2", "from roughness alone"),
-        quantity<&T::measured_retraction>("measured", "W_ret", "J/m2", "W_ret at pull-off by (S2), else by (S1)")
+            "factor φ(v), apparent W_ret divided by W_ret from roughness, at the speed of the edge of the pair"),
+        quantity<&T::work_approach>(
+            "work_of_adhesion_approach", "W_app", "J/m2",
+            "W_app by the full-contact balance (Eq. 7) in full contact, otherwise of the partial contact"),
+        quantity<&T::work_retraction>("work_of_adhesion_retraction", "W_ret", "J/m2",
+                                      "W_ret predicted from roughness only"),
+        quantity<&T::measured_retraction>("measured", "W_ret", "J/m2",
+                                          "measured W_ret at pull-off by Eq. S2, else by Eq. S1")
             .as("work_of_adhesion_retraction"),
         quantity<&T::pull_off_force>("pull_off_force", "F_po", "N", "magnitude"),
-        field<&T::likelier>(
-            "likelier",
-            "the likeliest model, not taken for the answer because it does not tend to a smooth surface's "
-            "W_ret as roughness tends to zero; null where the answer is the likeliest")
+        field<&T::likelier>("likelier",
+                            "likeliest model, where it is not used because its W_ret does not tend to that of a smooth "
+                            "surface as roughness tends to zero; null where the likeliest model is used")
             .or_null(),
-        field<&T::pinning>("pinning",
-                           "k of simulated fronts as long as the edge of the contact; null where no models are ranked")
+        field<&T::pinning>(
+            "pinning",
+            "pinning coefficient k of simulated fronts as long as the edge of the contact; null where no "
+            "models are ranked")
             .or_null(),
-        made<T>("contact_radius", "a_max", "m", "at the preload",
+        made<T>("contact_radius", "a_max", "m", "contact radius at the preload",
                 [](const T& of) { return of.loop ? std::optional(of.loop->contact_radius) : std::nullopt; }),
-        made<T>("energy_loss", "E_loss", "J", "of the whole loop; null where it is not predicted",
+        made<T>("energy_loss", "E_loss", "J", "energy loss of the whole loop; null where it is not predicted",
                 [](const T& of) {
                     return of.loop ? loops::Outcome<TracedValue>(of.loop->energy_loss)
                                    : loops::Outcome<TracedValue>::missing(of.loop.reason);
                 }),
-        made<T>("energy_loss_shares", "where the energy goes; they add to the loss of the law",
+        made<T>("energy_loss_shares", "contributions to the predicted energy loss; their sum is that loss",
                 [](const T& of) { return of.loop ? std::optional(of.loop->shares) : std::nullopt; }),
-        field<&T::decomposition>("decomposition",
-                                 "where the joules of the measured loop went; null where that is not known"),
+        field<&T::decomposition>("decomposition", "energy budget of the measured loop; null where it is unknown"),
         field<&T::residuals>(
-            "residuals", "force of records less that of the predicted loop at the same displacement, rms by branch"),
-        made<T>("models", "W_ret", "J/m2", "W_ret at pull-off from roughness alone by each law",
+            "residuals", "force of records minus that of the predicted loop at the same displacement, rms by branch"),
+        made<T>("models", "W_ret", "J/m2", "W_ret at pull-off predicted from roughness only, by each model",
                 [](const T& of) {
                     std::vector<std::pair<std::string, Estimate>> works;
                     for (const auto& m : of.models) works.emplace_back(m.model.name(), m.work_retraction);
@@ -294,7 +298,9 @@ struct Described<study::PairHysteresis> {
                 })
             .as("work_of_adhesion_retraction")
             .or_null(),
-        made<T>("log_likelihood", "ln density of what was measured by each law, the pair's surface left out of the fit",
+        made<T>("log_likelihood",
+                "ln of the probability density of the measured values by each model, with the surface of the "
+                "pair left out of the fit",
                 [](const T& of) {
                     std::vector<std::pair<std::string, double>> densities;
                     for (const auto& m : of.models)
@@ -316,13 +322,13 @@ struct Described<study::ElastomerTimes> {
     using T = study::ElastomerTimes;
     static constexpr std::array rows{
         field<&T::elastomer>("elastomer", "name of the elastomer"),
-        field<&T::edge>("crack_speed", "W_ret(v) = φ W [1 + (v/v0)^n]; null where it is not known"),
-        field<&T::relaxation>("relaxation", "terms of E(t)/E∞ = 1 + Σ g e^(−t/τ), as the study states them"),
+        field<&T::edge>("crack_speed", "W_ret(v) = φ W [1 + (v/v0)^n]; null where it is unknown"),
+        field<&T::relaxation>("relaxation", "terms of E(t)/E∞ = 1 + Σ g e^(−t/τ), as stated in the study"),
         made<T>(
-            "largest_bulk_factor", "1 + Σ g: the most that this relaxation can raise W_ret(v)/W_ret(0) to",
+            "largest_bulk_factor", "1 + Σ g: upper limit of W_ret(v)/W_ret(0) by this relaxation",
             [](const T& of) { return of.relaxation.empty() ? std::nullopt : std::optional(of.largest_bulk_factor()); }),
     };
-    static constexpr Description description{"", "what an elastomer does in time", rows};
+    static constexpr Description description{"", "time dependence of an elastomer", rows};
 };
 static_assert(complete<study::ElastomerTimes>);
 
@@ -332,9 +338,9 @@ struct Described<study::SkippedPair> {
     static constexpr std::array rows{
         field<&T::surface>("surface", "name of the surface"),
         field<&T::elastomer>("elastomer", "name of the elastomer"),
-        field<&T::reason>("reason", "why it is missing, or left out"),
+        field<&T::reason>("reason", "reason for which it is missing or left out"),
     };
-    static constexpr Description description{"", "a pair of which nothing can be said", rows};
+    static constexpr Description description{"", "pair without a prediction", rows};
 };
 static_assert(complete<study::SkippedPair>);
 
@@ -344,22 +350,23 @@ struct Described<study::DecidingPair> {
     static constexpr std::array rows{
         field<&T::surface>("surface", "name of the surface"),
         field<&T::elastomer>("elastomer", "name of the elastomer"),
-        made<T>("models", "the two laws",
+        made<T>("models", "names of the two models",
                 [](const T& of) {
                     return std::vector{of.first, of.second};
                 }),
-        made_value<T>("work_of_adhesion_retraction", "J/m2", "by each of them",
+        made_value<T>("work_of_adhesion_retraction", "J/m2", "W_ret predicted by each model",
                       [](const T& of) {
                           return std::vector{of.first_work, of.second_work};
                       }),
-        field<&T::largest_input>("largest_input", "what most of the ± of their difference rests on"),
-        field<&T::standard_errors>("standard_errors_apart", "of what is predicted"),
+        field<&T::largest_input>("largest_input",
+                                 "input that contributes most to the standard error of the difference"),
+        field<&T::standard_errors>("standard_errors_apart", "difference of the predictions in standard errors"),
         inner<&T::first>(),
         inner<&T::second>(),
         inner<&T::first_work>(),
         inner<&T::second_work>(),
     };
-    static constexpr Description description{"", "a pair that would tell two models apart", rows};
+    static constexpr Description description{"", "pair that would distinguish two models", rows};
 };
 static_assert(complete<study::DecidingPair>);
 
@@ -367,19 +374,20 @@ template <>
 struct Described<study::ReferenceLimit> {
     using T = study::ReferenceLimit;
     static constexpr std::array rows{
-        made<T>("model", "its name", [](const T& of) { return of.limit.model.name(); }),
+        made<T>("model", "name of the model", [](const T& of) { return of.limit.model.name(); }),
         field<&T::elastomer>("elastomer", "name of the elastomer"),
         made<T>("tends_to_reference",
-                "whether W_ret tends to W_app, times the factor of its crack tip, as the roughness tends to zero",
+                "whether W_ret tends to W_app, times the factor of the crack tip, as the roughness tends to zero",
                 [](const T& of) { return of.limit.tends_to_reference; }),
-        made<T>("work_of_adhesion_retraction", "W_ret", "J/m2", "by the model",
+        made<T>("work_of_adhesion_retraction", "W_ret", "J/m2", "W_ret by the model",
                 [](const T& of) { return of.limit.work_retraction; }),
-        quantity<&T::reference>("reference", "W_ret", "J/m2", "as measured"),
-        made<T>("distance", "W_ret - W_ret,reference", "J/m2", "by the model less as measured",
+        quantity<&T::reference>("reference", "W_ret", "J/m2", "measured W_ret of the smooth reference"),
+        made<T>("distance", "W_ret - W_ret,reference", "J/m2", "W_ret by the model minus the measured value",
                 [](const T& of) { return of.limit.distance; }),
         inner<&T::limit>(),
     };
-    static constexpr Description description{"", "a model against the smooth reference on one elastomer", rows};
+    static constexpr Description description{"", "comparison of a model with the smooth reference on one elastomer",
+                                             rows};
 };
 static_assert(complete<study::ReferenceLimit>);
 
@@ -387,36 +395,39 @@ template <>
 struct Described<study::Hysteresis> {
     using T = study::Hysteresis;
     static constexpr std::array ranking_rows{
-        field<&T::conforming>("conforming_pairs", "by pairs that come into full contact of themselves"),
-        field<&T::all>("all_pairs", "by all measured pairs"),
-        field<&T::by_area>("loop_areas", "by W_ret read from what loops lose, of pairs whose loops' area is known"),
+        field<&T::conforming>("conforming_pairs", "ranking by pairs in spontaneous full contact"),
+        field<&T::all>("all_pairs", "ranking by all measured pairs"),
+        field<&T::by_area>("loop_areas",
+                           "ranking by W_ret from the energy loss of loops, for pairs with known loop area"),
     };
     static constexpr Description rankings{"", "models of W_ret at pull-off", ranking_rows};
     static constexpr std::array rows{
-        field<&T::measured_pairs>("measured_pairs", "with W_app and W_ret measured"),
-        field<&T::conforming_pairs>("conforming_pairs", "of these, that come into full contact of themselves"),
-        made<T>("conforming_pairs_range", "2.5 and 97.5 % of this number when inputs are drawn within their ±",
+        field<&T::measured_pairs>("measured_pairs", "number of pairs with measured W_app and W_ret"),
+        field<&T::conforming_pairs>("conforming_pairs", "number of these pairs in spontaneous full contact"),
+        made<T>("conforming_pairs_range",
+                "2.5 and 97.5 % points of this number when inputs are drawn within their standard errors",
                 [](const T& of) {
                     return std::vector{of.conforming_range.lower, of.conforming_range.upper};
                 }),
         inner<&T::conforming_range>(),
         part<T>("rankings", "models of W_ret at pull-off", rankings),
-        field<&T::pairs_by_area>("pairs_by_area", "pairs whose loops' area is known"),
-        field<&T::elastomers>("elastomers", "what elastomers do in time"),
+        field<&T::pairs_by_area>("pairs_by_area", "number of pairs with known loop area"),
+        field<&T::elastomers>("elastomers", "time dependence of elastomers"),
         field<&T::joint>("joint_fit",
-                         "one fit of all loops, behind the pairs' decompositions; null where there are too few"),
-        field<&T::deciding>("deciding_pair",
-                            "the pair on which the best law and the likeliest not told apart from it differ most; null "
-                            "where there is none")
+                         "one fit of all loops, on which the budgets of the pairs depend; null where there are too "
+                         "few loops"),
+        field<&T::deciding>(
+            "deciding_pair",
+            "pair for which the best model and the likeliest model that cannot be distinguished from it "
+            "differ most; null where there is none")
             .or_null(),
-        field<&T::smooth_limits>(
-            "smooth_limits",
-            "every model of the ranking of all pairs on the smooth reference of every elastomer: r = "
-            "1, U_el = 0"),
-        field<&T::alerts>("alerts", "what the reader must know"),
-        field<&T::trials>("trials", "what became of laws that were planted").with(Missing::left_out),
-        field<&T::pairs>("pairs", "one entry a surface and elastomer"),
-        field<&T::skipped>("skipped", "pairs of which nothing can be said"),
+        field<&T::smooth_limits>("smooth_limits",
+                                 "every model of the ranking of all pairs, applied to the smooth reference of every "
+                                 "elastomer: r = 1, U_el = 0"),
+        field<&T::alerts>("alerts", "warnings"),
+        field<&T::trials>("trials", "recovery of known retraction models from simulated pairs").with(Missing::left_out),
+        field<&T::pairs>("pairs", "one entry per pair of a surface and an elastomer"),
+        field<&T::skipped>("skipped", "pairs without a prediction"),
     };
     static constexpr Description description{"", "retraction models and predictions of all pairs", rows};
 };
