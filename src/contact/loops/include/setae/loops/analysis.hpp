@@ -285,7 +285,7 @@ struct Described<loops::ComplianceEffect> {
         quantity<&T::stiffness>("machine_stiffness", "k", "N/m", "stiffness k of the testing machine"),
         quantity<&T::modulus_change>("modulus_change", "E*(k + SE) - E*(k)", "Pa", "change of E*"),
         quantity<&T::work_change>("work_change", "W(k + SE) - W(k)", "J/m2", "change of W"),
-        quantity<&T::energy_change>("energy_change", "change of the work of the approach", "J", "of the energy"),
+        quantity<&T::energy_change>("energy_change", "change of the energy", "J", "change of the energy"),
     };
     static constexpr Description description{"compliance", "effect of one standard error of the machine stiffness",
                                              rows};

@@ -34,7 +34,7 @@ struct Described<loops::RunsTest> {
         field<&T::runs>("runs", "runs of residuals of one sign"),
         field<&T::above>("above", "residuals above 0"),
         field<&T::below>("below", "residuals below 0"),
-        field<&T::p_value>("p_value", "of so few or many runs by chance"),
+        field<&T::p_value>("p_value", "probability of so few or so many runs by chance"),
     };
     static constexpr Description description{"runs_test", "test of the signs of residuals (Wald and Wolfowitz)", rows};
 };
