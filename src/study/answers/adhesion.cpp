@@ -30,13 +30,14 @@ void add_other_routes(std::vector<Quantity>& list, const study::StudyResult& res
     const bool exact = options.conversion == roughness::Conversion::exact;
     if (const auto& other = result.surfaces.front().used().other_conversion)
         add(exact ? "stored_energy_eq11" : "stored_energy_exact", modulus * other->elastic_energy_per_modulus,
-            exact ? "C1D by [D19] (11)" : "(E*/8) int q C1D dq");
+            exact ? "C1D by [D19], Eq. 11" : "(E*/8) int q C1D dq");
     const auto& p = result.surfaces.front().used().parameters;
     add("stored_energy_bound", adhesion::stored_energy_bound(modulus, p.rms_height, p.rms_slope),
         "E* h_rms h'_rms/4, no spectrum with these two stores more");
     if (!map) return;
     const auto curve = roughness::limited(study::isotropic_spectrum(*map, options, threads), options.limits());
-    add("stored_energy_from_C_iso", adhesion::stored_energy(modulus, curve), "(E*/8 pi) int q^2 C_iso dq; [D19] (8)");
+    add("stored_energy_from_C_iso", adhesion::stored_energy(modulus, curve),
+        "(E*/8 pi) int q^2 C_iso dq; [D19], Eq. 8");
     add("stored_energy_from_map", adhesion::stored_energy(modulus, *map, threads),
         "(E*/4) sum |q| |h_q|^2, no isotropy assumed; all wavevectors of the map");
 }
@@ -59,9 +60,9 @@ std::vector<Quantity> quantities(const study::StudyResult& result, const std::op
         list.push_back(quantity(std::string("work_of_adhesion_") + name + "_floored", "max(0, W_app)",
                                 work->work.floored, "J/m2"));
     };
-    predicted("modified", pair.modified, "[D19] (7)");
-    predicted("persson_tosatti", pair.persson_tosatti, "[D19] (S13)");
-    predicted("without_area_change", pair.without_area_change, "[D19] (2)");
+    predicted("modified", pair.modified, "[D19], Eq. 7");
+    predicted("persson_tosatti", pair.persson_tosatti, "[D19], Eq. S13");
+    predicted("without_area_change", pair.without_area_change, "[D19], Eq. 2");
     return list;
 }
 

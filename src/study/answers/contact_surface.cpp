@@ -54,11 +54,12 @@ void window(PipelineResult& surface) {
 Alert alert_of(const processing::Seam& seam, const topography::Metadata& metadata) {
     return {
         "MAP_NOT_PERIODIC", topography::label(metadata),
-        fmt::format("heights differ by {} (rms) where the map meets itself, neighbouring points by {}: the contact of "
-                    "the repeated map has a step there that the surface does not have",
-                    format_value(seam.height_step, "m", 3), format_value(seam.usual_step, "m", 3)),
-        "`edges = windowed` takes the step away, `free` lets nothing touch beyond the map, and `edges = periodic` says "
-        "that the surface does repeat itself"};
+        fmt::format(
+            "heights differ by {} (rms) across the periodic boundary of the map, and by {} between neighbouring "
+            "points: the periodically repeated map has a step that the surface does not have",
+            format_value(seam.height_step, "m", 3), format_value(seam.usual_step, "m", 3)),
+        "use `edges = windowed` to remove the step, `edges = free` for contact within the map only, or `edges = periodic` "
+        "if the surface is periodic"};
 }
 
 }  // namespace

@@ -20,8 +20,8 @@ namespace {
 constexpr const char* of_heights =
     "of the heights as they are, all waves: to compare with other programs for maps and profiles";
 constexpr const char* of_lines = "of single lines along x, each about its own mean: to compare with a profilometer";
-constexpr const char* of_band = "to quote: waves of the reliable band, with ±; adhesion rests on these";
-constexpr const char* of_other_eq11 = "to compare with publications that convert C1D by [D19] (11)";
+constexpr const char* of_band = "to quote: waves of the reliable band, with ±; used for adhesion";
+constexpr const char* of_other_eq11 = "to compare with publications that convert C1D by [D19], Eq. 11";
 constexpr const char* of_other_exact = "exact for isotropic surfaces: to compare with the conversion asked for";
 
 std::vector<Quantity> named(std::vector<Quantity> quantities, const char* suffix) {

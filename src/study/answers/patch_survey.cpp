@@ -76,7 +76,7 @@ PairDesign design_of(const study::StudyResult& study, const study::PairResult& p
     const auto curve = isotropic_spectrum(surface);
     const StoredEnergy stored(curve);
     if (!(state.conforming_gain() > 0.0 && state.stored_energy > 0.0 && stored.known())) {
-        result.reason = "conforming gains or stores nothing, or W_int is not known";
+        result.reason = "full contact gains or stores no energy, or W_int is not known";
         return result;
     }
     const double lowest = richest_band(stored, kind.band());
@@ -133,17 +133,18 @@ std::string sentence_of_shares(const std::vector<SurveyRow>& rows) {
     std::string text;
     if (const auto closes =
             crossing(kind, patches::closed_area, [](const SurveyRow& row) { return row.area_from_far.value; }))
-        text = fmt::format("Patches close by themselves, to {:.0f} % of their area, up to U_el = {:.2f} AW. ",
+        text = fmt::format("Patches come into spontaneous contact on {:.0f} % of their area up to U_el = {:.2f} AW. ",
                            100.0 * patches::closed_area, *closes);
     const auto right = crossing(kind, 1.0 - right_balance, [](const SurveyRow& row) {
         return row.gain_from_far.value > 0.0 ? balance_of(row) / row.gain_from_far.value : 1.0;
     });
     if (right)
-        text +=
-            fmt::format("(7) is within {:.0f} % of what contact gains up to {:.2f}. ", 100.0 * right_balance, *right);
+        text += fmt::format(
+            "The full-contact balance (Eq. 7) is within {:.0f} % of the gained energy up to U_el = {:.2f} AW. ",
+            100.0 * right_balance, *right);
     const auto& last = *kind.back();
     text += fmt::format(
-        "At U_el = {:.2g} AW, where (7) leaves {:.2f} W, contact gains {:.2f} W on {:.0f} % of the area.",
+        "At U_el = {:.2g} AW, where Eq. 7 gives {:.2f} W, contact gains {:.2f} W on {:.0f} % of the area.",
         last.design.energy_share, balance_of(last), last.gain_from_far.value, 100.0 * last.area_from_far.value);
     return text;
 }
@@ -161,12 +162,13 @@ std::string sentence_of_pairs(const PatchSurveyAnswer& answer) {
         largest = more;
         where = answer.pairs[i].surface + ", " + answer.pairs[i].elastomer;
     }
-    std::string text = fmt::format("{} of {} pairs close by themselves, to {:.0f} % of their area; ", closed,
+    std::string text = fmt::format("{} of {} pairs come into spontaneous contact on {:.0f} % of their area. ", closed,
                                    answer.rows.size(), 100.0 * patches::closed_area);
-    if (nothing > 0) text += fmt::format("to {} (7) leaves nothing. ", nothing);
-    else text += "(7) leaves something to each. ";
+    if (nothing > 0)
+        text += fmt::format("For {} of them, the full-contact balance (Eq. 7) gives no adhesion. ", nothing);
+    else text += "The full-contact balance (Eq. 7) gives adhesion for each pair. ";
     if (largest > 0.0)
-        text += fmt::format("Contact gains up to {:.2g} mJ/m2 more than (7) says: {}.", 1e3 * largest, where);
+        text += fmt::format("Contact gains up to {:.2g} mJ/m2 more than Eq. 7 predicts ({}).", 1e3 * largest, where);
     return text;
 }
 

@@ -78,7 +78,7 @@ void add_isotropic(Table& table, const std::optional<topography::HeightMap>& map
     }
     const double end = q[q.size() - 1] * std::pow(10.0, 0.05);
     table.columns.push_back({"C_iso", "m4", spectra::isotropic_from_profile_eq11(q, table.at("C1D"), end)});
-    table.metadata["C_iso"] = "[D19] (11) from C1D";
+    table.metadata["C_iso"] = "from C1D by [D19], Eq. 11";
 }
 
 void add_inverse_abel(Table& table, const study::SurfaceResult& surface) {

@@ -118,7 +118,7 @@ bool SurfaceRequest::is_spectrum() const {
     if (table == files.end()) return false;
     if (files.size() > 1)
         throw InvalidArgument(
-            fmt::format("{}: a table of a spectrum stands for a whole surface; give it alone, without the {} other "
+            fmt::format("{}: a table of a spectrum describes a whole surface; give it without the {} other "
                         "files",
                         *table, files.size() - 1));
     return true;

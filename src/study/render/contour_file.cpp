@@ -55,7 +55,7 @@ public:
         for (const auto& [key, value] : json.items())
             if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
                 const auto near = nearest_match(key, keys);
-                fail(key, "is no key setae knows" + (near.empty() ? std::string() : "; did you mean '" + near + "'?"));
+                fail(key, "is not a known key" + (near.empty() ? std::string() : "; did you mean '" + near + "'?"));
             }
     }
 
@@ -242,7 +242,7 @@ StoredTrace read_trace(const std::string& path) {
     stored.anchors = anchor_lists(object.at("anchors"), object);
     if (!object.has("format")) {
         for (const char* key : {"image", "calibration", "options"})
-            if (object.has(key)) object.fail(key, "stands in a file without \"format\": \"setae trace\"");
+            if (object.has(key)) object.fail(key, "is given in a file without \"format\": \"setae trace\"");
         return stored;
     }
     if (object.value<std::string>("format") != format_name)

@@ -63,25 +63,25 @@ std::vector<Quantity> loop_quantities(const adhesion::PredictedLoop& loop) {
         list.push_back(quantity(name, symbol, value, unit));
         list.back().source = source;
     };
-    add("contact_radius", "a_max", loop.contact_radius, "m", "[D19] (1) with W_app");
+    add("contact_radius", "a_max", loop.contact_radius, "m", "[D19], Eq. 1 with W_app");
     const auto& [loss, work, force, smooth] = loop.reversible;
     add("energy_loss", "E_loss", loss.estimate(), "J", "jumps of JKR under fixed grips with W_app: a lower bound");
     add("work_of_adhesion_retraction", "W_ret", work, "J/m2", "W_app: reversible, a lower bound");
-    add("pull_off_force", "F_po", force, "N", "[D19] (S1) with W_app: a lower bound");
-    add("smooth_sphere_pull_off_force", "F_po", {.value = smooth}, "N", "[D19] (S1) with W_int: JKR");
-    const char* no_limit = "[D19] (10); for comparison, no smooth limit";
+    add("pull_off_force", "F_po", force, "N", "[D19], Eq. S1 with W_app: a lower bound");
+    add("smooth_sphere_pull_off_force", "F_po", {.value = smooth}, "N", "[D19], Eq. S1 with W_int: JKR");
+    const char* no_limit = "[D19], Eq. 10; for comparison, no smooth limit";
     const auto& other = loop.conformal_loss;
     add("conformal_energy_loss", "E_loss", other.energy_loss.estimate(), "J", no_limit);
     add("conformal_work_of_adhesion_retraction", "W_ret", other.work_retraction, "J/m2", no_limit);
     add("conformal_pull_off_force", "F_po", other.pull_off_force, "N", no_limit);
     add("conformal_smooth_sphere_pull_off_force", "F_po", {.value = other.smooth_pull_off_force}, "N",
-        "[D19] (10) of a smooth sphere, where JKR has smooth_sphere_pull_off_force");
+        "[D19], Eq. 10 of a smooth sphere, where JKR has smooth_sphere_pull_off_force");
     return list;
 }
 
 Quantity unmeasured_quantity(const Estimate& work) {
     auto result = quantity("work_of_adhesion_with_unmeasured_waves", "W_app", work, "J/m2");
-    result.source = "[D19] (7), the spectrum continued at both ends";
+    result.source = "[D19], Eq. 7, with the spectrum continued at both ends";
     return result;
 }
 

@@ -38,7 +38,7 @@ std::string identity_of(const study::Study& study, const std::string& folder) {
     const auto seen = of_study || of_folder ? fs::path() : file.lexically_relative(from);
     if (seen.empty())
         throw FileError(
-            fmt::format("{}: where the study {} lies as seen from this folder cannot be told", folder, study.path));
+            fmt::format("{}: the path from this folder to the study {} cannot be determined", folder, study.path));
     return seen.generic_string();
 }
 

@@ -12,7 +12,7 @@ namespace setae::output {
 
 /// What parameters of a spectrum are, by the conversion.
 inline constexpr const char* exact_source = "moments of C1D or C_iso, exact for isotropic surfaces; THEORY 4.1";
-inline constexpr const char* eq11_source = "moments of C1D by [D19] (11)";
+inline constexpr const char* eq11_source = "moments of C1D by [D19], Eq. 11";
 
 /// Adds a quantity under its own name.
 inline void add(Json& json, const Quantity& q) { json[q.quantity] = to_json(q); }

@@ -304,28 +304,28 @@ struct Described<output::PredictedPair> {
     static constexpr std::array rows{
         made<T>("true_area_ratio", "A_true/A_app", "1", "true area over nominal area",
                 [](const T& of) { return of.pair->area_ratio; })
-            .from("[D19] (9)"),
+            .from("[D19], Eq. 9"),
         made<T>("stored_energy", "U_el/A_app", "J/m2", "elastic energy stored in full contact per nominal area",
                 [](const T& of) { return of.pair->stored_energy; }),
         made<T>("modified", "full-contact balance (Eq. 7)",
                 [](const T& of) {
                     const auto& pair = *of.pair;
-                    return output::BalanceOfPair{&*pair.modified, pair.modified->estimate, "[D19] (7)",
+                    return output::BalanceOfPair{&*pair.modified, pair.modified->estimate, "[D19], Eq. 7",
                                                  output::drawn_work(pair.drawn, *of.draws), *pair.budget};
                 }),
         made<T>("predicted_energy_loss", "W_int A_true", "J", "loss by the true-area balance (Eq. 10)",
                 [](const T& of) { return of.pair->predicted_loss; })
-            .from("[D19] (10) at W_int of the predictions and the contact area at maximum preload")
+            .from("[D19], Eq. 10 at W_int of the predictions and the contact area at maximum preload")
             .or_null(),
         made<T>("persson_tosatti", "Persson–Tosatti balance (Eq. S13)",
                 [](const T& of) {
                     const auto& work = *of.pair->persson_tosatti;
-                    return output::BalanceOfPair{&work, {.value = work.work.floored}, "[D19] (S13)"};
+                    return output::BalanceOfPair{&work, {.value = work.work.floored}, "[D19], Eq. S13"};
                 }),
         made<T>("without_area_change", "small-slope balance (Eq. 2)",
                 [](const T& of) {
                     const auto& work = *of.pair->without_area_change;
-                    return output::BalanceOfPair{&work, {.value = work.work.floored}, "[D19] (2)"};
+                    return output::BalanceOfPair{&work, {.value = work.work.floored}, "[D19], Eq. 2"};
                 }),
         made<T>("answers", "contact without load by each theory",
                 [](const T& of) { return study::contact_answers(*of.pair); }),
@@ -339,7 +339,7 @@ struct Described<output::PredictedPair> {
                     return of.pair->general->raw;
                 })
             .as("work_of_adhesion")
-            .from("of end states, or [D19] (5), (6) where form = printed"),
+            .from("of end states, or [D19], Eqs. 5 and 6 where form = printed"),
         made<T>("residual", "W_app - max(0, (7))", "J/m2",
                 "measured W_app minus that of the full-contact balance (Eq. 7)",
                 [](const T& of) { return of.residual(); })

@@ -30,7 +30,7 @@ std::vector<Quantity> measurement_quantities(const study::MeasurementResult& m) 
     add(quantity("rms_curvature", map ? "lap/2" : "Rddq", r.rms_curvature, "1/m"), "second differences");
     if (m.triangulated)
         add(quantity("triangulated_area_ratio", "A_true/A_app", m.triangulated->area_ratio, "1"),
-            "triangles through the heights; [D19] (S3)");
+            "triangles through the heights; [D19], Eq. S3");
     if (m.waves_energy_per_modulus)
         add(quantity("elastic_energy_per_modulus_of_waves", "U_el/(A_app E*)", *m.waves_energy_per_modulus, "m"),
             "¼ Σ |q| |h_q|² over the map's waves of all directions inside its reliable band");
@@ -68,17 +68,17 @@ std::vector<Quantity> surface_quantities(const study::SurfaceResult& surface, co
         make("rms_curvature", "h''_rms", "1/m", source, [](const SpectralParameters& p) { return p.rms_curvature; }),
         make(
             "true_area_ratio", "A_true/A_app", "1",
-            measured ? "slopes distributed as the maps' of both directions" : "Gaussian isotropic slopes; [D19] (9)",
+            measured ? "slopes distributed as the maps' of both directions" : "Gaussian isotropic slopes; [D19], Eq. 9",
             [](const SpectralParameters& p) { return p.area_ratio(); }, 1.0),
         make(
-            "true_area_ratio_small_slope", "1 + h'^2/2", "1", "small slopes; [D19] (S4)",
+            "true_area_ratio_small_slope", "1 + h'^2/2", "1", "small slopes; [D19], Eq. S4",
             [](const SpectralParameters& p) { return roughness::small_slope_area_ratio(p.rms_slope); }, 1.0),
         make("elastic_energy_per_modulus", "U_el/(A_app E*)", "m", source,
              [](const SpectralParameters& p) { return p.elastic_energy_per_modulus; })};
     if (!surface.slope_shape) return quantities;
     if (measured)
         quantities.push_back(make(
-            "true_area_ratio_gaussian", "A_true/A_app", "1", "Gaussian isotropic slopes; [D19] (9)",
+            "true_area_ratio_gaussian", "A_true/A_app", "1", "Gaussian isotropic slopes; [D19], Eq. 9",
             [](const SpectralParameters& p) { return roughness::gaussian_area_ratio(p.rms_slope); }, 1.0));
     else
         quantities.push_back(make(

@@ -246,7 +246,7 @@ struct Described<adhesion::InputProfile> {
     static constexpr std::array rows{
         field<&T::input>("input", "name of the input"),
         field<&T::points>("points", "one entry per value of the input"),
-        quantity<&T::by_pairs>("by_pairs", "(x - told)/u(x)", "1",
+        quantity<&T::by_pairs>("by_pairs", "(x - stated)/u(x)", "1",
                                "shift of the input that the pairs alone prefer, in its standard errors")
             .as("shift"),
     };

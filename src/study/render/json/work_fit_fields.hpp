@@ -271,7 +271,7 @@ struct Described<output::FittedLosses> {
     using T = output::FittedLosses;
     static constexpr std::array rows{
         fields_of<T>([](const T& of) {
-            return output::FittedWork{&of.fits->through_origin, "E_loss = W_int A_true; [D19] (10)", "J"};
+            return output::FittedWork{&of.fits->through_origin, "E_loss = W_int A_true; [D19], Eq. 10", "J"};
         }),
         made<T>("with_intercept", "the same losses against a line with an intercept",
                 [](const T& of) { return of.fits->with_intercept; })
@@ -296,7 +296,7 @@ struct Described<adhesion::FreeEnergyFit> {
     static constexpr std::array rows{
         quantity<&T::work_of_adhesion>("work_of_adhesion", "W_int", "J/m2",
                                        "W_int by least squares, each pair with the same weight")
-            .from("(7) with U_el/(A E*) free for each surface: no power spectrum can do better"),
+            .from("Eq. 7 with U_el/(A E*) free for each surface: best possible fit for any power spectrum"),
         quantity<&T::r_squared>("r_squared", "R2", "1", "1 − SS_res/SS_tot"),
         made<T>("elastic_energy_per_modulus", "U_el/(A E*)", "m", "U_el/(A E*) of each surface",
                 [](const T& of) { return output::estimates_of(of.energy_per_modulus); }),
@@ -352,21 +352,21 @@ struct Described<output::FitsOfWork> {
         made<T>("modified", "full-contact balance (Eq. 7)",
                 [](const T& of) {
                     return output::outcome_of<output::FittedWork>(of.of->modified, [](const adhesion::WorkFit& fit) {
-                        return output::FittedWork{&fit, "[D19] (7), floored at 0", "J/m2"};
+                        return output::FittedWork{&fit, "[D19], Eq. 7, floored at 0", "J/m2"};
                     });
                 }),
         made<T>("persson_tosatti", "Persson–Tosatti balance (Eq. S13)",
                 [](const T& of) {
                     return output::outcome_of<output::FittedWork>(
                         of.of->persson_tosatti, [](const adhesion::WorkFit& fit) {
-                            return output::FittedWork{&fit, "[D19] (S13), floored at 0", "J/m2"};
+                            return output::FittedWork{&fit, "[D19], Eq. S13, floored at 0", "J/m2"};
                         });
                 }),
         made<T>("without_area_change", "small-slope balance (Eq. 2)",
                 [](const T& of) {
                     return output::outcome_of<output::FittedWork>(
                         of.of->without_area_change, [](const adhesion::WorkFit& fit) {
-                            return output::FittedWork{&fit, "[D19] (2), floored at 0", "J/m2"};
+                            return output::FittedWork{&fit, "[D19], Eq. 2, floored at 0", "J/m2"};
                         });
                 }),
         made<T>("loop", "W_int from the energies that loops lose: true-area loss (Eq. 10)",
