@@ -287,8 +287,8 @@ struct Described<loops::ComplianceEffect> {
         quantity<&T::work_change>("work_change", "W(k + SE) - W(k)", "J/m2", "change of W"),
         quantity<&T::energy_change>("energy_change", "change of the energy", "J", "change of the energy"),
     };
-    static constexpr Description description{"compliance", "effect of one standard error of the machine stiffness",
-                                             rows};
+    static constexpr Description description{
+        "compliance", "effect of one standard error of the stiffness of the testing machine", rows};
 };
 static_assert(complete<loops::ComplianceEffect>);
 
@@ -377,7 +377,7 @@ struct Described<loops::ContactAnalysis> {
         loop,
         ledger,
         field<&T::contact_points>("contact_points", "estimates of the displacement at first contact"),
-        field<&T::compliance>("compliance", "effect of one standard error of the machine stiffness"),
+        field<&T::compliance>("compliance", "effect of one standard error of the stiffness of the testing machine"),
         made<T>("largest_contact_radius", "a_max", "m", "a_max",
                 [](const T& of) {
                     return Quantity{

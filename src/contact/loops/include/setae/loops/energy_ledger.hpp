@@ -119,7 +119,7 @@ struct Described<loops::EnergyLedger> {
                                         "energy loss of the jumps of the ideal smooth sphere under fixed grips"),
         quantity<&T::ideal_this_machine>(
             "ideal_loss_this_machine", "E_ideal", "J",
-            "energy loss of the jumps of the ideal smooth sphere at the machine stiffness"),
+            "energy loss of the jumps of the ideal smooth sphere at the stiffness of the testing machine"),
         quantity<&T::machine_stiffness>("machine_stiffness", "k", "N/m", "stiffness k of the testing machine"),
         quantity<&T::true_area_ratio>("true_area_ratio", "r", "1", "A_true/A_app"),
         made<T>("largest_true_area", "r pi a_max^2", "m2", "r π a_max²",

@@ -62,7 +62,7 @@ struct Described<loops::LoopErrorBudget> {
     static constexpr std::array rows{
         field<&T::noise>("noise", "contribution of the noise of the signals"),
         field<&T::drift>("drift", "contribution of the drift of force"),
-        field<&T::compliance>("compliance", "contribution of the machine stiffness"),
+        field<&T::compliance>("compliance", "contribution of the stiffness of the testing machine"),
         field<&T::sampling>("sampling", "contribution of the sampling"),
         field<&T::discretisation>("discretisation", "contribution of the discretisation of the integral"),
         made<T>("unit", "unit of the numbers of this object", [](const T&) { return "J"; }),
