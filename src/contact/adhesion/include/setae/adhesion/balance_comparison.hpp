@@ -9,19 +9,19 @@
 
 namespace setae::adhesion {
 
-/// How well one balance says what was measured on all pairs, W_int fitted by least squares.
+/// Agreement of one balance with the measured values of all pairs, with W_int fitted by least squares.
 struct BalanceScore {
-    int n = 0;                        ///< pairs
-    int parameters = 1;               ///< fitted to them
+    int n = 0;                        ///< number of pairs
+    int parameters = 1;               ///< number of fitted parameters
     double work_of_adhesion = 0.0;    ///< W_int [J/m²]
     double residual_squares = 0.0;    ///< Σ (measured − predicted)² [J²/m⁴]
     double r_squared = 0.0;           ///< 1 − SS_res/SS_tot
     double log_likelihood = 0.0;      ///< −n/2 ln(SS_res/n): Gaussian residuals of one unknown variance
     double left_out_deviation = 0.0;  ///< rms residual of each surface under the fit to the others [J/m²]; NaN where
-                                      ///< the balance says nothing of a surface it has not seen
+                                      ///< the balance predicts nothing for a surface that is left out
 };
 
-/// pairs: of one balance, as lines in W_int.
+/// pairs: lines in W_int of one balance.
 /// @throws InvalidArgument for fewer than two pairs.
 [[nodiscard]] BalanceScore score_balance(const std::vector<PairPoint>& pairs);
 [[nodiscard]] BalanceScore score_free_energies(const std::vector<FreeEnergyPoint>& pairs);
@@ -34,13 +34,13 @@ struct BalanceScore {
 struct StrainedInterfaceFit {
     Estimate work_of_adhesion;  ///< W_int [J/m²]
     Estimate interface_change;  ///< χ [J/m²]
-    double correlation = 0.0;   ///< of the two
+    double correlation = 0.0;   ///< correlation of W_int and χ
     double r_squared = 0.0;
     double residual_squares = 0.0;
     int n = 0;
 };
 
-/// pairs: of (7), whose slope is r.
+/// pairs: lines of the full-contact balance (Eq. 7), with slope r.
 /// @throws InvalidArgument for fewer than three pairs, or where all have the same area ratio.
 [[nodiscard]] StrainedInterfaceFit fit_strained_interface(const std::vector<PairPoint>& pairs);
 [[nodiscard]] BalanceScore score_strained_interface(const std::vector<PairPoint>& pairs);

@@ -8,22 +8,24 @@
 
 namespace setae::adhesion {
 
-/// How well a pair would have been predicted by the others.
+/// Prediction of a pair by the other pairs.
 struct LeftOutPrediction {
-    bool surface_left_out = true;  ///< all pairs of its surface were left out of the fit; else all of its elastomer
+    bool surface_left_out =
+        true;  ///< true: all pairs of its surface are left out of the fit; false: all pairs of its elastomer
     std::string surface, elastomer;
-    Estimate predicted;  ///< max(0, balance) at W of the others; ± of all inputs, the scatter of the model among them
-    Estimate measured;   ///< own noise
+    Estimate predicted;  ///< max(0, balance) at W of the others; the standard error includes all inputs and the scatter
+                         ///< of the model
+    Estimate measured;   ///< measured value with its own noise
     double residual = 0.0;        ///< measured − predicted
-    double standard_error = 0.0;  ///< of the residual
-    bool held = false;            ///< 0 lies in the 95 % interval of the residual
+    double standard_error = 0.0;  ///< standard error of the residual
+    bool held = false;            ///< whether 0 lies in the 95 % interval of the residual
 };
 
-/// Every pair predicted without the pairs of its surface, then without those of its elastomer: what a fit promises of
-/// the next surface, the next elastomer.
+/// Predicts every pair without the pairs of its surface, then without those of its elastomer: expected accuracy for a
+/// new surface and for a new elastomer.
 ///
-/// Predictions carry the scatter that the others show, which a new surface (elastomer, pair) has anew. Groups whose
-/// removal leaves fewer than two pairs are passed over.
+/// Predictions include the scatter of the other pairs, drawn independently for a new surface (elastomer, pair). Groups
+/// whose removal leaves fewer than two pairs are skipped.
 /// @throws as fit_generalised() of all pairs.
 [[nodiscard]] std::vector<LeftOutPrediction> predict_left_out(const std::vector<PairPoint>& pairs);
 

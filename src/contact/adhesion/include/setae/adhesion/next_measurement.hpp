@@ -10,51 +10,51 @@
 
 namespace setae::adhesion {
 
-/// Something that could be measured next.
+/// A possible next measurement.
 struct Candidate {
     enum class Kind {
-        input,    ///< an input known to half its ±
+        input,    ///< an input with half its standard error
         loop,     ///< one more loop on a pair
-        spectrum  ///< as many measurements of a surface again
+        spectrum  ///< a repetition of all measurements of a surface
     };
     Kind kind = Kind::input;
-    std::string name;               ///< of the input or the surface; of a loop its surface
-    std::string elastomer{};        ///< of a loop
-    int loops = 1;                  ///< that the pair has already
-    std::optional<double> hours{};  ///< that it takes, where somebody says so
+    std::string name;               ///< name of the input or the surface; for a loop, name of its surface
+    std::string elastomer{};        ///< elastomer of a loop
+    int loops = 1;                  ///< number of loops that the pair has already
+    std::optional<double> hours{};  ///< duration in hours, where it is given
 };
 
-/// What a candidate promises.
+/// Expected result of a candidate.
 struct NextMeasurement {
     Candidate candidate;
-    double standard_error = 0.0;  ///< of the target with it
-    double gain = 0.0;            ///< share by which it is smaller than without
+    double standard_error = 0.0;  ///< standard error of the target with the candidate
+    double gain = 0.0;            ///< relative reduction of the standard error
 };
 
-/// A pair as it would be with something else known of it.
+/// Returns a pair as changed by a candidate.
 using Change = std::function<PairPoint(const PairPoint&)>;
 
-/// A number that rests on pairs, as it would be with all of them changed.
+/// A number that depends on pairs, as a function of a change of all pairs.
 using Target = std::function<TracedValue(const Change&)>;
 
-/// W of a fit: made anew, scatter held.
+/// W of a fit, fitted again with fixed scatter.
 [[nodiscard]] Target work_target(const std::vector<PairPoint>& pairs, const GeneralisedFit& fit);
 
 /// A prediction at that W.
 [[nodiscard]] Target prediction_target(const std::vector<PairPoint>& pairs, const GeneralisedFit& fit,
                                        const PairPoint& line);
 
-/// W of one fit less that of another: whether two balances, or approach and loss, say the same.
+/// W of one fit minus W of another, as a test of whether two balances, or approach and loss, agree.
 [[nodiscard]] Target difference_target(const Target& one, const Target& other);
 
-/// The number itself.
+/// The number without a change.
 [[nodiscard]] TracedValue value_of(const Target& target);
 
-/// What each candidate would leave of the standard error of a number, by the same model: all fits made anew with the
-/// components that the candidate shrinks, scatter and expected values held. The largest gain first, or the largest gain
-/// an hour where every candidate has its hours.
+/// Standard error of a number with each candidate, by the same model: all fits are made again with the components that
+/// the candidate reduces; scatter and expected values are fixed. Sorted by gain, or by gain per hour where every
+/// candidate has its hours.
 ///
-///   input: components × ½;  loop: own variance × m/(m + 1);  spectrum: components × 1/√2
+///   input: components × ½; loop: own variance × m/(m + 1); spectrum: components × 1/√2
 ///
 /// @throws as fit_generalised().
 [[nodiscard]] std::vector<NextMeasurement> next_measurements(const Target& target,

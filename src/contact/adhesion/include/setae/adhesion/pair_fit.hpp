@@ -14,31 +14,33 @@ namespace setae::adhesion {
 /// An estimate of W under one assumption on the errors.
 struct WorkEstimate {
     Estimate work_of_adhesion;
-    double chi_squared = 0.0;    ///< under the errors assumed
+    double chi_squared = 0.0;    ///< χ² with the assumed errors
     double extra_scatter = 0.0;  ///< standard deviation added to each pair's own, where the assumption has one
 };
 
-/// W from all pairs, and how well the model fits.
+/// W from all pairs, and measures of the fit.
 struct WorkFit {
-    Estimate work_of_adhesion;  ///< least squares, every pair alike; error from the residuals, pairs independent
-    /// The same value, pairs of one surface and of one elastomer correlated (two-way sandwich); as many degrees of
-    /// freedom as the rarer kind of group has members, less one.
+    Estimate work_of_adhesion;  ///< least squares with equal weights; error from the residuals, with independent pairs
+    /// The same value with correlated pairs of one surface and of one elastomer (two-way sandwich); degrees of freedom:
+    /// number of groups of the rarer kind, minus one.
     Estimate clustered;
     double r_squared = 0.0;  ///< 1 − SS_res/SS_tot
     double residual_standard_deviation = 0.0;
     int n = 0;
     int degrees_of_freedom = 0;
-    std::vector<PairPoint> pairs;  ///< what was fitted; residual = measured − prediction(work_of_adhesion.value)
-    /// By the measured ± alone; its χ² tests the model, and where it refuses it (p < 0.05) there is no standard error.
+    std::vector<PairPoint> pairs;  ///< pairs of the fit; residual = measured − prediction(work_of_adhesion.value)
+    /// Fit weighted by the measured standard errors only; its χ² tests the model. For p < 0.05 the fit has no standard
+    /// error.
     std::optional<WorkEstimate> weighted;
+    std::optional<WorkEstimate> with_extra_scatter;  ///< with measured standard errors and a scatter of the model for
+                                                     ///< which χ² equals the degrees of freedom
     std::optional<WorkEstimate>
-        with_extra_scatter;  ///< measured ± and a scatter of the model that makes χ² = degrees of freedom
-    std::optional<WorkEstimate> errors_in_both;  ///< measured and predicted ±, and the scatter still missing
-    std::optional<Estimate> likelihood;          ///< 95 % profile likelihood over the extra scatter
-    GeneralisedFit generalised;                  ///< by the covariance of everything that is known of the errors
-    std::optional<Estimate> posterior;           ///< WorkPosterior::work_of_adhesion(), where it was asked for
+        errors_in_both;  ///< with standard errors of measured and predicted values, and the remaining scatter
+    std::optional<Estimate> likelihood;  ///< 95 % profile likelihood over the extra scatter
+    GeneralisedFit generalised;          ///< fit with the covariance of all known errors
+    std::optional<Estimate> posterior;   ///< WorkPosterior::work_of_adhesion(), where it is requested
 
-    /// The one that is stated: the posterior where there is one, else generalised least squares.
+    /// The reported value: the posterior where there is one, else generalised least squares.
     [[nodiscard]] Estimate stated() const { return posterior ? *posterior : generalised.estimate(); }
 };
 
@@ -58,10 +60,10 @@ struct LineFit {
 /// @throws InvalidArgument for fewer than three points or x all alike.
 [[nodiscard]] LineFit fit_line(const std::vector<double>& x, const std::vector<double>& y);
 
-/// E_loss against A_true = r A, A the largest contact area, the four ways of THEORY §10.
+/// E_loss against A_true = r A, with the largest contact area A, by the four methods of THEORY §10.
 struct LossFits {
     WorkFit through_origin;
-    std::optional<WorkFit> through_origin_without_ideal_loss;  ///< the smooth sphere's own loss subtracted
+    std::optional<WorkFit> through_origin_without_ideal_loss;  ///< with the loss of the smooth sphere subtracted
     std::optional<LineFit> with_intercept;
     std::optional<LineFit> with_intercept_without_ideal_loss;
 };

@@ -11,35 +11,36 @@
 
 namespace setae::adhesion {
 
-/// A pair's measured work of adhesion against its prediction.
+/// Measured work of adhesion of a pair and its prediction.
 struct PredictionResidual {
     std::string surface, elastomer;
     Estimate measured;            ///< W_app of loading [J/m²]
-    Estimate predicted;           ///< max(0, (7)) at W_int [J/m²]; its standard error without that of a fitted W_int
+    Estimate predicted;           ///< max(0, Eq. 7) at W_int [J/m²]; its standard error without that of a fitted W_int
     double residual = 0.0;        ///< measured − predicted [J/m²]
-    double standard_error = 0.0;  ///< of the residual, both errors [J/m²]
+    double standard_error = 0.0;  ///< standard error of the residual, from both errors [J/m²]
 
-    /// In standard errors.
+    /// Residual in standard errors.
     [[nodiscard]] double standardised() const { return residual / standard_error; }
 };
 
-/// Whether predictions explain the measurements within both errors.
+/// Test of whether predictions explain the measurements within both errors.
 ///
 ///   χ² = rᵀC⁻¹r − (sᵀC⁻¹r)²/(sᵀC⁻¹s)
 ///
-/// r: residuals.  C: their covariance: measured variances on the diagonal, and what they share, such as the
-/// spectrum of a surface, the modulus and the surface energy of an elastomer, a lens, a given W_int.  s:
-/// ∂prediction/∂W_int, where W_int was fitted to the same values: the second term then takes the W_int that suits C
-/// best, to first order, at the cost of one degree of freedom.
+/// r: residuals. C: their covariance: measured variances on the diagonal, and shared inputs, such as the spectrum of a
+/// surface, the modulus and the surface energy of an elastomer, a lens, a given W_int. s: ∂prediction/∂W_int, where
+/// W_int was fitted to the same values: the second term then takes the W_int that minimises χ² with C, to first order,
+/// at the cost of one degree of freedom.
 struct PredictionTest {
     std::vector<PredictionResidual> pairs;
     std::vector<std::string> left_out;  ///< "A × B: no standard error of the measured value"
-    bool work_fitted = false;           ///< W_int comes from these values
+    bool work_fitted = false;           ///< whether W_int was fitted to these values
     int n = 0;
     int degrees_of_freedom = 0;
     double chi_squared = 0.0;
-    double probability = 1.0;  ///< of a χ² at least as large where the predictions are right
-    double extra_scatter = 0.0;  ///< τ >= 0 of the model [J/m²]: with C + τ² 1, χ² is its degrees of freedom or less
+    double probability = 1.0;  ///< probability of a χ² at least as large if the predictions are correct
+    double extra_scatter =
+        0.0;  ///< scatter τ >= 0 of the model [J/m²]: with C + τ² 1, χ² is equal to its degrees of freedom or less
     double chi_squared_with_scatter = 0.0;
     double probability_with_scatter = 1.0;
 };
@@ -51,10 +52,10 @@ struct PredictionTest {
 [[nodiscard]] PredictionTest prediction_test(std::vector<PredictionResidual> pairs, const Array2D& covariance,
                                              const std::optional<Array1D>& slopes);
 
-/// The test of pairs at one W_int: lines of (7) with measured values that have a standard error. Residuals share what
-/// predictions share (the spectrum of a surface, modulus and surface energy of an elastomer, a given W_int) and what
-/// measured values share (lenses, calibrations); below the floor at 0 a prediction carries the part of its error that
-/// reaches above it.
+/// The test of pairs at one W_int: lines of the full-contact balance (Eq. 7) with measured values that have a standard
+/// error. Residuals share the inputs of predictions (the spectrum of a surface, modulus and surface energy of an
+/// elastomer, a given W_int) and of measured values (lenses, calibrations); below the floor at 0 a prediction has the
+/// part of its error that exceeds the floor.
 /// work_fitted: W_int was fitted to the same values.
 /// @throws UndefinedDataError for fewer than one pair, or two where W_int was fitted; as prediction_test().
 [[nodiscard]] PredictionTest test_predictions(const std::vector<PairPoint>& pairs, const TracedValue& work_of_adhesion,

@@ -8,36 +8,38 @@
 
 namespace setae::adhesion {
 
-/// How roughness comes into contact and stays: what closes by itself (stored < 0.25 gained) needs nothing, what stores
-/// more than it gains opens by itself, what lies between closes under pressure alone and stays closed.
+/// Formation of full contact: spontaneous full contact (stored < 0.25 gained), full contact only under pressure, or
+/// spontaneous opening (stored > gained).
 enum class Closing { by_itself, under_pressure, opens };
 [[nodiscard]] const char* name(
     Closing closing);  ///< "spontaneous full contact", "full contact only under pressure", "opens spontaneously"
 
-/// Energy of conforming, scale by scale: what the roughness above each wavevector gains and stores.
+/// Energy of full contact, scale by scale: energy that the roughness above each wavevector gains and stores.
 struct ScaleBalance {
     Array1D wavevector;  ///< q [1/m]
-    Array1D gained;  ///< W_int r_{>q} − γ1 (r_{>q} − 1) [J/m²], r_{>q} the area ratio of the roughness above q alone
+    Array1D gained;  ///< W_int r_{>q} − γ1 (r_{>q} − 1) [J/m²], r_{>q} the area ratio of only the roughness above q
     Array1D stored;        ///< U_el/A_app of the roughness above q [J/m²]
     Array1D stored_share;  ///< share of the whole U_el stored below q: cumulative, 0 … 1
     Array1D area_share;    ///< share of r − 1 reached by the roughness below q, 0 … 1
-    Array1D work_share;  ///< (W_app of the roughness below q alone − W_int)/(W_app − W_int): cumulative change of W_app
-    Array1D closing_pressure;      ///< [Pa] that closes the roughness above q, 0 where it closes by itself
+    Array1D work_share;  ///< (W_app of only the roughness below q − W_int)/(W_app − W_int): cumulative change of W_app
+    Array1D
+        closing_pressure;  ///< pressure [Pa] for full contact of the roughness above q, 0 for spontaneous full contact
     std::optional<Band> bridging;  ///< [1/m] wavevectors where gained < stored: lowest and highest
-    std::optional<Band> pressed;   ///< [1/m] where it does not close by itself, those of `bridging` among them
+    std::optional<Band> pressed;  ///< [1/m] wavevectors without spontaneous full contact, including those of `bridging`
 
-    /// How the roughness above wavevector i comes into contact.
+    /// Formation of full contact of the roughness above wavevector i.
     [[nodiscard]] Closing closing(Index i) const;
 };
 
-/// For an isotropic surface, at the wavevectors of its cumulative parameters. area_shape: excess area over that of
-/// Gaussian slopes, taken to be the same for every part of the spectrum.
+/// Scale balance of an isotropic surface, at the wavevectors of its cumulative parameters. area_shape: excess area
+/// divided by that of Gaussian slopes, assumed equal for every part of the spectrum.
 ///
-/// Within `bridging` the solid would rather span the roughness shorter than 2π/q than conform to it, whatever (7) says
-/// in sum; formulas for full conformity then overstate both area and energy. Gained against stored tells whether closed
-/// gaps open; open ones close later. `closing_pressure` is that which closes 99 % of simulated patches of the same
-/// stored and gained energy and rms height, unloaded_contact(). contact_modulus [Pa] > 0; work_of_adhesion W_int and
-/// surface_energy γ1 [J/m²] >= 0.  Source: THEORY §8; docs/validation/conformity.md.
+/// Within `bridging` the roughness shorter than 2π/q stores more energy than it gains, regardless of the sum in Eq. 7;
+/// formulas for full contact then overestimate both area and energy. The comparison of gained and stored energy
+/// determines whether closed gaps open; open gaps close at a smaller stored energy. `closing_pressure` is the pressure
+/// for contact on 99 % of simulated patches of the same stored and gained energy and rms height, unloaded_contact().
+/// contact_modulus [Pa] > 0; work_of_adhesion W_int and surface_energy γ1 [J/m²] >= 0. Source: THEORY §8;
+/// docs/validation/conformity.md.
 [[nodiscard]] ScaleBalance scale_balance(const roughness::CumulativeParameters& below, double contact_modulus,
                                          double work_of_adhesion, double surface_energy, double area_shape = 1.0);
 

@@ -11,7 +11,7 @@ namespace setae::adhesion {
 /// A function of a surface's spectral parameters and of further inputs.
 using RoughFunction = std::function<double(const roughness::SpectralParameters&, const std::vector<double>& inputs)>;
 
-/// Its value with everything it rests on: inputs by propagated(), what the spectrum leaves open by its spread.
+/// Value of the function with all its inputs: inputs by propagated(), uncertainty of the spectrum by its spread.
 [[nodiscard]] TracedValue traced_function(const RoughSide& rough, const std::vector<TracedValue>& inputs,
                                           const RoughFunction& function);
 

@@ -14,32 +14,32 @@
 namespace setae::hysteresis {
 
 struct TrialOptions {
-    int runs = 20;           ///< of each law, > 0
-    std::uint64_t seed = 1;  ///< of the first; the others have the next ones
+    int runs = 20;           ///< number of runs per model, > 0
+    std::uint64_t seed = 1;  ///< seed of the first run; the others have the next seeds
     parallel::Threads threads;
     const std::atomic<bool>* cancelled = nullptr;
 };
 
-/// What became of a model that was planted.
+/// Recovery of a known model from simulated pairs.
 struct LawTrials {
     RetractionModel planted;
     int runs = 0;
-    int found = 0;           ///< it is Ranking::best()
-    int possible = 0;        ///< it is not, but is not excluded
-    int excluded = 0;        ///< another is clearly better, or a constant refuses it
-    std::string most_taken;  ///< the other model that was best most often; empty where there was none
+    int found = 0;     ///< number of runs in which it is Ranking::best()
+    int possible = 0;  ///< number of runs in which it is not the best, but not excluded
+    int excluded = 0;  ///< number of runs in which another model is clearly better, or a constant refuses the model
+    std::string most_taken;  ///< the other model that was best most often; empty without one
 };
 
-/// Both works of adhesion of pairs as a model would have them measured: inputs drawn within their ±, scatter of pairs,
-/// surfaces and elastomers of both branches, own noise.
+/// Both works of adhesion of pairs as simulated by a model: inputs drawn within their standard errors, scatter of
+/// pairs, surfaces and elastomers of both branches, own noise.
 [[nodiscard]] std::vector<RankedPair> planted_pairs(const std::vector<RankedPair>& pairs, const ModelScore& score,
                                                     std::uint64_t seed);
 
-/// Whether measurements like these could tell the models apart.
+/// Test of whether such measurements can distinguish the models.
 ///
-/// Every model of a ranking is planted on its pairs with its θ and its W_int, the scatter of the best one, and
-/// everything else drawn with the ± it has; then all are ranked by what would have been measured. A model whose θ is 0
-/// is another one, and left out. Same numbers for a seed and any number of threads.
+/// Each model of a ranking serves as the known model on its pairs with its θ and its W_int, the scatter of the best
+/// one, and all other inputs drawn with their standard errors; then all models are ranked with the simulated values. A
+/// model whose θ is 0 equals another one and is left out. A seed gives equal numbers with any number of threads.
 /// @throws InvalidArgument for runs < 1; Cancelled where the options say so.
 [[nodiscard]] std::vector<LawTrials> law_trials(const std::vector<RankedPair>& pairs, const Ranking& ranking,
                                                 const std::optional<Estimate>& known_work, const TrialOptions& options);

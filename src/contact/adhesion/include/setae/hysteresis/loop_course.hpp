@@ -10,21 +10,20 @@
 namespace setae::hysteresis {
 
 /// The loop as a curve: displacement δ [m], force [N], contact_radius [m], branch (0 approach, 1 retraction), in the
-/// order of time, `points` of them on each branch, jumps as vertical lines at fixed displacement of the motor. The area
-/// it encloses is energy_loss() as far as the points are dense.
-/// edge: one that minds its speed.
+/// order of time, with `points` per branch and jumps as vertical lines at fixed displacement of the motor. The enclosed
+/// area tends to energy_loss() as the number of points increases.
+/// edge: a rate-dependent edge.
 /// @throws InvalidArgument as sphere_loop() and recession(), and for fewer than 8 points.
 [[nodiscard]] Table loop_course(const HystereticSphere& sphere, const Pressing& pressing,
                                 const std::optional<MovingEdge>& edge = {}, int points = 200);
 
-/// How fast the motor goes, and how long it rests at the turning point.
+/// Speeds of the motor, and hold time at the turning point.
 struct Drive {
     double approach_speed = 0.0, retraction_speed = 0.0;  ///< [m/s], > 0
     double hold_time = 0.0;                               ///< [s], >= 0
 };
 
-/// The same loop in time, the stretch along which the edge stays included. The jump out takes no time: the history ends
-/// before it.
+/// The loop in time, including the section with a pinned edge. The jump out takes no time: the history ends before it.
 /// @throws InvalidArgument as loop_course(), and for speeds and times outside their domains.
 [[nodiscard]] contact::ContactHistory contact_history(const HystereticSphere& sphere, const Pressing& pressing,
                                                       const Drive& drive, const std::optional<MovingEdge>& edge = {},

@@ -6,9 +6,9 @@
 
 namespace setae::hysteresis {
 
-/// How much more energy an edge asks for the faster it recedes: an elastomer's.
+/// Rate dependence of the contact edge of an elastomer.
 ///
-///   G(v) = W_ret [1 + (v/v0)^n],  v: speed of the edge,  W_ret: what it needs at rest
+///   G(v) = W_ret [1 + (v/v0)^n], v: speed of the edge, W_ret: value at zero speed
 ///
 /// Source: contact::crack_speed, whose threshold is W_ret.
 struct EdgeSpeed {
@@ -16,59 +16,60 @@ struct EdgeSpeed {
     double exponent = 0.0;         ///< n, > 0
 };
 
-/// Such an edge as a machine pulls it.
+/// A rate-dependent edge with the speeds of the machine.
 struct MovingEdge {
     EdgeSpeed law;
     double motor_speed = 0.0;   ///< [m/s], > 0
-    double reading_time = 0.0;  ///< before the smallest force, over which experiment reads W_ret [s], >= 0
+    double reading_time = 0.0;  ///< time before the smallest force over which the experiment determines W_ret [s], >= 0
 };
 
-/// What such an edge does from where it begins to recede until nothing touches.
+/// Retraction of a rate-dependent edge, from the first motion of the edge to separation.
 struct Recession {
     double smallest_force = 0.0;  ///< [N]
-    double work_read = 0.0;       ///< mean of G over the reading time: W_ret as experiment reads it [J/m²]
-    double edge_work = 0.0;       ///< ∫ G dA, what the edge takes in all [J]
+    double work_read = 0.0;       ///< mean of G over the reading time: W_ret as the experiment determines it [J/m²]
+    double edge_work = 0.0;       ///< ∫ G dA, total work at the edge [J]
 };
 
-/// Under a motor that recedes at constant speed, m = δ + F/k_m,
+/// Retraction under a motor at constant speed, m = δ + F/k_m,
 ///
-///   dm/da = V/v(G),  G = E* (δ − a²/R)²/(2πa),  F = 2aE* (δ − a²/3R)
+///   dm/da = V/v(G), G = E* (δ − a²/R)²/(2πa), F = 2aE* (δ − a²/3R)
 ///
 /// by Euler's implicit rule in steps of a, twice, and extrapolated: forces within 10⁻⁴, work within 10⁻³. The edge has
-/// no instability to jump over; it runs. v0 → ∞ is sphere_loop(), with the jump's energy in edge_work.
-/// sphere.work_retraction: W_ret at rest.
+/// no instability; it moves at a finite speed. v0 → ∞ is sphere_loop(), with the jump's energy in edge_work.
+/// sphere.work_retraction: W_ret at zero speed.
 /// @throws InvalidArgument as sphere_loop(), and for an edge outside its domain.
 [[nodiscard]] Recession recession(const HystereticSphere& sphere, const Pressing& pressing, const MovingEdge& edge);
 
-/// States of the receding edge, one a step, from the largest contact radius to 0.
+/// States of the retracting edge, one per step, from the largest contact radius to 0.
 struct RecessionCourse {
     Array1D motor, displacement, contact_radius;  ///< m, δ, a [m]
     Array1D force;                                ///< [N]
-    Array1D energy_release_rate;                  ///< G [J/m²]; of the last state, without contact, that before it
+    Array1D energy_release_rate;  ///< G [J/m²]; for the last state, without contact, the value before it
 };
 
-/// The same equations in so many steps, not extrapolated. @throws as recession(), and for fewer than 8 steps.
+/// The same equations with a given number of steps, without extrapolation. @throws as recession(), and for fewer than 8
+/// steps.
 [[nodiscard]] RecessionCourse recession_course(const HystereticSphere& sphere, const Pressing& pressing,
                                                const MovingEdge& edge, int steps);
 
-/// How one W_ret is read from an edge that needs another at every speed.
+/// Method by which one W_ret is determined from a rate-dependent edge.
 enum class Reading {
-    last_points,     ///< Recession::work_read, as (S2) does
-    smallest_force,  ///< 2|F|/(3πR), as (S1) does
-    loop_area,       ///< that of an edge at rest with which the loop would lose as much
+    last_points,     ///< Recession::work_read, as in Eq. S2
+    smallest_force,  ///< 2|F|/(3πR), as in Eq. S1
+    loop_area,       ///< W_ret of a rate-independent edge with the same energy loss of the loop
 };
 
-/// W_ret [J/m²] as it is read. @throws as recession().
+/// W_ret [J/m²] by a method of reading. @throws as recession().
 [[nodiscard]] double work_read(const HystereticSphere& sphere, const Pressing& pressing, const MovingEdge& edge,
                                Reading reading);
 
-/// W_ret at rest [J/m²] of which experiment reads work_read: below it. sphere.work_retraction is not looked at.
-/// @throws as recession().
+/// W_ret at zero speed [J/m²] for which the experiment gives work_read; it is smaller than work_read.
+/// sphere.work_retraction is not used. @throws as recession().
 [[nodiscard]] double work_at_rest(HystereticSphere sphere, const Pressing& pressing, const MovingEdge& edge,
                                   Reading reading, double work_read);
 
-/// The loop of sphere_loop() with such an edge: its smallest force, and speed_loss beside the edge's and the jumps'
-/// own.
+/// The loop of sphere_loop() with a rate-dependent edge: its smallest force, and speed_loss in addition to the losses
+/// of edge and jumps.
 /// @throws as recession().
 [[nodiscard]] SphereLoop sphere_loop(const HystereticSphere& sphere, const Pressing& pressing, const MovingEdge& edge);
 

@@ -14,13 +14,13 @@ namespace setae::hysteresis {
 
 /// A pair with both works of adhesion measured.
 struct RankedPair {
-    RetractionPair pair;      ///< whose `approach` is `approach` with all that it rests on
-    MeasuredWork approach;    ///< W_app
-    MeasuredWork retraction;  ///< W_ret
+    RetractionPair pair;      ///< pair whose `approach` is `approach` with all its inputs
+    MeasuredWork approach;    ///< measured W_app
+    MeasuredWork retraction;  ///< measured W_ret
 };
 
-/// How surely one model is likelier than another, by the 5 % point of their odds (the odds themselves where they are
-/// lower): above 20, above 3, or neither.
+/// Distinction of two models by the 5 % point of their odds (the odds themselves where they are lower): above 20, above
+/// 3, or neither.
 enum class Distinction { cannot_be_distinguished, better, clearly_better };
 
 /// "clearly better", "better", "cannot be distinguished".
@@ -29,39 +29,41 @@ enum class Distinction { cannot_be_distinguished, better, clearly_better };
 /// The odds for one model against another.
 struct Odds {
     double value = 1.0;               ///< exp of the difference of ln L, which may be infinite
-    double lower = 1.0, upper = 1.0;  ///< 5 and 95 % points as the data vary within their own ±
+    double lower = 1.0, upper = 1.0;  ///< 5 and 95 % points when the data vary within their standard errors
 
     [[nodiscard]] Distinction distinction() const;
 };
 inline constexpr double clearly_better_odds = 20.0, better_odds = 3.0;
 
-/// A constant that W_ret of all pairs is off by, beside the scatter of pairs, surfaces and elastomers.
+/// A constant error of W_ret of all pairs, in addition to the scatter of pairs, surfaces and elastomers.
 struct ConstantBias {
     Estimate value;              ///< [J/m²]
-    double probability = 1.0;    ///< of one at least as far from 0 where there is none
-    double odds_with_it = 1.0;   ///< for the model with a free constant, on surfaces left out
+    double probability = 1.0;    ///< probability of a constant at least as far from 0 by chance
+    double odds_with_it = 1.0;   ///< odds for the model with a free constant, with surfaces left out
     bool refuses_model = false;  ///< probability < 0.005; or odds above 10 and probability < 0.05
 };
 
-/// How well a model says what was measured on both branches.
+/// Agreement of a model with the measured values on both branches.
 struct ModelScore {
     FittedModel fitted;
-    adhesion::GeneralisedFit fit;  ///< of the model's number to W_ret
-    double rms_residual = 0.0;     ///< of W_ret, measured − model, every pair alike [J/m²]
-    double log_likelihood = 0.0;   ///< of all measured W_ret together, at θ and the scatter: ln density [(J/m²)^−n]
-    /// Of each surface by the fit to the others, both branches and each alone: ln density [(J/m²)^−n].
+    adhesion::GeneralisedFit fit;  ///< fit of the model's parameter to W_ret
+    double rms_residual = 0.0;     ///< rms of measured − model of W_ret, with equal weights [J/m²]
+    double log_likelihood =
+        0.0;  ///< joint log-likelihood of all measured W_ret, at θ and the scatter: ln density [(J/m²)^−n]
+    /// Log-likelihood of each surface by the fit to the others, for both branches and for each branch: ln density
+    /// [(J/m²)^−n].
     double left_out_log_likelihood = 0.0, left_out_approach = 0.0, left_out_retraction = 0.0;
     double weight = 0.0;  ///< ∝ exp(left_out_log_likelihood), over all ranked models
-    Odds odds_against;    ///< for the likeliest model that no constant refuses
+    Odds odds_against;    ///< odds for the likeliest model without a constant error
     ConstantBias bias;
-    Estimate work_of_adhesion;                                ///< W_int by both branches [J/m²]
-    adhesion::ModelScatter approach_scatter;                  ///< of W_app, as the posterior has it
-    double surface_left_out = 0.0, elastomer_left_out = 0.0;  ///< rms residual of W_ret of those that the fit has not
-                                                              ///< seen [J/m²]; NaN where there is but one
+    Estimate work_of_adhesion;                                ///< W_int fitted to both branches [J/m²]
+    adhesion::ModelScatter approach_scatter;                  ///< scatter of W_app in the posterior
+    double surface_left_out = 0.0, elastomer_left_out = 0.0;  ///< leave-one-out error (rms) of W_ret for surfaces and
+                                                              ///< for elastomers [J/m²]; NaN where there is only one
     std::vector<adhesion::LeftOutPrediction> left_out;
 };
 
-/// A model that cannot be judged, and why.
+/// A model that cannot be ranked, with the reason.
 struct UnrankedModel {
     RetractionModel model;
     std::string reason;
@@ -69,42 +71,43 @@ struct UnrankedModel {
 
 /// W_int,e = c W_app of the smooth reference on elastomer e, one number c, against one common W_int.
 struct ProportionalWork {
-    Odds surfaces_left_out, elastomers_left_out;  ///< for it, on approach alone
-    Odds both_branches;                           ///< for it, surfaces left out, by the likeliest model of W_ret
+    Odds surfaces_left_out, elastomers_left_out;  ///< odds for proportional W_int, on approach only
+    Odds both_branches;  ///< odds for proportional W_int, with surfaces left out, by the likeliest model of W_ret
 };
 
-/// Models, that first which says best of each surface what the others let expect.
+/// Models in the order of their leave-one-surface-out log-likelihood, the best first.
 struct Ranking {
     std::vector<ModelScore> models;
     std::vector<UnrankedModel> unranked;
-    /// For a common W_app = g W without what pins an edge, against the same with it, on approach of surfaces left out.
+    /// Odds for a common W_app = g W without pinning of the edge, against the same with pinning, on approach of
+    /// surfaces left out.
     std::optional<Odds> approach_against_pinning;
     std::optional<ProportionalWork> proportional_work;  ///< where every elastomer has a reference and W_int is fitted
 
-    /// The likeliest model that no constant refuses. A fitted model whose number may be 0 gives way to the one that it
-    /// then is. The likeliest of all where every model is refused; nothing without models.
+    /// The likeliest model without a constant error. A fitted model whose parameter may be 0 is replaced by the model
+    /// with that parameter at 0. The likeliest of all where every model has a constant error; empty without models.
     [[nodiscard]] const ModelScore* best() const;
-    /// The same of the models whose W_ret tends to a smooth surface's, has_smooth_limit(): predictions go by it. It may
-    /// be clearly worse than best().
+    /// The best model of those whose W_ret tends to that of a smooth surface, has_smooth_limit(): it is used for
+    /// predictions. It may be clearly worse than best().
     [[nodiscard]] const ModelScore* best_with_smooth_limit() const;
-    /// Models that are not excluded: no constant refuses them, and the likeliest of these is not clearly better. The
-    /// likeliest first; all of them where every model is refused.
+    /// Models that are not excluded: without a constant error and not clearly worse than the likeliest one. The
+    /// likeliest first; all models where every model has a constant error.
     [[nodiscard]] std::vector<const ModelScore*> possible() const;
     /// Whether a constant refuses every model.
     [[nodiscard]] bool all_refused() const;
 };
 
-/// Pairs and surfaces below which no model is judged: of three surfaces two remain where one is left out, and their
-/// scatter hides anything.
+/// Minimum numbers of pairs and surfaces for a ranking. With three surfaces, two remain where one is left out, and the
+/// scatter of two surfaces is undetermined.
 inline constexpr std::size_t min_ranked_pairs = 6, min_ranked_surfaces = 4;
 
-/// Both branches of every surface predicted by the others. W_int, the model's number and all inputs are fitted anew
-/// without the surface, scatter of pairs, surfaces and elastomers is integrated out with a half-Cauchy prior
-/// (adhesion::MarginalScatter), and a model with a number pays for it there: what it is fitted to is not what it is
-/// judged by. The model's number as it is used is that of generalised least squares of W_ret.
+/// Predicts both branches of every surface by the others. W_int, the model's parameter and all inputs are fitted again
+/// without the surface; the scatter of pairs, surfaces and elastomers is integrated out with a half-Cauchy prior
+/// (adhesion::MarginalScatter). A fitted parameter thus does not improve the score of the data to which it is fitted.
+/// The reported parameter is that of generalised least squares of W_ret.
 ///
-/// known_work: W_int where the study states it; else it is found with each model.
-/// Models that lack something of a pair are unranked. Same numbers for any number of threads. Calibration:
+/// known_work: W_int where the study states it; else it is fitted with each model.
+/// Models without the required data of a pair are unranked. Equal numbers for any number of threads. Calibration:
 /// docs/validation/ranking.md. Source: Geisser, Eddy, J. Am. Stat. Assoc. 74 (1979) 153; Gelman, Bayesian Anal. 1
 /// (2006) 515 (scatter); Yao, Vehtari, Simpson, Gelman, Bayesian Anal. 13 (2018) 917 (weights).
 [[nodiscard]] Ranking rank_models(const std::vector<RetractionModel>& models, const std::vector<RankedPair>& pairs,
@@ -149,7 +152,7 @@ static_assert(complete<hysteresis::ProportionalWork>);
 template <>
 struct Described<hysteresis::ModelScore> {
     using T = hysteresis::ModelScore;
-    /// The model's number, where it has one and it is called so.
+    /// The model's parameter, where it has one of this name.
     static std::optional<Estimate> parameter(const T& of, std::string_view name) {
         const auto& model = of.fitted.model;
         if (!model.fitted() || model.parameter().quantity != name) return {};

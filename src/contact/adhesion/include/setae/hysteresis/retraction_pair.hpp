@@ -13,89 +13,90 @@
 
 namespace setae::hysteresis {
 
-/// A surface and an elastomer as laws of retraction see them, with everything they rest on.
+/// A surface and an elastomer for retraction models, with all inputs.
 ///
-/// Contact is what simulated patches of the pair's U_el/(A W) come to without load, adhesion::unloaded_contact(): full,
-/// with the surface's r and U_el, up to 0.15; a share α of it beyond, which stores what it does not gain.
+/// The contact is that of simulated patches with the pair's U_el/(A W) without load, adhesion::unloaded_contact():
+/// full, with the surface's r and U_el, up to 0.15; a share α of the area beyond, with the corresponding stored energy.
 struct RetractionPair {
     adhesion::RoughSide rough;
     adhesion::SoftSide soft;
     TracedValue work_of_adhesion;           ///< W_int [J/m²]
-    std::optional<TracedValue> approach{};  ///< W_app as measured [J/m²]; without it of the contact that there is
+    std::optional<TracedValue> approach{};  ///< measured W_app [J/m²]; without it, W_app of the predicted contact
     std::optional<TracedValue> reference_work{};  ///< W_app of a smooth reference on the elastomer [J/m²]
     std::optional<TracedValue> tip_factor{};      ///< φ of a smooth reference; models with its tip need it
     std::optional<TracedEdgeSpeed>
-        edge_speed{};  ///< of the elastomer; models with a tip that minds its speed need it …
-    std::optional<SpeedFactor> speed_factor{};   ///< … and this, speed_factor() of the pair
-    std::vector<TracedRelaxation> relaxation{};  ///< of the elastomer's bulk, where it is known
-    std::optional<Drive> drive{};                ///< speeds of the machine and its rest; both of these need it
+        edge_speed{};  ///< rate dependence of the elastomer; required by models with a rate-dependent tip …
+    std::optional<SpeedFactor> speed_factor{};   ///< … together with speed_factor() of the pair
+    std::vector<TracedRelaxation> relaxation{};  ///< relaxation of the elastomer's bulk, where it is known
+    std::optional<Drive> drive{};                ///< speeds of the machine and hold time; required by both of these
     std::optional<TracedValue> radius{};         ///< R [m] of the sphere
-    std::optional<TracedValue> contact_area{};   ///< π a_max² as measured [m²]; without it of `pressing`
+    std::optional<TracedValue> contact_area{};   ///< measured π a_max² [m²]; without it, that of `pressing`
     std::optional<Pressing> pressing{};
     std::optional<TracedValue> machine_stiffness{};  ///< k_m [N/m]; without it that of `pressing`
-    std::vector<PinningBand> bands;                  ///< of U_el
+    std::vector<PinningBand> bands;                  ///< bands of U_el
 
-    /// U_el over what conforming gains.
+    /// U_el divided by the energy gained in full contact.
     [[nodiscard]] double energy_share() const;
-    /// How it is pressed where its contact area and its machine are these and known: by the force under which a contact
-    /// touches so much; else as `pressing` says.
+    /// Loading for a known contact area and machine stiffness: the force at which a contact has this area; else
+    /// `pressing`.
     [[nodiscard]] Pressing pressed(const contact::jkr::Contact& contact, double area, double stiffness) const;
-    /// Whether the model has what it needs. In words where not.
+    /// Empty if the model has all its inputs; otherwise the missing input in words.
     [[nodiscard]] std::string lacks(const RetractionModel& model) const;
 };
 
-/// How roughness holds the edge of a pair's contact on one branch.
+/// Pinning of the edge of a pair's contact on one branch.
 struct BranchPinning {
-    std::optional<double> contact_radius{};  ///< a [m] of the edge; nothing without a sphere
+    std::optional<double> contact_radius{};  ///< a [m] of the edge; empty without a sphere
     double larkin_lengths = 0.0;             ///< N; infinite without a sphere
     PinningCoefficient coefficient;          ///< k
     bool measured = true;                    ///< PinningConstants::measured
 };
 struct PairPinning {
-    double energy_share = 0.0;     ///< U_el/(A W) of the contact
-    bool measured_radius = false;  ///< at the largest load as measured; else JKR's at the preload, without one at none
+    double energy_share = 0.0;  ///< U_el/(A W) of the contact
+    bool measured_radius =
+        false;  ///< measured radius at the largest load; else that of JKR at the preload, or without load
     BranchPinning approach, retraction;  ///< at the largest load; at JKR's pull-off under a dead load
 };
 
-/// By JKR's contact of W, what the contact gains.
+/// Pinning for JKR's contact with W, the energy gained in contact.
 [[nodiscard]] PairPinning pinning_of(const RetractionPair& pair);
 
-/// The name of the input that k of simulated fronts is, as one relative error of all pairs.
+/// Name of the input that represents k of simulated fronts, as one relative error of all pairs.
 inline constexpr const char* simulated_pinning_input = "k of simulated fronts";
 
-/// A work of adhesion as it was measured.
+/// A measured work of adhesion.
 struct MeasuredWork {
-    Estimate value;     ///< [J/m²]; its standard error is of noise and scatter
-    Components inputs;  ///< that it shares with others
+    Estimate value;     ///< value [J/m²]; the standard error includes noise and scatter only
+    Components inputs;  ///< inputs shared with other values
 };
 
-/// The pair as a fit of the model's θ sees it. A model without θ has slope 1 and is to be taken at θ = 0.
+/// The pair in a fit of the model's θ. A model without θ has slope 1 and is evaluated at θ = 0.
 [[nodiscard]] adhesion::PairPoint retraction_point(const RetractionModel& model, const RetractionPair& pair,
                                                    const MeasuredWork& measured);
 
-/// What a fit says of a model: θ, and how far pairs scatter about it.
+/// Result of the fit of a model: θ, and the scatter of pairs about the model.
 struct FittedModel {
     RetractionModel model;
     TracedValue parameter;  ///< θ; 0 without one
-    Estimate scatter;       ///< of the next pair on a new surface and elastomer: value 0, ± [J/m²]
+    Estimate scatter;       ///< scatter of a new pair on a new surface and elastomer: value 0, standard error [J/m²]
     std::optional<TracedValue>
-        work_of_adhesion{};  ///< W_int by a model with a part in W_app; without it the pair's [J/m²]
+        work_of_adhesion{};  ///< W_int by a model that also predicts W_app; without it that of the pair [J/m²]
     std::optional<TracedValue>
-        shared_scatter{};  ///< in its place: effects of the pair, its surface and elastomer [J/m²]
+        shared_scatter{};  ///< in place of `scatter`: effects of the pair, its surface and elastomer [J/m²]
 };
 
-/// W_app [J/m²] of a pair by a model, from roughness alone: of the contact that there is, what pins the edge taken off.
+/// W_app [J/m²] of a pair predicted from roughness by a model: of the predicted contact, minus the effect of pinning.
 [[nodiscard]] TracedValue predicted_approach(const FittedModel& fitted, const RetractionPair& pair);
 
-/// W_ret [J/m²] of a pair by a model, at least W_app, the scatter among its errors.
+/// W_ret [J/m²] of a pair by a model, at least W_app, with the scatter among its errors.
 [[nodiscard]] TracedValue predicted_retraction(const FittedModel& fitted, const RetractionPair& pair);
 
-/// Where the joules of a loop went.
+/// Energy budget of a loop.
 struct EnergyShares {
-    TracedValue jump_in, jump_out;  ///< of the sphere [J]
-    TracedValue crack_tip;          ///< (1 − 1/φ) W_ret π a_max², or what the speed of the edge costs [J]
-    TracedValue roughness;          ///< the rest of (W_ret − W_app) π a_max² [J]
-    TracedValue bulk;               ///< what relaxes in the elastomer's bulk [J]
+    TracedValue jump_in, jump_out;  ///< losses in the jumps of the sphere [J]
+    TracedValue crack_tip;          ///< (1 − 1/φ) W_ret π a_max², or the loss by the speed of the edge [J]
+    TracedValue roughness;          ///< remainder of (W_ret − W_app) π a_max² [J]
+    TracedValue bulk;               ///< energy that relaxes in the elastomer's bulk [J]
 
     /// A share of each kind, in order, with its name.
     static constexpr int count = 5;
@@ -112,13 +113,14 @@ struct PredictedRetraction {
     TracedValue pull_off_force;                  ///< magnitude of the smallest force [N]
     TracedValue contact_radius;                  ///< a_max [m]
     TracedValue energy_loss;                     ///< ∮F dδ [J]
-    EnergyShares shares;                         ///< they add to energy_loss
-    HystereticSphere sphere;  ///< of the values, W_ret at rest; with pressing and edge for loop_course()
+    EnergyShares shares;                         ///< their sum is energy_loss
+    HystereticSphere
+        sphere;  ///< sphere at the values, with W_ret at zero speed; with pressing and edge for loop_course()
     Pressing pressing;
-    std::optional<MovingEdge> edge;  ///< of models whose tip minds its speed
+    std::optional<MovingEdge> edge;  ///< for models with a rate-dependent tip
 };
 
-/// Nothing where W_app is 0: no contact forms.
+/// Empty where W_app is 0: no contact forms.
 /// @throws InvalidArgument unless radius and pressing are known.
 [[nodiscard]] std::optional<PredictedRetraction> predicted_retraction_loop(const FittedModel& fitted,
                                                                            const RetractionPair& pair);

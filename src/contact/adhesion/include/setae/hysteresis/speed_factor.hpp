@@ -7,7 +7,7 @@
 
 namespace setae::hysteresis {
 
-/// What a smooth edge of an elastomer needs over its W_app, with everything it rests on.
+/// Work of a smooth edge of an elastomer divided by its W_app, with all inputs.
 ///
 ///   φ(v) = φ(0) [1 + (v/v0)^n]
 struct TracedEdgeSpeed {
@@ -16,38 +16,38 @@ struct TracedEdgeSpeed {
     TracedValue rest_factor = 1.0;  ///< φ(0)
 };
 
-/// contact::RelaxationTerm likewise.
+/// contact::RelaxationTerm with all inputs.
 struct TracedRelaxation {
     TracedValue share;  ///< g
     TracedValue time;   ///< τ [s]
 };
 
-/// φ = W_ret as it is read over the W that roughness alone asks for, of one sphere in one machine, about one such W.
+/// φ = measured W_ret divided by W from roughness, for one sphere in one machine, about one such W.
 ///
 ///   φ(W) = φ (W/W_0)^s
 struct SpeedFactor {
     TracedValue factor;       ///< φ at W_0
     double work = 0.0;        ///< W_0 [J/m²]
-    double slope = 0.0;       ///< s: < 0 as a rule
-    bool of_reading = false;  ///< W_0 is where W_ret was read, and moves as φ does
+    double slope = 0.0;       ///< s, usually < 0
+    bool of_reading = false;  ///< W_0 is the W at which W_ret was measured, and changes with φ
 
     /// φ(W), of another value φ at W_0 within its ±. W <= 0 counts as W_0.
     [[nodiscard]] double at(double factor_there, double of_work) const;
-    /// Where W_ret as it was read stays: as φ rises W_0 = W_ret/φ falls, and φ follows it.
+    /// φ at constant measured W_ret: as φ increases, W_0 = W_ret/φ decreases, and φ changes with it.
     [[nodiscard]] double at_reading(double factor_there) const;
 };
 
-/// What an edge is pulled from: inputs of speed_factor().
+/// Sphere of a rate-dependent edge: inputs of speed_factor().
 struct TracedSphere {
     TracedValue radius, contact_modulus;  ///< R [m], E* [Pa]
-    TracedValue contact_radius;           ///< a_max [m], where the edge begins to recede
+    TracedValue contact_radius;           ///< a_max [m], where the edge begins to retract
     TracedValue machine_stiffness = std::numeric_limits<double>::infinity();  ///< [N/m]
 };
 
-/// How an edge is pulled and its W_ret read.
+/// Motion of an edge and the reading of its W_ret.
 struct EdgePull {
     double motor_speed = 0.0;   ///< [m/s], > 0
-    double reading_time = 0.0;  ///< of the last points [s]
+    double reading_time = 0.0;  ///< time of the last points [s]
     Reading reading = Reading::last_points;
 };
 
@@ -56,7 +56,7 @@ struct EdgePull {
 [[nodiscard]] SpeedFactor speed_factor(const TracedSphere& sphere, const TracedEdgeSpeed& edge, const EdgePull& pull,
                                        double work);
 
-/// φ where W_ret as it was read [J/m²] is known: W_0 = W_ret/φ. Derivatives are those at constant W_0.
+/// φ for a known measured W_ret [J/m²]: W_0 = W_ret/φ. Derivatives are those at constant W_0.
 /// @throws InvalidArgument as work_at_rest().
 [[nodiscard]] SpeedFactor speed_factor_of_reading(const TracedSphere& sphere, const TracedEdgeSpeed& edge,
                                                   const EdgePull& pull, double work_read);

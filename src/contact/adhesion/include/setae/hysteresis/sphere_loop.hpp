@@ -18,24 +18,24 @@ struct HystereticSphere {
     [[nodiscard]] contact::jkr::Contact retraction() const { return {radius, contact_modulus, work_retraction}; }
 };
 
-/// How it is pressed on and pulled off.
+/// Loading and unloading of the sphere.
 struct Pressing {
-    double maximum_force = 0.0;                                          ///< [N] at the turning point, >= 0
+    double maximum_force = 0.0;                                          ///< largest force [N], >= 0
     double machine_stiffness = std::numeric_limits<double>::infinity();  ///< k_m [N/m], > 0; infinite: fixed grips
 };
 
-/// What happens in the loop, by closed forms.
+/// States and losses of the loop, by closed forms.
 struct SphereLoop {
     contact::jkr::State after_jump_in;  ///< first state of contact
     contact::jkr::State turning_point;  ///< largest force; its contact radius is a_max
-    contact::jkr::State unpinned;       ///< same contact radius, G = W_ret: the edge begins to recede
+    contact::jkr::State unpinned;       ///< same contact radius, G = W_ret: the edge begins to retract
     contact::jkr::State parting;        ///< last state of contact
-    double smallest_force = 0.0;  ///< [N], < 0: what is read as pull-off force, −3/2 πRW_ret where the edge receded
-    double jump_in_loss = 0.0;    ///< [J]
-    double edge_loss = 0.0;       ///< (W_ret − W_app) π a_max² [J]
-    double jump_out_loss = 0.0;   ///< [J]
-    double speed_loss = 0.0;      ///< what an edge needs beyond W_ret because it moves [J]: EdgeSpeed
-    double bulk_loss = 0.0;       ///< of a bulk that relaxes [J]: contact::RelaxationTerm
+    double smallest_force = 0.0;        ///< [N], < 0: measured pull-off force, −3/2 πRW_ret where the edge retracted
+    double jump_in_loss = 0.0;          ///< [J]
+    double edge_loss = 0.0;             ///< (W_ret − W_app) π a_max² [J]
+    double jump_out_loss = 0.0;         ///< [J]
+    double speed_loss = 0.0;            ///< additional loss of the rate-dependent edge [J]: EdgeSpeed
+    double bulk_loss = 0.0;             ///< loss by relaxation of the bulk [J]: contact::RelaxationTerm
 
     /// ∮ F dδ [J]
     [[nodiscard]] double energy_loss() const {
@@ -44,22 +44,23 @@ struct SphereLoop {
     [[nodiscard]] double largest_contact_area() const;  ///< π a_max² [m²]
 };
 
-/// What a loop goes through.
+/// Computes the loop.
 ///
-/// Approach: free flight to first touch, m = 0; there the contact springs to the stable radius on the machine's line
-/// δ + F/k_m = 0, and follows JKR's curve for W_app to the maximum force. Retraction: the edge stays at a_max, dF = 2E*
+/// Approach: free flight to first contact, m = 0; there the contact jumps to the stable radius on the machine's line δ
+/// + F/k_m = 0, and follows JKR's curve for W_app to the maximum force. Retraction: the edge stays at a_max, dF = 2E*
 /// a_max dδ, until G = W_ret; then JKR's curve for W_ret down to where dF/dδ = −k_m (fixed grips: where δ(a) turns, F =
 /// −5/6 πRW_ret; k_m → 0: −3/2 πRW_ret), or at once where a_max is not stable at W_ret; then free flight. Losses of the
-/// jumps are the differences of total energy, the machine's spring included:
+/// jumps are the differences of total energy, including the machine's spring:
 ///
-///   jump in: −U(a, δ; W_app) − F²/2k_m,   jump out: U(a, δ; W_ret) + F²/2k_m
+///   jump in: −U(a, δ; W_app) − F²/2k_m, jump out: U(a, δ; W_ret) + F²/2k_m
 ///
 /// @throws InvalidArgument for values outside their domains.
-/// Source: Johnson, Kendall, Roberts 1971; Maugis (2000) ch. 4; of the sum: energy balance of the closed loop.
+/// Source: Johnson, Kendall, Roberts 1971; Maugis (2000) ch. 4; sum: energy balance of the closed loop.
 [[nodiscard]] SphereLoop sphere_loop(const HystereticSphere& sphere, const Pressing& pressing);
 
-/// W_ret [J/m²] with which the loop loses a given energy [J]; sphere.work_retraction is not looked at.
-/// @throws InvalidArgument as sphere_loop(), and for a loss below that with W_ret = W_app, which the message names.
+/// W_ret [J/m²] for a given energy loss of the loop [J]; sphere.work_retraction is not used.
+/// @throws InvalidArgument as sphere_loop(), and for a loss below that with W_ret = W_app; the message states that
+/// loss.
 [[nodiscard]] double work_retraction_for_loss(HystereticSphere sphere, const Pressing& pressing, double energy_loss);
 
 }  // namespace setae::hysteresis

@@ -9,17 +9,17 @@
 
 namespace setae::hysteresis {
 
-/// What an elastomer does in time.
+/// Time dependence of an elastomer.
 struct ViscousBody {
-    std::optional<EdgeSpeed> edge;                    ///< an edge that minds its speed
-    std::vector<contact::RelaxationTerm> relaxation;  ///< a bulk that relaxes
+    std::optional<EdgeSpeed> edge;                    ///< rate-dependent edge
+    std::vector<contact::RelaxationTerm> relaxation;  ///< relaxing bulk
 
-    /// The edge as this machine pulls it, where it minds.
+    /// The edge with the speeds of this machine, where it is rate-dependent.
     [[nodiscard]] std::optional<MovingEdge> moving_edge(const Drive& drive, double reading_time = 0.0) const;
 };
 
-/// The loop of sphere_loop() with everything that time does to it.
-/// @throws as its parts; the drive is not looked at where the body does nothing in time.
+/// The loop of sphere_loop() with all effects of time.
+/// @throws as its parts; the drive is not used for a body without time dependence.
 [[nodiscard]] SphereLoop sphere_loop(const HystereticSphere& sphere, const Pressing& pressing, const Drive& drive,
                                      const ViscousBody& body);
 
