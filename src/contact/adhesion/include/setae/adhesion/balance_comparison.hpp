@@ -11,14 +11,15 @@ namespace setae::adhesion {
 
 /// Agreement of one balance with the measured values of all pairs, with W_int fitted by least squares.
 struct BalanceScore {
-    int n = 0;                        ///< number of pairs
-    int parameters = 1;               ///< number of fitted parameters
-    double work_of_adhesion = 0.0;    ///< W_int [J/m²]
-    double residual_squares = 0.0;    ///< Σ (measured − predicted)² [J²/m⁴]
-    double r_squared = 0.0;           ///< 1 − SS_res/SS_tot
-    double log_likelihood = 0.0;      ///< −n/2 ln(SS_res/n): Gaussian residuals of one unknown variance
-    double left_out_deviation = 0.0;  ///< rms residual of each surface under the fit to the others [J/m²]; NaN where
-                                      ///< the balance predicts nothing for a surface that is left out
+    int n = 0;                      ///< number of pairs
+    int parameters = 1;             ///< number of fitted parameters
+    double work_of_adhesion = 0.0;  ///< W_int [J/m²]
+    double residual_squares = 0.0;  ///< Σ (measured − predicted)² [J²/m⁴]
+    double r_squared = 0.0;         ///< 1 − SS_res/SS_tot
+    double log_likelihood = 0.0;    ///< −n/2 ln(SS_res/n): Gaussian residuals of one unknown variance
+    /// rms residual of each surface under the fit to the others [J/m²]; NaN where the balance predicts nothing for a
+    /// surface that is left out
+    double left_out_deviation = 0.0;
 };
 
 /// pairs: lines in W_int of one balance.

@@ -16,7 +16,7 @@ struct ContactScales {
 
 /// Parts of a spectrum that act within one contact, divided by the whole on a half-space.
 ///
-///   U = (E*/8π) ∫_{2π/D}^{q_s} m(qh) q² C_iso dq, h'² = (1/2π) ∫_{2π/D}^{q_s} q³ C_iso dq
+///   U = (E*/8π) ∫_{2π/D}^{q_s} m(qh) q² C_iso dq,   h'² = (1/2π) ∫_{2π/D}^{q_s} q³ C_iso dq
 ///
 /// m: stiffness of the layer divided by that of a half-space, contact::layer::stiffness_ratio.
 struct ContactShares {

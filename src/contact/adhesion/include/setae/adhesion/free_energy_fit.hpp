@@ -51,7 +51,7 @@ struct FreeEnergyFit {
 
 /// The fit by generalised least squares, from a start near the solution:
 ///
-///   minimise (y − f(θ))ᵀ V⁻¹ (y − f(θ)), θ = (W, u_1, u_2, …) >= 0
+///   minimise (y − f(θ))ᵀ V⁻¹ (y − f(θ)),   θ = (W, u_1, u_2, …) >= 0
 ///
 /// V as in fit_generalised(), without effects of surfaces, which the u represent. Parameters at 0 do not enter the
 /// errors of the others. An interval has a lower end of at least 0; that of a parameter at 0 is one-sided,

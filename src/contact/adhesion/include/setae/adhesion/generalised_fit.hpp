@@ -28,8 +28,8 @@ struct GeneralisedFit {
     ScatterFreedom freedom;                  ///< number of pairs, surfaces and elastomers, each minus one
     double r_squared = 0.0;                  ///< 1 − SS_res/SS_tot at this W, with equal weights
     double restricted_log_likelihood = 0.0;  ///< restricted log-likelihood of the scatter, without its constant
-    double log_likelihood =
-        0.0;  ///< log-likelihood of the measured values at this W and scatter, normal: ln density [(J/m²)^−n]
+    /// log-likelihood of the measured values at this W and scatter, normal: ln density [(J/m²)^−n]
+    double log_likelihood = 0.0;
     int n = 0;
     std::set<std::string> surfaces, elastomers;  ///< names in the order of the directions of the effects
 
@@ -39,7 +39,7 @@ struct GeneralisedFit {
 
 /// W from all pairs with the covariance of all errors.
 ///
-///   minimise (y − f(W))ᵀ V⁻¹ (y − f(W)), f_i = max(0, r_i W − o_i)
+///   minimise (y − f(W))ᵀ V⁻¹ (y − f(W)),  f_i = max(0, r_i W − o_i)
 ///   V = own noise + Σ_inputs c cᵀ + τ² 1 + τ_s² (pairs of one surface) + τ_e² (pairs of one elastomer)
 ///
 /// c: change of y − f for a change of one input by one standard error, through measured values and through predictions.

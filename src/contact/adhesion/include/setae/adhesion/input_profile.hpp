@@ -27,7 +27,7 @@ struct InputProfile {
 
 /// The profile of each input over all pairs.
 ///
-///   measured + t u_m, slope + t u_s, offset + t u_o, u: components of the input; W is fitted again with the
+///   measured + t u_m,  slope + t u_s,  offset + t u_o,  u: components of the input;  W is fitted again with the
 ///   input taken as exact and the scatter of the fit fixed
 ///
 /// An input with more than one direction, or without influence on the pairs, has no profile.

@@ -10,12 +10,12 @@ namespace setae::adhesion {
 
 /// Prediction of a pair by the other pairs.
 struct LeftOutPrediction {
-    bool surface_left_out =
-        true;  ///< true: all pairs of its surface are left out of the fit; false: all pairs of its elastomer
+    /// true: all pairs of its surface are left out of the fit; false: all pairs of its elastomer
+    bool surface_left_out = true;
     std::string surface, elastomer;
-    Estimate predicted;  ///< max(0, balance) at W of the others; the standard error includes all inputs and the scatter
-                         ///< of the model
-    Estimate measured;   ///< measured value with its own noise
+    /// max(0, balance) at W of the others; the standard error includes all inputs and the scatter of the model
+    Estimate predicted;
+    Estimate measured;            ///< measured value with its own noise
     double residual = 0.0;        ///< measured − predicted
     double standard_error = 0.0;  ///< standard error of the residual
     bool held = false;            ///< whether 0 lies in the 95 % interval of the residual

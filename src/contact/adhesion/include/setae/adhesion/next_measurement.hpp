@@ -54,7 +54,7 @@ using Target = std::function<TracedValue(const Change&)>;
 /// the candidate reduces; scatter and expected values are fixed. Sorted by gain, or by gain per hour where every
 /// candidate has its hours.
 ///
-///   input: components × ½; loop: own variance × m/(m + 1); spectrum: components × 1/√2
+///   input: components × ½;  loop: own variance × m/(m + 1);  spectrum: components × 1/√2
 ///
 /// @throws as fit_generalised().
 [[nodiscard]] std::vector<NextMeasurement> next_measurements(const Target& target,

@@ -32,8 +32,8 @@ struct WorkFit {
     /// Fit weighted by the measured standard errors only; its χ² tests the model. For p < 0.05 the fit has no standard
     /// error.
     std::optional<WorkEstimate> weighted;
-    std::optional<WorkEstimate> with_extra_scatter;  ///< with measured standard errors and a scatter of the model for
-                                                     ///< which χ² equals the degrees of freedom
+    /// with measured standard errors and a scatter of the model for which χ² equals the degrees of freedom
+    std::optional<WorkEstimate> with_extra_scatter;
     std::optional<WorkEstimate>
         errors_in_both;  ///< with standard errors of measured and predicted values, and the remaining scatter
     std::optional<Estimate> likelihood;  ///< 95 % profile likelihood over the extra scatter

@@ -19,8 +19,8 @@ inline constexpr const char* own_noise_of = "noise of ";
 ///
 ///   prediction(W) = max(0, slope · W − offset)
 ///
-/// Full-contact balance (Eq. 7): slope r, offset γ1 (r − 1) + U_el/A. Persson–Tosatti balance (Eq. S13): slope 1 +
-/// h'²/2, offset U_el/A. True-area loss of loops (Eq. 10): slope A_true, offset 0, or minus the loss of the smooth
+/// Full-contact balance (Eq. 7): slope r, offset γ1 (r − 1) + U_el/A.  Persson–Tosatti balance (Eq. S13): slope 1 +
+/// h'²/2, offset U_el/A.  True-area loss of loops (Eq. 10): slope A_true, offset 0, or minus the loss of the smooth
 /// sphere.
 struct PairPoint {
     std::string surface;

@@ -12,8 +12,8 @@ namespace setae::adhesion {
 struct UnloadedContact {
     double area_fraction = 1.0;  ///< contact area divided by the nominal area
     double area_error = 0.0;     ///< standard error of `area_fraction`
-    double gain =
-        1.0;  ///< gained energy divided by W, the gain of full contact; the full-contact balance (Eq. 7) gives 1 − e
+    /// gained energy divided by W, the gain of full contact; the full-contact balance (Eq. 7) gives 1 − e
+    double gain = 1.0;
     double gain_error = 0.0;  ///< standard error of `gain`
     /// Mean pressure for contact on 99 % of the area, divided by U_el/(A h_rms); 0 for spontaneous full contact.
     double closing_pressure = 0.0;
@@ -35,7 +35,7 @@ inline constexpr double closing_energy_share = 0.25;
 
 /// W_app = W gain(U_el/(A W)): the full-contact balance (Eq. 7) in full contact, and the gain of partial contact
 /// otherwise.
-/// gain: W = W_int r − γ1 (r − 1) [J/m²]. stored_energy: U_el/A [J/m²] >= 0. 0 for W <= 0.
+/// gain: W = W_int r − γ1 (r − 1) [J/m²].  stored_energy: U_el/A [J/m²] >= 0.  0 for W <= 0.
 /// patches: deviation of the simulated gain, in units of gain_error.
 [[nodiscard]] double partial_balance(double gain, double stored_energy, double patches = 0.0);
 

@@ -18,8 +18,8 @@ struct RetractionPrediction {
     TracedValue energy_loss;   ///< ∮F dδ [J]
     Estimate work_retraction;  ///< W_ret at pull-off [J/m²]
     Estimate pull_off_force;   ///< 3/2 π R W_ret (Eq. S1) [N]
-    double smooth_pull_off_force =
-        0.0;  ///< pull-off force of the same model and sphere at r = 1, U_el = 0 [N]; JKR gives 3/2 π R W_int
+    /// pull-off force of the same model and sphere at r = 1, U_el = 0 [N]; JKR gives 3/2 π R W_int
+    double smooth_pull_off_force = 0.0;
 };
 
 /// Predicted loop of a soft sphere that is pressed on a rough surface and pulled off.

@@ -90,7 +90,7 @@ struct PredictionCurve {
     Array1D lower, upper;      ///< ends of the 95 % band: errors of spectrum, surface energy and W_int, floored at 0
 };
 
-/// surface_energy: γ1 [J/m²]. work_of_adhesion: W_int [J/m²]. contact_moduli: [Pa], > 0.
+/// surface_energy: γ1 [J/m²].  work_of_adhesion: W_int [J/m²].  contact_moduli: [Pa], > 0.
 /// Source: [D19], Eq. 7.
 [[nodiscard]] PredictionCurve prediction_curve(const RoughSide& rough, const TracedValue& surface_energy,
                                                const TracedValue& work_of_adhesion, const Array1D& contact_moduli);

@@ -27,8 +27,8 @@ struct PredictionResidual {
 ///
 ///   χ² = rᵀC⁻¹r − (sᵀC⁻¹r)²/(sᵀC⁻¹s)
 ///
-/// r: residuals. C: their covariance: measured variances on the diagonal, and shared inputs, such as the spectrum of a
-/// surface, the modulus and the surface energy of an elastomer, a lens, a given W_int. s: ∂prediction/∂W_int, where
+/// r: residuals.  C: their covariance: measured variances on the diagonal, and shared inputs, such as the spectrum of a
+/// surface, the modulus and the surface energy of an elastomer, a lens, a given W_int.  s: ∂prediction/∂W_int, where
 /// W_int was fitted to the same values: the second term then takes the W_int that minimises χ² with C, to first order,
 /// at the cost of one degree of freedom.
 struct PredictionTest {
@@ -39,8 +39,8 @@ struct PredictionTest {
     int degrees_of_freedom = 0;
     double chi_squared = 0.0;
     double probability = 1.0;  ///< probability of a χ² at least as large if the predictions are correct
-    double extra_scatter =
-        0.0;  ///< scatter τ >= 0 of the model [J/m²]: with C + τ² 1, χ² is equal to its degrees of freedom or less
+    /// scatter τ >= 0 of the model [J/m²]: with C + τ² 1, χ² is equal to its degrees of freedom or less
+    double extra_scatter = 0.0;
     double chi_squared_with_scatter = 0.0;
     double probability_with_scatter = 1.0;
 };

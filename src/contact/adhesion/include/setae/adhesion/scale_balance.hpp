@@ -38,7 +38,7 @@ struct ScaleBalance {
 /// formulas for full contact then overestimate both area and energy. The comparison of gained and stored energy
 /// determines whether closed gaps open; open gaps close at a smaller stored energy. `closing_pressure` is the pressure
 /// for contact on 99 % of simulated patches of the same stored and gained energy and rms height, unloaded_contact().
-/// contact_modulus [Pa] > 0; work_of_adhesion W_int and surface_energy γ1 [J/m²] >= 0. Source: THEORY §8;
+/// contact_modulus [Pa] > 0; work_of_adhesion W_int and surface_energy γ1 [J/m²] >= 0.  Source: THEORY §8;
 /// docs/validation/conformity.md.
 [[nodiscard]] ScaleBalance scale_balance(const roughness::CumulativeParameters& below, double contact_modulus,
                                          double work_of_adhesion, double surface_energy, double area_shape = 1.0);

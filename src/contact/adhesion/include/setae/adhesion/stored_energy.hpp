@@ -11,7 +11,8 @@ namespace setae::adhesion {
 ///
 ///   U_el/A_app = (E*/8) ∫ q C1D dq = (E*/8π) ∫ q² C_iso dq
 ///
-/// contact_modulus: E* [Pa], > 0; conversion: of C1D curves, exact or by Eq. 11. Source: [D19], Eq. 8; THEORY §4.1, §7.
+/// contact_modulus: E* [Pa], > 0; conversion: of C1D curves, exact or by Eq. 11.  Source: [D19], Eq. 8; THEORY §4.1,
+/// §7.
 [[nodiscard]] double stored_energy(double contact_modulus, const spectra::Spectrum& curve,
                                    roughness::Conversion conversion = roughness::Conversion::exact);
 
@@ -20,7 +21,7 @@ namespace setae::adhesion {
 ///
 /// Non-periodic maps are detrended by their best plane and windowed (Hann) as in spectra. A cosine of amplitude h0
 /// gives E* q h0²/8.
-/// @throws UndefinedDataError for maps with undefined heights. Source: THEORY §7.
+/// @throws UndefinedDataError for maps with undefined heights.  Source: THEORY §7.
 [[nodiscard]] double stored_energy(double contact_modulus, const topography::HeightMap& map,
                                    parallel::Threads threads = {});
 

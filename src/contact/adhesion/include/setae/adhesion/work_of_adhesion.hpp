@@ -22,9 +22,9 @@ struct ApparentWork {
 ///
 ///   W_app = W_int r − γ1 (r − 1) − U_el/A_app
 ///
-/// work_of_adhesion: W_int [J/m²], >= 0. surface_energy: γ1 of the soft solid [J/m²], >= 0.
+/// work_of_adhesion: W_int [J/m²], >= 0.  surface_energy: γ1 of the soft solid [J/m²], >= 0.
 /// Limits: flat W_int; E* → 0: W_int r − γ1 (r − 1).
-/// @throws InvalidArgument outside the domain. Source: [D19], Eq. 7.
+/// @throws InvalidArgument outside the domain.  Source: [D19], Eq. 7.
 [[nodiscard]] ApparentWork modified_balance(double work_of_adhesion, double surface_energy,
                                             const ConformalState& state);
 
@@ -55,18 +55,18 @@ struct SurfaceEnergyLaw {
 /// Stretching from A_app to A_true costs ∫ Υ dA with the surface stress Υ = d(γ1s A)/dA. Therefore γ1s A_true − γ1
 /// A_app is spent, and γ1s A_true is gained where the stretched side is covered. The strain dependence of γ1s cancels.
 /// interface_change: γ1s2 − γ12 at this strain [J/m²].
-/// @throws InvalidArgument outside the domain. Source: derived in docs/concepts; [D19], Eq. 5 with ∫ Υ dA.
+/// @throws InvalidArgument outside the domain.  Source: derived in docs/concepts; [D19], Eq. 5 with ∫ Υ dA.
 [[nodiscard]] ApparentWork end_state_balance(double work_of_adhesion, double surface_energy, double interface_change,
                                              const ConformalState& state);
 
 /// The balance with a strain-dependent surface energy (Eq. 6) as printed, with ∫ γ1s dA for the cost of stretching.
 ///
-///   W_app = W*_int r − ∫_1^r γ1s(x) dx − U_el/A_app, W*_int = W_int + [γ1s(r) − γ1s(1)]
+///   W_app = W*_int r − ∫_1^r γ1s(x) dx − U_el/A_app,   W*_int = W_int + [γ1s(r) − γ1s(1)]
 ///
 /// The strain is assumed not to change the interface (γ1s2 = γ12). Equals modified_balance for a constant law. For any
 /// other law it counts the change of γ1s twice: it exceeds end_state_balance by r γ1s(r) − γ1s(1) − ∫ γ1s dx, which is
 /// χ (r² − 1)/2 for a law γ1 + χ (x − 1).
-/// @throws InvalidArgument outside the domain. Source: [D19], Eqs. 5, 6; THEORY §8.
+/// @throws InvalidArgument outside the domain.  Source: [D19], Eqs. 5, 6; THEORY §8.
 [[nodiscard]] ApparentWork printed_balance(double work_of_adhesion, const SurfaceEnergyLaw& law,
                                            const ConformalState& state);
 

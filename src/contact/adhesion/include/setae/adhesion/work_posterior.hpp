@@ -13,7 +13,7 @@ namespace setae::adhesion {
 
 /// Posterior of W from the pairs: a probability over W, which gives its value, its standard error and its interval.
 ///
-///   y = max(0, W r − o) + own noise + scatter, p(W | y) ∝ ∫ p(y | W, inputs, scatter) p(inputs) p(scatter)
+///   y = max(0, W r − o) + own noise + scatter,  p(W | y) ∝ ∫ p(y | W, inputs, scatter) p(inputs) p(scatter)
 ///
 /// Logarithms of slopes r and offsets o vary linearly with their inputs, so that stored energies and true areas stay
 /// positive. At every W of a grid the inputs move to their most probable values at this W (Gauss–Newton through the

@@ -8,7 +8,7 @@ namespace setae::hysteresis {
 
 /// Rate dependence of the contact edge of an elastomer.
 ///
-///   G(v) = W_ret [1 + (v/v0)^n], v: speed of the edge, W_ret: value at zero speed
+///   G(v) = W_ret [1 + (v/v0)^n],  v: speed of the edge,  W_ret: value at zero speed
 ///
 /// Source: contact::crack_speed, whose threshold is W_ret.
 struct EdgeSpeed {
@@ -32,7 +32,7 @@ struct Recession {
 
 /// Retraction under a motor at constant speed, m = δ + F/k_m,
 ///
-///   dm/da = V/v(G), G = E* (δ − a²/R)²/(2πa), F = 2aE* (δ − a²/3R)
+///   dm/da = V/v(G),  G = E* (δ − a²/R)²/(2πa),  F = 2aE* (δ − a²/3R)
 ///
 /// by Euler's implicit rule in steps of a, twice, and extrapolated: forces within 10⁻⁴, work within 10⁻³. The edge has
 /// no instability; it moves at a finite speed. v0 → ∞ is sphere_loop(), with the jump's energy in edge_work.

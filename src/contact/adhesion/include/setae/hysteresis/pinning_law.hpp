@@ -24,9 +24,9 @@ struct PinningConstants {
 
 /// Both constants of a front of a given number of Larkin lengths on roughness with a given energy share.
 ///
-///   k = k∞ exp(−(N0/N)^0.68), k∞ = 3.56/(1 + 2.66 s^0.70), N0 = 0.965 (1 + 5.3 s^0.655)
+///   k = k∞ exp(−(N0/N)^0.68),   k∞ = 3.56/(1 + 2.66 s^0.70),   N0 = 0.965 (1 + 5.3 s^0.655)
 ///
-/// energy_share: s = U_el/(A W), >= 0, W the energy gained in full contact. larkin_lengths: N = ℓ/L_c, >= 0, infinity
+/// energy_share: s = U_el/(A W), >= 0, W the energy gained in full contact.  larkin_lengths: N = ℓ/L_c, >= 0, infinity
 /// for an endless front, by crack_front::larkin_lengths(). The field of the fronts is symmetric about W, so both
 /// constants are equal. The formula is fitted to 48 sets of fronts at rest on roughness of a band of 4, s = 0.001 … 0.3
 /// and N = 0.23 … 62, and agrees with each within its error. Fronts on bands of 16 and 32 have the k of 1.3 to 1.45
@@ -43,8 +43,8 @@ struct PinningConstants {
 /// unknown sphere: an endless edge.
 struct EdgeLengths {
     double approach = std::numeric_limits<double>::infinity();  ///< length at the largest load
-    double retraction =
-        std::numeric_limits<double>::infinity();  ///< length at pull-off under a dead load, (9πWR²/8E*)^⅓
+    /// length at pull-off under a dead load, (9πWR²/8E*)^⅓
+    double retraction = std::numeric_limits<double>::infinity();
 };
 
 /// Edge lengths of JKR's contact. largest_radius: a [m] at the largest load, > 0; contact: R, E*, W > 0.
@@ -53,9 +53,9 @@ struct EdgeLengths {
 
 /// Number N of Larkin lengths of an edge within free_length.
 ///
-///   N = ℓ/L_c, L_c = λ̄ AW/(4 U_el)
+///   N = ℓ/L_c,   L_c = λ̄ AW/(4 U_el)
 ///
-/// free_length: ℓ [m]; infinity has N infinite. mean_wavelength: λ̄ [m]. energy_share: U_el/(A W), >= 0; 0 has N = 0.
+/// free_length: ℓ [m]; infinity has N infinite.  mean_wavelength: λ̄ [m].  energy_share: U_el/(A W), >= 0; 0 has N = 0.
 /// @throws InvalidArgument for λ̄ <= 0, unless ℓ is infinite or the energy share is 0.
 [[nodiscard]] double edge_larkin_lengths(double free_length, double mean_wavelength, double energy_share);
 
@@ -73,7 +73,7 @@ inline constexpr double conforming_energy_share = 0.3;
 ///
 ///   Σ_b k(U_b/(A W), N_b) U_b/A
 ///
-/// stored_energy: U_el/A of all waves [J/m²], >= 0. work: W [J/m²], > 0. free_length: ℓ [m] of the edge.
+/// stored_energy: U_el/A of all waves [J/m²], >= 0.  work: W [J/m²], > 0.  free_length: ℓ [m] of the edge.
 [[nodiscard]] double pinning_by_bands(double stored_energy, const std::vector<PinningBand>& bands, double work,
                                       double free_length);
 

@@ -48,18 +48,18 @@ struct ModelScore {
     FittedModel fitted;
     adhesion::GeneralisedFit fit;  ///< fit of the model's parameter to W_ret
     double rms_residual = 0.0;     ///< rms of measured − model of W_ret, with equal weights [J/m²]
-    double log_likelihood =
-        0.0;  ///< joint log-likelihood of all measured W_ret, at θ and the scatter: ln density [(J/m²)^−n]
+    /// joint log-likelihood of all measured W_ret, at θ and the scatter: ln density [(J/m²)^−n]
+    double log_likelihood = 0.0;
     /// Log-likelihood of each surface by the fit to the others, for both branches and for each branch: ln density
     /// [(J/m²)^−n].
     double left_out_log_likelihood = 0.0, left_out_approach = 0.0, left_out_retraction = 0.0;
     double weight = 0.0;  ///< ∝ exp(left_out_log_likelihood), over all ranked models
     Odds odds_against;    ///< odds for the likeliest model without a constant error
     ConstantBias bias;
-    Estimate work_of_adhesion;                                ///< W_int fitted to both branches [J/m²]
-    adhesion::ModelScatter approach_scatter;                  ///< scatter of W_app in the posterior
-    double surface_left_out = 0.0, elastomer_left_out = 0.0;  ///< leave-one-out error (rms) of W_ret for surfaces and
-                                                              ///< for elastomers [J/m²]; NaN where there is only one
+    Estimate work_of_adhesion;                ///< W_int fitted to both branches [J/m²]
+    adhesion::ModelScatter approach_scatter;  ///< scatter of W_app in the posterior
+    /// leave-one-out error (rms) of W_ret for surfaces and for elastomers [J/m²]; NaN where there is only one
+    double surface_left_out = 0.0, elastomer_left_out = 0.0;
     std::vector<adhesion::LeftOutPrediction> left_out;
 };
 

@@ -35,11 +35,11 @@ enum class Tip {
 
 /// A retraction model: an effect of roughness, with or without the loss at the crack tip.
 ///
-///   W_ret = φ (W_app + x), φ of the same elastomer, 1 without the crack tip
+///   W_ret = φ (W_app + x),  φ of the same elastomer, 1 without the crack tip
 ///
-/// x: the effect of roughness. Pinning and the true-area loss (Eq. 10) describe the same energy and exclude each other,
-/// and so do the two factors of the tip; every effect of roughness can be combined with every tip, which multiplies the
-/// work of the moving edge. opening_work has W_x r in place of W_app + x.
+/// x: the effect of roughness.  Pinning and the true-area loss (Eq. 10) describe the same energy and exclude each
+/// other, and so do the two factors of the tip; every effect of roughness can be combined with every tip, which
+/// multiplies the work of the moving edge. opening_work has W_x r in place of W_app + x.
 struct RetractionModel {
     Law law = Law::reversible;
     Tip tip = Tip::none;
@@ -92,7 +92,7 @@ struct RetractionLine {
 
 /// Decrease of W_app by the model [J/m²]: a pinned edge is also pinned on approach.
 ///
-///   W_app = g W − k U_el/A, k at the largest load
+///   W_app = g W − k U_el/A,   k at the largest load
 ///
 /// 0 for models without pinning. parameter: θ, k for fitted_pinning. Source: simulated fronts,
 /// docs/validation/crack-front.md.

@@ -53,8 +53,8 @@ struct BranchPinning {
 };
 struct PairPinning {
     double energy_share = 0.0;  ///< U_el/(A W) of the contact
-    bool measured_radius =
-        false;  ///< measured radius at the largest load; else that of JKR at the preload, or without load
+    /// measured radius at the largest load; else that of JKR at the preload, or without load
+    bool measured_radius = false;
     BranchPinning approach, retraction;  ///< at the largest load; at JKR's pull-off under a dead load
 };
 

@@ -9,7 +9,7 @@ namespace setae::hysteresis {
 
 /// Whether a model's W_ret tends to that of a smooth surface as roughness tends to zero.
 ///
-///   r → 1, U_el → 0: W_ret → φ W_app, φ = 1 without the loss at the crack tip: JKR's pull-off
+///   r → 1, U_el → 0:  W_ret → φ W_app,  φ = 1 without the loss at the crack tip: JKR's pull-off
 ///
 /// True for reversible and all kinds of pinning. False for conformal_loss, fitted_conformal_loss and opening_work:
 /// their work per unit true area does not vanish for a smooth surface.

@@ -52,7 +52,7 @@ struct SphereLoop {
 /// −5/6 πRW_ret; k_m → 0: −3/2 πRW_ret), or at once where a_max is not stable at W_ret; then free flight. Losses of the
 /// jumps are the differences of total energy, including the machine's spring:
 ///
-///   jump in: −U(a, δ; W_app) − F²/2k_m, jump out: U(a, δ; W_ret) + F²/2k_m
+///   jump in: −U(a, δ; W_app) − F²/2k_m,   jump out: U(a, δ; W_ret) + F²/2k_m
 ///
 /// @throws InvalidArgument for values outside their domains.
 /// Source: Johnson, Kendall, Roberts 1971; Maugis (2000) ch. 4; sum: energy balance of the closed loop.
