@@ -7,16 +7,19 @@
 
 namespace setae::simulation {
 
-/// Factors of one instrument, of all that it measures on all surfaces: true length = factor × stated length.
+/// Calibration factors of one instrument, for all its measurements on all surfaces: true length = factor × stated
+/// length.
 struct InstrumentCalibration {
-    std::optional<StatedQuantity> height;   ///< of heights [1], > 0
-    std::optional<StatedQuantity> lateral;  ///< of lengths along the surface [1], > 0; of a picture the same input
+    std::optional<StatedQuantity> height;  ///< factor of heights [1], > 0
+    /// factor of lengths along the surface [1], > 0; for a picture the same input
+    std::optional<StatedQuantity> lateral;
 };
 
-/// Factors of all instruments; none: instruments state the truth, and the study is told of no factor.
+/// Calibration factors of all instruments; without them, stated lengths are true and the study contains no factor.
 struct Calibrations {
     InstrumentCalibration stylus, afm, tem;
-    std::optional<StatedQuantity> force, displacement, contact_radius;  ///< of the machine of all loops [1], > 0
+    /// factors of the testing machine of all loops [1], > 0
+    std::optional<StatedQuantity> force, displacement, contact_radius;
 };
 
 }  // namespace setae::simulation

@@ -9,13 +9,13 @@
 
 namespace setae::simulation {
 
-/// How a camera sees a contact.
+/// Recording of a contact by a camera.
 struct RecordingOptions {
     double pixel_size = 0.0;                ///< [m], > 0
     double frame_rate = 10.0;               ///< [1/s], > 0
-    double inside = 80.0, contrast = 60.0;  ///< grey levels of the contact, and of the outside less it
+    double inside = 80.0, contrast = 60.0;  ///< grey level of the contact, and of the outside minus that level
     double blur = 0.8;                      ///< standard deviation of the edge's profile [px], > 0
-    double noise = 3.0;                     ///< of a pixel [levels], white
+    double noise = 3.0;                     ///< standard deviation of a pixel [levels], white
     std::uint64_t seed = 1;
     parallel::Threads threads;
 };
@@ -25,15 +25,15 @@ struct RecordingShape {
     long width = 0, height = 0;  ///< [px]
 };
 
-/// Writes a TIFF stack of the edge of a contact as a camera would record it, with its pixel size and frame rate as
-/// ImageJ states them.
+/// Writes a TIFF stack of the edge of a contact as recorded by a camera, with its pixel size and frame rate as ImageJ
+/// states them.
 ///
 ///   I = inside + contrast/2 (1 + erf(d/(√2 blur))) + noise,  d = (ρ − r(θ, t)) r/√(r² + r'²)
 ///
-/// ρ, θ: of a pixel's middle about the centre, θ from x towards y, downwards; frames at the edge's first time and every
-/// 1/rate after it, the edge in a straight line between its own times. The same bytes for any number of threads.
-/// @throws InvalidArgument for options outside their domain, an edge closer than 1 px to its centre or pictures of
-/// more than 10⁷ pixels or 10⁵ frames; FileError where the file cannot be written.
+/// ρ, θ: polar coordinates of the middle of a pixel about the centre, θ from x towards y, downwards; frames at the
+/// first time of the edge and every 1/rate after it, with linear interpolation of the edge in time. Equal bytes for any
+/// number of threads. @throws InvalidArgument for options outside their domain, an edge closer than 1 px to its centre
+/// or pictures of more than 10⁷ pixels or 10⁵ frames; FileError where the file cannot be written.
 RecordingShape write_recording(const std::string& path, const contact_line::ContactLine& edge,
                                const RecordingOptions& options);
 

@@ -7,12 +7,12 @@
 
 namespace setae::simulation {
 
-/// A quantity of a data set: what it is, and what the study is told of it.
+/// A quantity of a data set: its true value, and its value in the study.
 struct StatedQuantity {
-    double value = 0.0;   ///< true, SI
-    Estimate told;        ///< what the study is told, SI
+    double value = 0.0;   ///< true value, SI
+    Estimate told;        ///< value in the study, SI
     std::string unit{};   ///< SI: "m"; empty for factors
-    std::string input{};  ///< its name in the study's [inputs]; empty where it is told without one
+    std::string input{};  ///< name in the study's [inputs]; empty without a name
 };
 
 }  // namespace setae::simulation

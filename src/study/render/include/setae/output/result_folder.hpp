@@ -9,30 +9,30 @@
 
 namespace setae::output {
 
-/// The folder of a study's results. It knows which files runs of this study wrote into it, by the list in files.txt: a
-/// run replaces and removes those alone.
+/// The folder of a study's results. The list in files.txt contains the files that runs of this study wrote into it: a
+/// run replaces and removes only those.
 ///
-/// The list says whose results they are before anything is computed, and is looked at before each file is written: of
-/// two studies that begin at once, one is refused. It grows before each file is written, so that it names every one of
-/// a run that was killed, too. Threads may claim files at the same time.
+/// The list names the study before any computation, and is checked before each file is written: of two studies that
+/// start at once, one is refused. The list is extended before each file is written, so that it is complete even after a
+/// run was killed. Threads may claim files at the same time.
 class ResultFolder {
 public:
     /// Makes the folder where missing, and protects every file the study reads. @throws FileError where it cannot be
-    /// made, holds the results of a study that is still there and is not this one, or a list that names no study.
+    /// made, contains the results of another existing study, or a list that names no study.
     explicit ResultFolder(const study::Study& study);
-    /// Removes the list, and a folder that it made, where nothing else was written.
+    /// Removes the list, and a folder that it made, if no other file was written.
     ~ResultFolder();
     ResultFolder(const ResultFolder&) = delete;
     ResultFolder& operator=(const ResultFolder&) = delete;
 
     [[nodiscard]] const std::string& path() const { return folder_; }
 
-    /// Removes what says that results are complete, until they are again, and what writers that were killed left.
+    /// Removes the marks of complete results, and temporary files of killed writers.
     void begin() const;
 
-    /// Where a file called `name`, "surfaces.csv" or "figures/figure_1.svg", is to be written.
-    /// @throws FileError for an input, for a file that no run of this study wrote, for a folder below that is a link
-    /// elsewhere, and where another study has taken the folder.
+    /// Path of a file called `name`, "surfaces.csv" or "figures/figure_1.svg".
+    /// @throws FileError for an input, for a file that no run of this study wrote, for a subfolder that is a link to
+    /// another folder, and where another study has taken the folder.
     [[nodiscard]] std::string claim(const std::string& name);
 
     /// A file that was claimed and could not be written.

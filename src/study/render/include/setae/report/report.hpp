@@ -10,14 +10,14 @@
 
 namespace setae::report {
 
-/// How a study was run, for its report.
+/// Run of a study, for its report.
 struct RunRecord {
-    std::string command;  ///< that makes the same report again, such as "setae study uncd.toml"
-    std::string time;     ///< of the run, ISO 8601 with offset, such as "2026-11-21T18:40:20Z"
+    std::string command;  ///< command that makes the report again, such as "setae study uncd.toml"
+    std::string time;     ///< time of the run, ISO 8601 with offset, such as "2026-11-21T18:40:20Z"
 };
 
-/// A study as one HTML page that holds everything it needs: text, tables, interactive figures, styles and programs. It
-/// asks no network for anything. The same arguments give the same bytes.
+/// A study as one self-contained HTML page: text, tables, interactive figures, styles and programs. It uses no network.
+/// Equal arguments give equal bytes.
 [[nodiscard]] std::string as_html(const study::StudyResult& result,
                                   const std::vector<study_figures::StudyFigure>& figures, const RunRecord& run);
 

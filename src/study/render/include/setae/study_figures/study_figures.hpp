@@ -11,17 +11,18 @@
 
 namespace setae::study_figures {
 
-/// A figure of a study, or why it cannot be drawn.
+/// A figure of a study, or the reason for which it cannot be drawn.
 struct StudyFigure {
-    std::string identifier;  ///< what `setae plot --figure` calls it: "1", "2", "4", "S1" … as the paper, "scales",
-                             ///< "spectra:NAME" …
+    /// name for `setae plot --figure`: "1", "2", "4", "S1" … as in the paper, "scales", "spectra:NAME" …
+    std::string identifier;
     std::string name;        ///< stem of its files: "figure_1", "figure_S3", "scales", "spectra_NAME"
     std::string title;       ///< one line, such as "Power spectral density of every surface"
-    std::string caption;     ///< what is drawn, from what, and what of it is reconstruction
+    std::string caption;     ///< content, data, and reconstructed parts
     figures::Figure figure;  ///< empty where there is a reason
-    std::string command;     ///< what makes it again; empty: `setae plot` of its study
-    std::string reason;  ///< why it cannot be drawn, as a sentence's end: "no experiment has a contact radius"; empty
-                         ///< where it can
+    std::string command;     ///< command that makes it again; empty: `setae plot` of its study
+    /// reason for which it cannot be drawn, as the end of a sentence: "no experiment has a contact radius"; empty where
+    /// it can
+    std::string reason;
 
     [[nodiscard]] bool drawable() const { return reason.empty(); }
 };
@@ -32,7 +33,7 @@ enum class FigureWidth {
     double_column,  ///< 178 mm
 };
 
-/// Figures of one kind, one for each surface or loop, that a report contains at most.
+/// Maximum number of figures of one kind, one per surface or loop, in a report.
 inline constexpr std::size_t max_of_a_kind_in_reports = 200;
 
 struct GalleryOptions {
@@ -42,16 +43,15 @@ struct GalleryOptions {
     std::size_t max_of_a_kind = std::numeric_limits<std::size_t>::max();
 };
 
-/// Every figure of a study, in the order of the paper and then those of our own: 1, 2, 4, S1, S2, S3, S5, S6, S8 of
-/// Dalvi et al. (2019); "spectra:NAME" of every measured surface, "scales", "prediction", "replicates", "agreement".
+/// Every figure of a study, in the order of the paper and then those of setae: 1, 2, 4, S1, S2, S3, S5, S6, S8 of Dalvi
+/// et al. (2019); "spectra:NAME" of every measured surface, "scales", "prediction", "replicates", "agreement".
 ///
-/// The same result gives the same figures, for any number of threads. Never throws for what a study lacks: see
-/// `reason`.
+/// Equal results give equal figures, for any number of threads. Never throws for missing data of a study: see `reason`.
 [[nodiscard]] std::vector<StudyFigure> study_figures(const study::StudyResult& result,
                                                      const GalleryOptions& options = {});
 
-/// One of them.
-/// @throws InvalidArgument for an identifier that none has, with the nearest match.
+/// One figure of a study.
+/// @throws InvalidArgument for an unknown identifier, with the nearest match.
 [[nodiscard]] StudyFigure study_figure(const study::StudyResult& result, const std::string& identifier,
                                        const GalleryOptions& options = {});
 

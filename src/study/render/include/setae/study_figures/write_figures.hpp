@@ -12,36 +12,36 @@ namespace setae::study_figures {
 
 struct WriteOptions {
     std::string folder;  ///< made where missing
-    /// where a file of the folder is to be written, or a refusal, from any thread; default: there under its name
+    /// returns the path of a file in the folder, or refuses it, from any thread; default: its name in the folder
     std::function<std::string(const std::string& file)> path_of;
-    std::string study;  ///< path of the study, as the command that makes a figure again names it
-    FigureWidth width = FigureWidth::double_column;  ///< likewise
+    std::string study;                               ///< path of the study, for the command that makes a figure again
+    FigureWidth width = FigureWidth::double_column;  ///< width of the figures, for that command
     std::vector<std::string> endings{"svg", "pdf", "png", "csv"};
     parallel::Threads threads;
     const cache::Store* store = nullptr;                    ///< figures drawn before are taken from it
     std::function<void(const std::string& name)> progress;  ///< after each figure, one call at a time
-    const std::atomic<bool>* cancelled = nullptr;           ///< once true, nothing new is begun
+    const std::atomic<bool>* cancelled = nullptr;           ///< once true, no new figure is started
 };
 
-/// What became of a figure.
+/// Result of writing a figure.
 struct WrittenFigure {
     std::string name;                ///< as StudyFigure::name
     std::vector<std::string> files;  ///< within the folder, in the order of the endings
-    std::string error;               ///< why the others are missing; empty where none is
+    std::string error;               ///< reason for missing files; empty where none is missing
 };
 
-/// Writes every drawable figure as NAME.ending, each file as a whole. One that fails never loses the others.
+/// Writes every drawable figure as NAME.ending, each file as a whole. A failed figure does not affect the others.
 ///
-/// Files are drawn on many threads; the same figures give the same bytes for any number, and from the store.
-/// @throws FileError where the folder cannot be made; Cancelled where the options say so.
+/// Files are drawn on many threads; equal figures give equal bytes for any number, and from the store. @throws
+/// FileError where the folder cannot be made; Cancelled where the options say so.
 std::vector<WrittenFigure> write_figures(const std::vector<StudyFigure>& figures, const WriteOptions& options);
 
 /// The command that makes a figure again: "setae plot STUDY --figure ID -o NAME.svg".
 [[nodiscard]] std::string command_of(const StudyFigure& figure, const std::string& study,
                                      FigureWidth width = FigureWidth::double_column);
 
-/// The numbers of a figure as CSV, under lines "# …" that say its title, identifier, caption, the version of setae and
-/// the command that makes it again.
+/// The numbers of a figure as CSV, after lines "# …" with its title, identifier, caption, the version of setae and the
+/// command that makes it again.
 [[nodiscard]] std::string data_of(const StudyFigure& figure, const std::string& study,
                                   FigureWidth width = FigureWidth::double_column);
 

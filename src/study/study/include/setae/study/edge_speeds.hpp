@@ -15,31 +15,31 @@ namespace setae::study {
 struct StudyResult;
 
 /// G(v) = G(0) [1 + (v/v0)^n] of an elastomer's smooth edge; φ(0) = G(0)/W_app of the references, 1 where the study
-/// states the law.
+/// states the rate dependence.
 struct ElastomerEdgeSpeed {
     hysteresis::TracedEdgeSpeed law;
-    std::optional<Estimate>
-        threshold;       ///< G of the references' edges at rest [J/m²]; without it the study states the law
-    int references = 0;  ///< loops on the smooth standard that it is fitted to
+    std::optional<Estimate> threshold;  ///< G of the references' edges at zero speed [J/m²]; absent where the study
+                                        ///< states the rate dependence
+    int references = 0;                 ///< number of loops on the smooth reference to which it is fitted
 };
 
-/// What the study states, else what the receding edges of the elastomer's references say together: G at three speeds by
-/// each, loops::fit_crack_speed(), weighted by the inverse of their covariance; where they differ by more than that,
-/// their ± grow by it.
+/// The rate dependence that the study states, else that of all retracting edges of the elastomer's references: G at
+/// three speeds by each, loops::fit_crack_speed(), weighted by the inverse of their covariance; where they differ by
+/// more than that, their standard errors are increased accordingly.
 [[nodiscard]] loops::Outcome<ElastomerEdgeSpeed> edge_speed_of(const StudyResult& result, const std::string& elastomer);
 
-/// Terms by which its bulk relaxes, as the study states them.
+/// Terms of the bulk relaxation, as the study states them.
 [[nodiscard]] std::vector<hysteresis::TracedRelaxation> relaxation_of(const StudyResult& result,
                                                                       const std::string& elastomer);
 
-/// How loops of a pair are driven and read.
+/// Motion and reading of loops of a pair.
 struct PairDrive {
     loops::LoopDrive drive;
-    double reading_time = 0.0;  ///< that the last points of (S2) span [s]
+    double reading_time = 0.0;  ///< time span of the last points of Eq. S2 [s]
 };
 
-/// The mean over loops of the pair, without one over those of its elastomer; what the study states of loops to be
-/// predicted in their place. Nothing where neither is known.
+/// The mean over loops of the pair, else over those of its elastomer, else the values that the study states for
+/// predicted loops. Empty where none is known.
 [[nodiscard]] std::optional<PairDrive> drive_of(const StudyResult& result, const std::string& surface,
                                                 const std::string& elastomer);
 

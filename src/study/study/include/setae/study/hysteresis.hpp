@@ -17,24 +17,26 @@ namespace setae::study {
 
 struct StudyResult;
 
-/// W_ret of a pair by one model, from roughness alone.
+/// W_ret of a pair predicted from roughness by one model.
 struct ModelWork {
     hysteresis::RetractionModel model;
-    Estimate work_retraction;  ///< [J/m²]; NaN where the model lacks something
-    std::string reason;        ///< what it lacks
-    /// ln density of what was measured, the pair's surface left out of the fit [(J/m²)⁻¹]
+    Estimate work_retraction;  ///< [J/m²]; NaN where an input of the model is missing
+    std::string reason;        ///< missing input
+    /// ln density of the measured values, with the pair's surface left out of the fit [(J/m²)⁻¹]
     std::optional<double> log_likelihood;
 };
 
-/// Where the joules of one measured loop went, by the pair's model with W_app and contact area as measured. After the
-/// fit of all loops together they add up to the measured energy.
+/// Energy budget of one measured loop, by the pair's model with measured W_app and contact area. After the joint fit of
+/// all loops the contributions add up to the measured energy.
 struct LossDecomposition {
-    std::string model;                ///< name of the likeliest model, by which the joules are told
-    TracedValue measured;             ///< E_loss [J]
-    bool of_works = false;            ///< from W_app, W_ret and the contact area: the loop's own area is not known
-    hysteresis::EnergyShares shares;  ///< by the model
+    std::string model;     ///< name of the likeliest model, which determines the contributions
+    TracedValue measured;  ///< E_loss [J]
+    /// computed from W_app, W_ret and the contact area, because the area of the loop is unknown
+    bool of_works = false;
+    hysteresis::EnergyShares shares;  ///< contributions by the model
     TracedValue unexplained;          ///< measured − Σ shares [J]
-    std::vector<std::string> not_told_apart;  ///< shares whose sum is known three times better than each: "a and b"
+    /// contributions whose sum is known three times better than each: "a and b"
+    std::vector<std::string> not_told_apart;
 };
 
 /// An input of all loops before and after their fit.
@@ -43,58 +45,59 @@ struct JointInput {
     Estimate before, after;
 };
 
-/// One fit of all loops: their energies and works of retraction against what the pairs' laws say of them.
+/// One fit of all loops: their energies and works of retraction against the predictions of the pairs' models.
 struct JointLossFit {
-    int energies = 0, works = 0;        ///< E_loss of loops and W_ret of pairs
-    double unexplained_per_area = 0.0;  ///< what loops scatter by beyond everything known, found with the fit [J/m²]
-    double chi2 = 0.0;                  ///< of energies and works, at that scatter
-    std::vector<JointInput> inputs;     ///< E*, W_int, the tip's law, the law's own number
+    int energies = 0, works = 0;        ///< numbers of E_loss of loops and W_ret of pairs
+    double unexplained_per_area = 0.0;  ///< scatter of loops beyond all known errors, determined by the fit [J/m²]
+    double chi2 = 0.0;                  ///< χ² of energies and works, at that scatter
+    std::vector<JointInput> inputs;     ///< E*, W_int, parameters of the tip, parameter of the model
 };
 
-/// How a pair's model was chosen: the best one with a smooth limit, hysteresis::has_smooth_limit().
+/// Choice of a pair's model: the best one with a smooth limit, hysteresis::has_smooth_limit().
 enum class ModelChoice {
-    conforming_pairs,  ///< by pairs that come into full contact of themselves
+    conforming_pairs,  ///< by pairs in spontaneous full contact
     all_pairs,         ///< by all pairs
-    assumed,           ///< hysteresis::model_without_measurements(): too few pairs have W_ret measured
+    assumed,           ///< hysteresis::model_without_measurements(): too few pairs have a measured W_ret
 };
 
-/// Measured loops of a pair less the predicted one, at the same displacement.
+/// Measured loops of a pair minus the predicted loop, at the same displacement.
 struct LoopResiduals {
     double approach = 0.0, retraction = 0.0;  ///< rms of the force [N]
-    double largest_force = 0.0;               ///< measured [N]
+    double largest_force = 0.0;               ///< largest measured force [N]
     int loops = 0;
 };
 
-/// The likeliest model of a pair where it has no smooth limit: it is shown beside the answer.
+/// The likeliest model of a pair where it has no smooth limit: it is shown in addition to the recommended one.
 struct LikelierModel {
     hysteresis::RetractionModel model;
-    TracedValue work_retraction;                ///< from roughness alone [J/m²]
+    TracedValue work_retraction;                ///< predicted from roughness [J/m²]
     std::optional<TracedValue> pull_off_force;  ///< 3/2 π R W_ret [N]; where the sphere is given
 };
 
-/// One pair on its way back.
+/// Retraction of one pair.
 struct PairHysteresis {
     std::string surface, elastomer;
-    double energy_share = 0.0;                    ///< U_el over what conforming gains
-    bool conforms = false;                        ///< the share is at most hysteresis::conforming_energy_share
-    std::optional<TracedValue> tip_factor;        ///< W_ret/W_app of the smooth reference
-    std::optional<TracedValue> speed_factor;      ///< W_ret as read over W_ret at rest, of the speed of the pair's edge
-    std::optional<Estimate> measured_retraction;  ///< by (S2), else by (S1) [J/m²]
-    hysteresis::RetractionModel model;            ///< whose numbers follow
+    double energy_share = 0.0;              ///< U_el divided by the energy gained in full contact
+    bool conforms = false;                  ///< the share is at most hysteresis::conforming_energy_share
+    std::optional<TracedValue> tip_factor;  ///< W_ret/W_app of the smooth reference
+    /// W_ret as measured divided by W_ret at zero speed, for the speed of the pair's edge
+    std::optional<TracedValue> speed_factor;
+    std::optional<Estimate> measured_retraction;  ///< by Eq. S2, else by Eq. S1 [J/m²]
+    hysteresis::RetractionModel model;            ///< model of the predicted numbers
     ModelChoice choice = ModelChoice::assumed;
-    double contact_fraction = 1.0;              ///< of the area in contact without load
-    TracedValue work_approach;                  ///< by (7), of the contact that there is [J/m²]
-    TracedValue work_retraction;                ///< by the model, from roughness alone [J/m²]
+    double contact_fraction = 1.0;  ///< share of the area in contact without load
+    TracedValue work_approach;    ///< by the full-contact balance (Eq. 7), or for the predicted partial contact [J/m²]
+    TracedValue work_retraction;  ///< predicted from roughness by the model [J/m²]
     std::optional<TracedValue> pull_off_force;  ///< 3/2 π R W_ret [N]; where the sphere is given
     loops::Outcome<hysteresis::PredictedRetraction> loop;
     loops::Outcome<LossDecomposition> decomposition;  ///< by the likeliest model
-    std::optional<LoopResiduals> residuals;           ///< of records against `loop`
+    std::optional<LoopResiduals> residuals;           ///< residuals of records against `loop`
     std::optional<LikelierModel> likelier;            ///< where `model` is not the likeliest
-    std::optional<hysteresis::PairPinning> pinning;   ///< of JKR's contact; where models are ranked
+    std::optional<hysteresis::PairPinning> pinning;   ///< pinning of JKR's contact; where models are ranked
     std::vector<ModelWork> models;
 };
 
-/// What an elastomer does in time, as its references and the study say.
+/// Time dependence of an elastomer, from its references and the study.
 struct ElastomerTimes {
     std::string elastomer;
     loops::Outcome<ElastomerEdgeSpeed> edge;
@@ -104,54 +107,55 @@ struct ElastomerTimes {
     [[nodiscard]] double largest_bulk_factor() const;
 };
 
-/// A pair of which nothing can be said, and why.
+/// A pair without a prediction, with the reason.
 struct SkippedPair {
     std::string surface, elastomer, reason;
 };
 
-/// A pair that would tell two models apart.
+/// A pair that would distinguish two models.
 struct DecidingPair {
     std::string surface, elastomer;
-    std::string first, second;                   ///< models
-    double first_work = 0.0, second_work = 0.0;  ///< W_ret by them [J/m²]
-    std::string largest_input;                   ///< what most of the ± of their difference rests on
-    double standard_errors = 0.0;                ///< their difference in standard errors of a measurement there
+    std::string first, second;                   ///< names of the models
+    double first_work = 0.0, second_work = 0.0;  ///< W_ret by each model [J/m²]
+    std::string largest_input;     ///< input that contributes most to the standard error of the difference
+    double standard_errors = 0.0;  ///< difference in standard errors of a measurement of this pair
 };
 
-/// A model against the smooth reference on one elastomer.
+/// Comparison of a model with the smooth reference on one elastomer.
 struct ReferenceLimit {
     std::string elastomer;
-    Estimate reference;             ///< W_ret of it as measured [J/m²]
+    Estimate reference;             ///< measured W_ret of the reference [J/m²]
     hysteresis::SmoothLimit limit;  ///< W_ret by the model at r = 1, U_el = 0
 };
 
-/// Hysteresis predicted from roughness, ranked against what was measured.
+/// Hysteresis predicted from roughness, with models ranked by measured values.
 struct Hysteresis {
-    int measured_pairs = 0, conforming_pairs = 0;  ///< with W_ret measured
-    hysteresis::CountRange conforming_range;       ///< of conforming_pairs, by the ± of what they rest on
-    hysteresis::Ranking conforming, all;           ///< W_app as measured
-    hysteresis::Ranking by_area;                   ///< of all pairs whose loops' area is known: W_ret read from it
+    int measured_pairs = 0, conforming_pairs = 0;  ///< numbers of pairs with measured W_ret
+    hysteresis::CountRange conforming_range;       ///< range of conforming_pairs by the standard errors of its inputs
+    hysteresis::Ranking conforming, all;           ///< rankings with measured W_app
+    hysteresis::Ranking by_area;                   ///< ranking of all pairs with known loop area: W_ret from that area
     int pairs_by_area = 0;
-    std::vector<ElastomerTimes> elastomers;  ///< of the pairs
-    loops::Outcome<JointLossFit> joint;      ///< behind the pairs' decompositions
+    std::vector<ElastomerTimes> elastomers;  ///< elastomers of the pairs
+    loops::Outcome<JointLossFit> joint;      ///< joint fit for the budgets of the pairs
     std::vector<PairHysteresis> pairs;
     std::vector<SkippedPair> skipped;
-    std::vector<Alert> alerts;                  ///< of what is predicted
-    std::vector<ReferenceLimit> smooth_limits;  ///< of the ranking of all pairs
-    std::vector<hysteresis::LawTrials> trials;  ///< of the ranking that comes first, where they were asked for
-    std::optional<DecidingPair> deciding;       ///< between the best law and the likeliest not told apart from it
+    std::vector<Alert> alerts;                  ///< warnings of the predictions
+    std::vector<ReferenceLimit> smooth_limits;  ///< limits of the models in the ranking of all pairs
+    std::vector<hysteresis::LawTrials> trials;  ///< trials of the first ranking, on request
+    /// pair that distinguishes the best model from the likeliest model that cannot be distinguished from it
+    std::optional<DecidingPair> deciding;
 };
 
-/// Pairs with W_ret measured up to which run_study() ranks laws: the time goes as their cube.
+/// Largest number of pairs with measured W_ret for which run_study() ranks models: the time increases with its cube.
 inline constexpr int max_ranked_by_studies = 48;
 
-/// Every pair whose surface has a spectrum and whose elastomer a modulus; W_int is the study's.
+/// Every pair whose surface has a spectrum and whose elastomer has a modulus; W_int is that of the study.
 ///
-/// Models are ranked with W_app as measured, so that errors of it do not count against them; what is predicted rests
-/// on roughness alone, so that pairs without a loop have it, too. Machines are as stiff as loops of the pair, else of
-/// its elastomer, state; fixed grips where none does.
+/// Models are ranked with measured W_app, so that errors of W_app do not affect the ranking; predictions use only
+/// roughness, so that pairs without a loop have them, too. The machine stiffness is that of loops of the pair, else of
+/// its elastomer; fixed grips where none is stated.
 /// @throws UndefinedDataError where the study has no W_int.
-/// trials: whether measurements like the study's could tell the laws apart, hysteresis::law_trials().
+/// trials: whether measurements like the study's can distinguish the models, hysteresis::law_trials().
 [[nodiscard]] Hysteresis hysteresis_of(const StudyResult& result,
                                        const std::optional<hysteresis::TrialOptions>& trials = {},
                                        parallel::Threads threads = {});

@@ -13,10 +13,10 @@ namespace setae::study {
 /// Numbers measured from one loop, or their derivatives by one input; NaN where the loop has none.
 struct LoopNumbers {
     double contact_modulus = undefined;  ///< E* of the primary fit of loading [Pa]
-    double youngs_modulus = undefined;   ///< E of the same [Pa]
-    double approach = undefined;         ///< W of the same [J/m²]
-    double pull_off = undefined;         ///< W by (S1) [J/m²]
-    double retraction = undefined;       ///< W by (S2) [J/m²]
+    double youngs_modulus = undefined;   ///< E of that fit [Pa]
+    double approach = undefined;         ///< W of that fit [J/m²]
+    double pull_off = undefined;         ///< W by Eq. S1 [J/m²]
+    double retraction = undefined;       ///< W by Eq. S2 [J/m²]
     double loss = undefined;             ///< E_loss [J]
     double contact_area = undefined;     ///< π a_max² at the largest force [m²]
 };
@@ -26,18 +26,18 @@ struct LoopNumbers {
 /// An input of a loop that is known with a standard error.
 struct UncertainInput {
     loops::SharedInput input;
-    std::string name;  ///< by which other values share it
+    std::string name;  ///< name by which other values share it
     Estimate value;
 };
 
-/// The uncertain inputs of an experiment: of the sphere its own radius, else its elastomer's.
+/// The uncertain inputs of an experiment: for the sphere its own radius, else that of its elastomer.
 [[nodiscard]] std::vector<UncertainInput> uncertain_inputs(const ExperimentInput& experiment,
                                                            const ElastomerInput& elastomer);
 
-/// What the experiment's record is multiplied by.
+/// Calibration factors of the experiment's record.
 [[nodiscard]] loops::Calibration calibration_of(const ExperimentInput& experiment);
 
-/// The name of an input: its own, else the one given.
+/// The name of an input, else the given one.
 [[nodiscard]] std::string input_name(const Estimate& input, const std::string& otherwise);
 
 /// ∂number/∂input [unit/unit of the input], input by input, by loops::InputDerivative. NaN where it cannot be found.
@@ -47,8 +47,8 @@ struct UncertainInput {
                                                       const loops::LoopAnalysis& analysis,
                                                       const std::vector<UncertainInput>& inputs);
 
-/// What the inputs that loops share make of the numbers of one loop: ∂number/∂input × standard error, by input. The
-/// loop's own noise is not in it, but in the numbers' own standard errors, which hold nothing of the inputs.
+/// Contributions of inputs that loops share to the numbers of one loop: ∂number/∂input × standard error, by input. The
+/// loop's own noise is not included; it is in the numbers' own standard errors, which do not include the inputs.
 struct LoopDependence {
     Components contact_modulus;                 ///< [Pa]
     Components youngs_modulus;                  ///< [Pa]
@@ -71,19 +71,19 @@ struct FitNoise {
 };
 [[nodiscard]] FitNoise fit_noise_of(const loops::JkrFit& fit);
 
-/// What the same noise makes of the contact area at a force, which is that of the fitted curve, (1).
+/// Effect of this noise on the contact area at a force, which is that of the fitted curve (Eq. 1).
 ///
 ///   ∂A/∂E = (1 − ν²)(E*/E)² ∂A/∂E*,  ∂A/∂W: central differences over the standard errors
 [[nodiscard]] Component area_noise_of(const loops::JkrFit& fit, const loops::LensAndCounterBody& bodies, double force);
 
-/// "fit of FILE": the input that E of an elastomer and W of a pair share where both rest on the same fit.
+/// "fit of FILE": the input that E of an elastomer and W of a pair share where both come from the same fit.
 [[nodiscard]] std::string fit_name(const std::string& file);
 
-/// "E of NAME, loops": what the loops on an elastomer scatter in E beyond that.
+/// "E of NAME, loops": additional scatter of E between the loops on an elastomer.
 [[nodiscard]] std::string loops_name(const std::string& elastomer);
 
-/// The own noise of a mean of loops that its fits' noise, weighed, leaves: their scatter beyond it. Variance that of
-/// the mean less theirs, >= 0; degrees of freedom so that all together have those of the mean.
+/// The own noise of a mean of loops beyond the weighted noise of its fits: scatter of the loops. Variance of the mean
+/// minus that of the fits, >= 0; degrees of freedom so that all together have those of the mean.
 [[nodiscard]] Component beyond_fits(const Estimate& mean, const Components& fits);
 
 }  // namespace setae::study

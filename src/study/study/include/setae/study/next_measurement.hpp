@@ -9,23 +9,23 @@
 
 namespace setae::study {
 
-/// Names of all inputs of the pairs of (7) that somebody stated with a ±, in alphabetical order: all but what spectra
-/// and fits of loops bring. Nothing where (7) is not fitted.
+/// Names of all inputs with a stated standard error of the pairs of the full-contact balance (Eq. 7), in alphabetical
+/// order, without inputs from spectra and fits of loops. Empty where Eq. 7 is not fitted.
 [[nodiscard]] std::vector<std::string> stated_inputs(const StudyResult& result, const Conclusions& conclusions);
 
-/// Everything that could be measured next for a study: every input at half its ±, one more loop on every pair, every
-/// measured surface's measurements once more; with hours where the study tells what it costs.
+/// All possible next measurements of a study: every input with half its standard error, one more loop on every pair, a
+/// repetition of every measured surface's measurements; with hours where the study states the cost.
 [[nodiscard]] std::vector<adhesion::Candidate> candidates_of(const StudyResult& result);
 
-/// How a target names a pair: "E07 on rough".
+/// Name of a pair as a target: "E07 on rough".
 [[nodiscard]] std::string pair_target(const std::string& elastomer, const std::string& surface);
 
-/// The number that a text names: "W_int"; W_app by (7) of a pair, "E07 on rough"; what W_int of one balance is more
-/// than that of another, "(7) - (S13)", of (7), (2), (S13) and (10), W_int from losses.
+/// The number with a given name: "W_int"; W_app of a pair by Eq. 7, "E07 on rough"; W_int of one balance minus that of
+/// another, "(7) - (S13)", for (7), (2), (S13) and (10), W_int from losses.
 /// @throws UndefinedDataError where the study fits no W_int, or not that of a balance; InvalidArgument for other texts.
 [[nodiscard]] adhesion::Target target_of(const StudyResult& result, const std::string& text);
 
-/// What each of them would leave of the ± of a target.
+/// Standard error of a target with each of these measurements.
 /// @throws as target_of().
 [[nodiscard]] std::vector<adhesion::NextMeasurement> next_measurements(const StudyResult& result,
                                                                        const std::string& target);

@@ -12,15 +12,15 @@ namespace setae::study {
 
 /// A file a study read.
 struct InputFile {
-    std::string path;         ///< as results name it
-    std::string sha256;       ///< of its content, 64 hexadecimal digits; empty where it could not be read
-    std::uintmax_t size = 0;  ///< [bytes]
+    std::string path;         ///< path as named in results
+    std::string sha256;       ///< digest of the content, 64 hexadecimal digits; empty where it could not be read
+    std::uintmax_t size = 0;  ///< size [bytes]
     std::string state = {};   ///< bytes::file_state() while the digest was taken
     bool settled = true;      ///< false: changed so shortly before that `state` may miss another change
-    bool changed = false;     ///< another program changed it during the run: its content has no digest
+    bool changed = false;     ///< whether another program changed it during the run: its content has no digest then
 };
 
-/// Every file a study names, each once and in its order, the study itself first.
+/// Every file that a study names, each once and in its order, the study itself first.
 [[nodiscard]] std::vector<InputFile> input_files(const Study& study, parallel::Threads threads = {});
 
 /// Whether a file still has the content whose digest was taken.

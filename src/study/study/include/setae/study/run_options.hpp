@@ -11,25 +11,25 @@
 
 namespace setae::study {
 
-/// A step of a study that begins or is done.
+/// A step of a study that starts or is done.
 struct Progress {
     std::string stage;            ///< "measurement", "surface" or "experiment"
     std::string item;             ///< the file, or the surface's name
-    bool begins = false;          ///< else it is done
-    bool cached = false;          ///< done: taken from the store
+    bool begins = false;          ///< false: it is done
+    bool cached = false;          ///< for a finished step: taken from the store
     std::size_t done = 0;         ///< steps done so far
     std::size_t total = 0;        ///< steps known so far; a container is opened before its measurements are counted
-    double share = 0.0;           ///< of the expected work that is done, 0 … 1
-    double computed_share = 0.0;  ///< the part of it that was not in the store
+    double share = 0.0;           ///< share of the expected work that is done, 0 … 1
+    double computed_share = 0.0;  ///< share of the work that was not in the store
 };
 
-/// How a study is run. None of it changes a result.
+/// Options of a run. They do not change any result.
 struct RunOptions {
     parallel::Threads threads;
-    const cache::Store* store = nullptr;  ///< of results from earlier runs; none: everything is computed
+    const cache::Store* store = nullptr;  ///< store of results from earlier runs; without it, everything is computed
     std::function<void(const Progress&)>
-        progress;  ///< called as steps begin and end, one call at a time, from any thread
-    const std::atomic<bool>* cancelled = nullptr;  ///< once true, nothing new is begun
+        progress;  ///< called as steps start and end, one call at a time, from any thread
+    const std::atomic<bool>* cancelled = nullptr;  ///< once true, no new step is started
 };
 
 }  // namespace setae::study
