@@ -38,10 +38,10 @@ namespace setae::contact::dmt {
 [[nodiscard]] double displacement_at_force(double force, const AdhesiveContact& contact);
 [[nodiscard]] Array1D displacement_at_force(const ArrayView1D& force, const AdhesiveContact& contact);
 
-/// Where the contact parts, under a dead load and in a stiff machine alike: F = −2πRW, a = 0, δ = 0.
+/// Separation, for a dead load and for an infinitely stiff machine: F = −2πRW, a = 0, δ = 0.
 [[nodiscard]] ContactState pull_off(const AdhesiveContact& contact);
 
-/// Work of adhesion W = |F|/(2πR) [J/m²] from the pull-off force [N] (its magnitude counts).
+/// Work of adhesion W = |F|/(2πR) [J/m²] from the magnitude of the pull-off force [N].
 /// @throws InvalidArgument for R <= 0 or a force that is no number.
 [[nodiscard]] double work_of_adhesion_from_pull_off(double pull_off_force, double radius);
 

@@ -9,20 +9,20 @@ struct ElasticSolid {
     double poisson_ratio = 0.0;   ///< ν, −1 < ν <= 1/2
 };
 
-/// A sphere pressed against a flat; only its radius and the combined modulus of the two bodies matter.
+/// A sphere pressed against a flat; only its radius and the combined modulus of the two bodies enter.
 struct SphereOnFlat {
     double radius = 0.0;           ///< R [m], > 0
     double contact_modulus = 0.0;  ///< E* [Pa], > 0
 };
 
-/// A sphere on a flat that attract each other: what every model of adhesion starts from.
+/// A sphere and a flat with mutual attraction: inputs of every model of adhesion.
 struct AdhesiveContact {
     double radius = 0.0;            ///< R [m], > 0
     double contact_modulus = 0.0;   ///< E* [Pa], > 0
     double work_of_adhesion = 0.0;  ///< W [J/m²], >= 0
 };
 
-/// Which of the two equilibrium radii that belong to one force, or to one displacement.
+/// Selects one of the two equilibrium radii for one force, or for one displacement.
 enum class Branch {
     outer,  ///< the larger radius: stable
     inner,  ///< the smaller radius: unstable, reached only through the pull-off point
@@ -35,7 +35,7 @@ struct ContactState {
     double contact_radius = 0.0;  ///< a [m]
 };
 
-/// Contact modulus E* [Pa] of two solids pressed together.
+/// Contact modulus E* [Pa] of two solids in contact.
 ///
 ///   1/E* = (1 − ν1²)/E1 + (1 − ν2²)/E2
 ///

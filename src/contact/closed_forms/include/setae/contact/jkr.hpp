@@ -6,10 +6,10 @@
 
 /// Contact with adhesion of infinitely short range (Johnson, Kendall, Roberts) of a sphere and an elastic half-space.
 ///
-/// Signs: F > 0 presses, δ > 0 is penetration beyond first touch of the undeformed bodies. W = 0 is Hertz's contact.
+/// Signs: F > 0 presses, δ > 0 is penetration beyond first contact of the undeformed bodies. W = 0 is Hertz's contact.
 /// Valid for contact radius << R and Tabor parameter >> 1.
 /// Sources: Johnson, Kendall, Roberts, Proc. R. Soc. A 324 (1971) 301; Maugis, Contact, Adhesion and Rupture of Elastic
-/// Solids (2000), ch. 4; Dalvi et al., PNAS 116 (2019) 25484, Eqs. (1), (S1), (S2).
+/// Solids (2000), ch. 4; Dalvi et al., PNAS 116 (2019) 25484, Eqs. 1, S1, S2.
 namespace setae::contact::jkr {
 
 using Contact = AdhesiveContact;
@@ -24,7 +24,7 @@ using contact::Branch;
 /// @throws InvalidArgument for a < 0 or a contact outside its domain.
 [[nodiscard]] double displacement(double contact_radius, const Contact& contact);
 
-/// Contact radius [m] under force F [N] (1).
+/// Contact radius [m] under force F [N], Eq. 1.
 ///
 ///   a³ = (3R/4E*) (√P ± √(F + P))²,  P = 3/2 π R W
 ///
@@ -37,10 +37,10 @@ using contact::Branch;
 
 /// Contact radius [m] at displacement δ [m].
 ///
-/// With a = a_c (1 + u)², a_c the radius at the pull-off under fixed grips and δ_c = −3a_c²/R, the equilibrium reads
-/// u² (u² + 4u + 6) = 3 (1 − δ/δ_c), solved by Newton steps on |u| √(u² + 4u + 6), which is smooth through the fold;
-/// they converge monotonically from the start chosen, so no bracket is needed. NaN where no equilibrium exists: δ <
-/// δ_c, and for the inner branch δ > 0.
+/// With a = a_c (1 + u)², a_c the radius at the pull-off under fixed grips and δ_c = −3a_c²/R, the equilibrium reads u²
+/// (u² + 4u + 6) = 3 (1 − δ/δ_c), solved by Newton steps on |u| √(u² + 4u + 6), which is smooth through the fold; they
+/// converge monotonically from the chosen start, so no bracket is needed. NaN where no equilibrium exists: δ < δ_c, and
+/// for the inner branch δ > 0.
 /// @throws InvalidArgument for a contact outside its domain.
 [[nodiscard]] double contact_radius_at_displacement(double displacement, const Contact& contact,
                                                     Branch branch = Branch::outer);
@@ -57,10 +57,10 @@ using contact::Branch;
 [[nodiscard]] Array1D displacement_at_force(const ArrayView1D& force, const Contact& contact,
                                             Branch branch = Branch::outer);
 
-/// Force F = 2aE* (δ − a²/(3R)) [N] at given contact radius and displacement, in equilibrium or not: no W in it.
+/// Force F = 2aE* (δ − a²/(3R)) [N] at given contact radius and displacement, in equilibrium or not; independent of W.
 [[nodiscard]] double force_at(double contact_radius, double displacement, const SphereOnFlat& contact);
 
-/// Contact radius [m] that force and displacement imply, without W: the root with a² >= Rδ of
+/// Contact radius [m] from force and displacement, without W: the root with a² >= Rδ of
 /// a³ − 3Rδ a + 3RF/(2E*) = 0; NaN where there is none.
 /// @throws InvalidArgument for E*, R <= 0.
 [[nodiscard]] double contact_radius_at(double force, double displacement, const SphereOnFlat& contact);
@@ -72,22 +72,22 @@ using contact::Branch;
 [[nodiscard]] double energy_release_rate_at_displacement(double contact_radius, double displacement,
                                                          const SphereOnFlat& contact);
 
-/// Energy [J] of contact radius a and displacement δ, in equilibrium or not, against bodies just apart.
+/// Energy [J] of contact radius a and displacement δ, in equilibrium or not; zero for separated bodies.
 ///
 ///   U = E* [δ²a − 2/3 δa³/R + a⁵/(5R²)] − πWa²
 [[nodiscard]] double total_energy(double contact_radius, double displacement, const Contact& contact);
 
-/// Where the contact parts under a dead load: F = −3/2 πRW, a³ = 9πWR²/(8E*).
+/// Separation under a dead load: F = −3/2 πRW, a³ = 9πWR²/(8E*).
 [[nodiscard]] State pull_off_at_fixed_load(const Contact& contact);
 
-/// Where the contact parts in an infinitely stiff machine: F = −5/6 πRW, a³ = πWR²/(8E*), δ = −3a²/R. A machine of
-/// finite stiffness lies between the two.
+/// Separation in an infinitely stiff machine: F = −5/6 πRW, a³ = πWR²/(8E*), δ = −3a²/R. A machine of finite stiffness
+/// lies between the two.
 [[nodiscard]] State pull_off_at_fixed_grips(const Contact& contact);
 
-/// Where contact springs into being on approach under fixed grips: δ = 0, a³ = 2πWR²/E*, F = −4/3 πRW.
+/// Jump into contact on approach under fixed grips: δ = 0, a³ = 2πWR²/E*, F = −4/3 πRW.
 [[nodiscard]] State jump_in_at_fixed_grips(const Contact& contact);
 
-/// Energies [J] a smooth ideal sphere loses in one closed loop under fixed grips, all of it in the two jumps.
+/// Energies [J] that a smooth ideal sphere loses in one closed loop under fixed grips, all in the two jumps.
 struct LoopLoss {
     double jump_in = 0.0;   ///< 3/5 πW a0², a0 the radius after the jump into contact
     double jump_out = 0.0;  ///< 2/5 πW a_c², a_c the radius before pull-off
@@ -95,19 +95,19 @@ struct LoopLoss {
 };
 [[nodiscard]] LoopLoss ideal_loop_loss(const Contact& contact);
 
-/// What drives the two bodies apart.
+/// Controlled quantity during separation.
 enum class Control { fixed_load, fixed_grips };
 
-/// Work of adhesion [J/m²] from the pull-off force [N] (its magnitude counts): W = 2|F|/(3πR) under a fixed load (S1),
+/// Work of adhesion [J/m²] from the magnitude of the pull-off force [N]: W = 2|F|/(3πR) under a fixed load (Eq. S1),
 /// 6|F|/(5πR) under fixed grips.
 /// @throws InvalidArgument for R <= 0.
 [[nodiscard]] double work_of_adhesion_from_pull_off(double pull_off_force, double radius,
                                                     Control control = Control::fixed_load);
 
-/// Scales in which every JKR contact is the same: R = 1, W = 1/π, K = 4E*/3 = 1.
+/// Scales in which all JKR contacts are equal: R = 1, W = 1/π, K = 4E*/3 = 1.
 struct MaugisUnits {
-    double length = 0.0;  ///< (πWR²/K)^(1/3) [m], of contact radii
-    double height = 0.0;  ///< (π²W²R/K²)^(1/3) [m], of displacements
+    double length = 0.0;  ///< (πWR²/K)^(1/3) [m], unit of contact radii
+    double height = 0.0;  ///< (π²W²R/K²)^(1/3) [m], unit of displacements
     double force = 0.0;   ///< πRW [N]
     double energy = 0.0;  ///< force · height [J]
 };
@@ -115,8 +115,8 @@ struct MaugisUnits {
 /// @throws InvalidArgument for W = 0, where the scales vanish, or a contact outside its domain.
 [[nodiscard]] MaugisUnits maugis_units(const Contact& contact);
 
-/// Tabor parameter μ = R^(1/3) (W/E*)^(2/3) / z0, z0 the range of the interaction [m], > 0: JKR holds for μ >> 1 (from
-/// about 5), the limit of Derjaguin, Muller and Toporov for μ << 1.
+/// Tabor parameter μ = R^(1/3) (W/E*)^(2/3) / z0, z0 the range of the interaction [m], > 0: JKR applies for μ >> 1
+/// (from about 5), the limit of Derjaguin, Muller and Toporov for μ << 1.
 /// Source: Tabor, J. Colloid Interface Sci. 58 (1977) 2.
 [[nodiscard]] double tabor_parameter(const Contact& contact, double interaction_range);
 

@@ -4,7 +4,7 @@
 #include "setae/contact/elasticity.hpp"
 #include "setae/core/arrays.hpp"
 
-/// JKR contact of a sphere, not of the paraboloid that has its curvature: contact radii comparable to R.
+/// JKR contact of a sphere, not of the paraboloid with its curvature: contact radii comparable to R.
 ///
 ///   F = E*R² [(1 + x²) artanh x − x] − √(8πE*W a³)
 ///   δ = a artanh x − √(2πaW/E*),   x = a/R < 1,   artanh x = ½ ln((R + a)/(R − a))
@@ -51,10 +51,10 @@ using State = ContactState;
 [[nodiscard]] Array1D force_at_displacement(const ArrayView1D& displacement, const Contact& contact,
                                             Branch branch = Branch::outer);
 
-/// Where the contact parts under a dead load, dF/da = 0. Unlike JKR's, the force depends on E*.
+/// Separation under a dead load, dF/da = 0. Unlike in JKR, the force depends on E*.
 [[nodiscard]] State pull_off_at_fixed_load(const Contact& contact);
 
-/// Where the contact parts in an infinitely stiff machine, dδ/da = 0.
+/// Separation in an infinitely stiff machine, dδ/da = 0.
 [[nodiscard]] State pull_off_at_fixed_grips(const Contact& contact);
 
 }  // namespace setae::contact::large_strain

@@ -7,17 +7,17 @@
 /// Contact with adhesion of any range: a constant attraction σ0 acts across gaps below W/σ0 around the contact (Maugis
 /// with Dugdale's cohesive zone), between DMT (λ → 0) and JKR (λ → ∞).
 ///
-/// Signs as in jkr.hpp. With A, F̄, δ̄ the contact radius, force and displacement in jkr::MaugisUnits, m = c/a the outer
-/// over the inner radius of the cohesive zone and s = √(m² − 1):
+/// Signs as in jkr.hpp. With A, F̄, δ̄ the contact radius, force and displacement in jkr::MaugisUnits, m = c/a the
+/// outer divided by the inner radius of the cohesive zone and s = √(m² − 1):
 ///
 ///   1 = (λA²/2) [s + (m² − 2) atan s] + (4λ²A/3) [s atan s − m + 1]
 ///   F̄ = A³ − λA² [s + m² atan s],   δ̄ = A² − (4/3) λ A s
 ///
-/// The first equation is a quadratic in A, so the whole curve is explicit in s, along which A falls monotonically; each
-/// inverse is one bracketed root in s (TOMS 748), on either branch. Domain: 1e-30 <= λ <= 1e30. Limits: λ → 0 is DMT to
-/// O(λ^1.5) in pull-off, λ → ∞ is JKR to O(λ^-2). At a = 0 the cohesive zone still acts: force and displacement of a
-/// vanishing contact are finite; what attracts without contact beyond it is not part of the model. Source: Maugis, J.
-/// Colloid Interface Sci. 150 (1992) 243.
+/// The first equation is a quadratic in A, so the whole curve is explicit in s, along which A decreases monotonically;
+/// each inverse is one bracketed root in s (TOMS 748), on either branch. Domain: 1e-30 <= λ <= 1e30. Limits: λ → 0 is
+/// DMT to O(λ^1.5) in pull-off, λ → ∞ is JKR to O(λ^-2). At a = 0 the cohesive zone still acts: force and displacement
+/// of a vanishing contact are finite; attraction without contact beyond that state is not part of the model. Source:
+/// Maugis, J. Colloid Interface Sci. 150 (1992) 243.
 namespace setae::contact::maugis_dugdale {
 
 using State = ContactState;
@@ -40,7 +40,7 @@ struct ReducedState {
 /// State at reduced contact radius A >= 0. @throws InvalidArgument for A < 0 or λ outside its domain.
 [[nodiscard]] ReducedState reduced_state(double reduced_radius, double transition_parameter);
 
-/// A state with its derivatives by A and by λ, each with the other held.
+/// A state with its derivatives by A and by λ, each with the other fixed.
 struct ReducedSlopes {
     ReducedState state;
     double force_by_radius = 0.0;
@@ -52,12 +52,12 @@ struct ReducedSlopes {
 /// State at reduced contact radius A, 1e-9 <= A, with its derivatives. @throws InvalidArgument outside the domain.
 [[nodiscard]] ReducedSlopes reduced_slopes(double reduced_radius, double transition_parameter);
 
-/// State of least force, where the contact parts under a dead load. For λ < 1e-5 its contact radius (about 2.1 λ) is
-/// not resolved, its force is. @throws InvalidArgument for λ outside its domain.
+/// State of smallest force: separation under a dead load. For λ < 1e-5 its force is resolved, but not its contact
+/// radius (about 2.1 λ). @throws InvalidArgument for λ outside its domain.
 [[nodiscard]] ReducedState reduced_pull_off_at_fixed_load(double transition_parameter);
 
-/// State of least displacement, where the contact parts in an infinitely stiff machine: the fold of δ̄(A), or for
-/// λ below about 0.938, where there is none, A = 0. @throws InvalidArgument for λ outside its domain.
+/// State of smallest displacement: separation in an infinitely stiff machine. It is the fold of δ̄(A), or A = 0 for
+/// λ below about 0.938, where there is no fold. @throws InvalidArgument for λ outside its domain.
 [[nodiscard]] ReducedState reduced_pull_off_at_fixed_grips(double transition_parameter);
 
 /// λ = 2σ0 (R/(πWK²))^(1/3), K = 4E*/3. @throws InvalidArgument for a contact outside its domain.
@@ -97,10 +97,10 @@ struct ReducedSlopes {
 [[nodiscard]] Array1D displacement_at_force(const ArrayView1D& force, const Contact& contact,
                                             Branch branch = Branch::outer);
 
-/// Where the contact parts under a dead load; in a machine of finite stiffness the contact parts between the two.
+/// Separation under a dead load; a machine of finite stiffness lies between this state and that under fixed grips.
 [[nodiscard]] State pull_off_at_fixed_load(const Contact& contact);
 
-/// Where the contact parts in an infinitely stiff machine; contact radius 0 for λ below about 0.938.
+/// Separation in an infinitely stiff machine; contact radius 0 for λ below about 0.938.
 [[nodiscard]] State pull_off_at_fixed_grips(const Contact& contact);
 
 }  // namespace setae::contact::maugis_dugdale

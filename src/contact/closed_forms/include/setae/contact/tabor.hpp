@@ -5,7 +5,7 @@
 
 #include "setae/contact/elasticity.hpp"
 
-/// Which model of adhesion applies: the range of the attraction against the elastic deformation it causes.
+/// Selection of a model of adhesion: range of the attraction compared with the elastic deformation it causes.
 ///
 /// μ = R^(1/3) (W/E*)^(2/3)/z0 (jkr::tabor_parameter); Maugis' λ follows from equal W and equal largest attraction of
 /// Dugdale's and the Lennard-Jones law, σ0 = 16W/(9√3 z0):
@@ -25,7 +25,7 @@ namespace setae::contact::tabor {
 
 /// Fields of Johnson and Greenwood's map.
 enum class Regime {
-    hertz,           ///< the load outweighs adhesion
+    hertz,           ///< adhesion is small compared with the load
     rigid,           ///< the load deforms the bodies by less than the range of attraction (Bradley)
     dmt,             ///< μ < 0.1
     maugis_dugdale,  ///< 0.1 <= μ <= 5
@@ -39,10 +39,10 @@ struct Verdict {
     Regime regime = Regime::maugis_dugdale;
     double tabor_parameter = 0.0;       ///< μ
     double transition_parameter = 0.0;  ///< λ
-    std::string sentence;               ///< for users: which model applies, with the numbers
+    std::string sentence;               ///< sentence for users: applicable model, with the numbers
 };
 
-/// Which model applies at force F [N] to a contact whose attraction reaches over z0 [m].
+/// Model that applies at force F [N] to a contact with an attraction of range z0 [m].
 /// @throws InvalidArgument for a contact outside its domain, z0 <= 0 or a force that is not finite.
 [[nodiscard]] Verdict which_model(double force, const AdhesiveContact& contact, double interaction_range);
 

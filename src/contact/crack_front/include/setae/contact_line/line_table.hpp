@@ -8,14 +8,14 @@
 
 namespace setae::contact_line {
 
-/// Columns "time" [s], "frame", "radius_1" … "radius_N" [m] at θ = 0, 2π/N …, one row a frame; metadata "place_error"
+/// Columns "time" [s], "frame", "radius_1" … "radius_N" [m] at θ = 0, 2π/N …, one row per frame; metadata "place_error"
 /// in metres. frames: numbers, M of them.
 /// @throws InvalidArgument as require_valid, or for other than M numbers.
 [[nodiscard]] Table as_table(const ContactLine& line, const std::vector<long>& frames);
 
-/// The line of such a table, of pictures or a simulation; what other columns it has are passed over. The error of a
-/// place is 0 where the table states none.
-/// @throws InvalidArgument without "time" or "radius_1", where the numbers of radii leave a gap, and as require_valid.
+/// The line of such a table, from pictures or a simulation; other columns are ignored. The error of a position is 0
+/// where the table states none.
+/// @throws InvalidArgument without "time" or "radius_1", where the numbers of radii have a gap, and as require_valid.
 [[nodiscard]] ContactLine line_of(const Table& table);
 
 }  // namespace setae::contact_line

@@ -11,43 +11,44 @@
 
 namespace setae::crack_front {
 
-/// What drives a loop: the displacement [m], a dead load [N], or a stage [m] behind a spring.
+/// Controlled quantity of a loop: the displacement [m], a dead load [N], or a stage [m] with a spring.
 enum class Drive { displacement, load, stage };
 
 struct LoopPath {
     Drive drive = Drive::displacement;
     double stiffness = 0.0;  ///< k_m of the stage's spring [N/m]
-    double furthest = 0.0;   ///< where the loop turns [m], of a load [N]; > 0, it begins and counts from 0
-    Index steps = 500;       ///< of the way there; as long ones lead back until the contact parts
-    /// A step is halved while both its dissipation and ½|ΔF Δδ|, what the trapezoidal rule may miss, exceed this share
-    /// of what a smooth sphere loses in its two jumps: what is left in jumps is theirs.
+    double furthest = 0.0;   ///< turning point [m], for a load [N]; > 0; the loop starts at 0
+    Index steps = 500;       ///< number of steps on approach; steps of equal length lead back until separation
+    /// A step is halved while both its dissipation and ½|ΔF Δδ|, the possible error of the trapezoidal rule, exceed
+    /// this share of the loss of a smooth sphere in its two jumps. The remaining dissipation of a step is then that of
+    /// a jump.
     double jump_share = 1e-3;
     /// Called after each step; false ends the loop.
     std::function<bool(const struct FrontStep&)> progress;
 };
 
-/// One equilibrium of a loop, and what the step to it dissipated.
+/// One equilibrium of a loop, and the dissipation of the step to it.
 struct FrontStep {
     FrontState state;
-    double position = 0.0;  ///< of what drives [m], [N]
-    /// D = ½ (F_{n−1} + F_n) Δδ − Δ(U + surface energy) [J]: work of the machine that is stored nowhere.
+    double position = 0.0;  ///< value of the controlled quantity [m], [N]
+    /// D = ½ (F_{n−1} + F_n) Δδ − Δ(U + surface energy) [J]: work of the machine that is not stored.
     double dissipation = 0.0;
     double machine_work = 0.0;  ///< ½ (F_{n−1} + F_n) Δδ [J]
-    /// On the way back the least any point has moved back since the turn [m].
+    /// On retraction: smallest distance that any point has moved back since the turn [m].
     double min_retreat = 0.0;
     bool approaching = true;
 };
 
-/// Approach from first touch, and retraction until the contact parts.
+/// Approach from first contact, and retraction until separation.
 struct FrontLoop {
     std::vector<FrontStep> steps;
-    /// ∮ F dδ [J] = Σ D where the contact has parted. A dead load that lets go falls without end: its loop ends before.
+    /// ∮ F dδ [J] = Σ D after separation. A dead load moves without limit after separation: its loop ends before.
     double energy_loss = 0.0;
     double approach_dissipation = 0.0,
-           retraction_dissipation = 0.0;  ///< Σ D [J], jump into and out of contact included
-    double smallest_dissipation = 0.0;    ///< least D [J]: below 0 by what the trapezoidal rule misses
-    Index jumps = 0;                      ///< steps within which more than `jump_share` was dissipated
-    bool complete = false;                ///< it parted, and every step converged
+           retraction_dissipation = 0.0;  ///< Σ D [J], including jumps into and out of contact
+    double smallest_dissipation = 0.0;    ///< smallest D [J]; below 0 by the error of the trapezoidal rule
+    Index jumps = 0;                      ///< number of steps that dissipated more than `jump_share`
+    bool complete = false;                ///< whether the contact separated and every step converged
 };
 
 /// @throws InvalidArgument for a path outside its domain, and what CircularFront::solve() throws.
@@ -58,16 +59,15 @@ struct FrontLoop {
 /// iterations.
 [[nodiscard]] Table loop_table(const FrontLoop& loop, Drive drive);
 
-/// Works of adhesion as an experimenter reads them from a loop's two branches, with √(A/π) for the radius.
+/// Works of adhesion as an experiment determines them from a loop's two branches, with √(A/π) as the radius.
 struct BranchWorks {
-    loops::JkrFit approach;  ///< E* and W_appr of a(F) by (1)
-    loops::RetractionFit
-        retraction;               ///< W_ret of F(a) with that E*, where the whole edge moves, until the contact parts
-    double pull_off_force = 0.0;  ///< the smallest force [N]
-    double pull_off_work = 0.0;   ///< W it stands for (S1) [J/m²]
+    loops::JkrFit approach;           ///< E* and W_appr of a(F) by Eq. 1
+    loops::RetractionFit retraction;  ///< W_ret of F(a) with that E*, where the whole edge moves, until separation
+    double pull_off_force = 0.0;      ///< the smallest force [N]
+    double pull_off_work = 0.0;       ///< corresponding W by Eq. S1 [J/m²]
 };
 
-/// @throws UndefinedDataError for too few steps in contact, or an edge that has not let go everywhere before it parts.
+/// @throws UndefinedDataError for too few steps in contact, or an edge that has not moved everywhere before separation.
 [[nodiscard]] BranchWorks branch_works(const FrontLoop& loop, const contact::SphereOnFlat& sphere);
 
 }  // namespace setae::crack_front

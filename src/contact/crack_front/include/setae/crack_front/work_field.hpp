@@ -17,23 +17,24 @@ struct LinePoints {
     [[nodiscard]] double last() const { return at(count - 1); }
 };
 
-/// Work of adhesion where a front may go: w of line j at x_k. Lines are rays from the centre at the angles 2πj/lines, x
-/// the radius; or parallels at z_j = j width/lines, x along them, and the field then repeats itself along x and z.
+/// Work of adhesion on the lines of a front: w of line j at x_k. Lines are rays from the centre at the angles
+/// 2πj/lines, x the radius; or parallels at z_j = j width/lines, x along them, and the field is then periodic along x
+/// and z.
 struct WorkField {
     Array2D works;  ///< w [J/m²], shape (lines, points.count)
     LinePoints points;
-    double mean_work = 0.0;  ///< W [J/m²] the field varies about, > 0; stiffness of the front
+    double mean_work = 0.0;  ///< mean work W [J/m²] of the field, > 0; stiffness of the front
 
     [[nodiscard]] Index lines() const { return works.rows(); }
 };
 
-/// How K_R becomes a work of adhesion. At a front K_J + K_R = √(2E*W), so that K_J alone sees
+/// Conversion of K_R to a work of adhesion. At a front K_J + K_R = √(2E*W), so that K_J is given by
 ///
 ///   quadratic   w = (√(2E*W) − K_R)²/(2E*)       mean W + U_el/A
 ///   linear      w = W − √(2W/E*) K_R             mean W
 ///
-/// The mean of the quadratic field moves up by U_el/A, where full contact costs U_el/A: the front is known to first
-/// order alone. Take differences of works from the linear field, and the mean from the energy balance.
+/// The mean of the quadratic field increases by U_el/A, where full contact costs U_el/A: the front theory is of first
+/// order only. Take differences of works from the linear field, and the mean from the energy balance.
 /// Source: Sanner, Kumar, Dhinojwala, Jacobs, Pastewka, Sci. Adv. 10 (2024) eadl1277.
 enum class EquivalentWork { linear, quadratic };
 

@@ -11,67 +11,66 @@
 
 namespace setae::half_space {
 
-/// One equilibrium of a loop, and what the step to it dissipated.
+/// One equilibrium of a loop, and the dissipation of the step to it.
 struct LoopStep {
     AdhesiveState state;
-    /// What is moved [m]: the mean gap, or the stage z = ⟨g⟩ + T/k_m.
+    /// Controlled position [m]: the mean gap, or the stage z = ⟨g⟩ + T/k_m.
     double position = 0.0;
-    /// D_n = ½ (T_{n−1} + T_n) Δ⟨g⟩ − ΔE [J/m²]: work of the machine that is stored nowhere; the same whether the gap,
-    /// the load or a stage is held, and 0 for the first.
+    /// D_n = ½ (T_{n−1} + T_n) Δ⟨g⟩ − ΔE [J/m²]: work of the machine that is not stored; equal for a controlled gap,
+    /// load or stage, and 0 for the first.
     double dissipation = 0.0;
     bool approaching = true;
 };
 
-/// Where a loop stands after some of its steps: what it takes to go on as if it had not been stopped, to the last byte.
+/// State of a loop after some of its steps: all data for a continuation with equal bytes.
 struct LoopCheckpoint {
     std::vector<LoopStep> steps;
     Array2D gaps;         ///< [m] of the last step
-    double halved = 0.0;  ///< longest step that its last one allows [m]; infinity: any
+    double halved = 0.0;  ///< longest step after the last one [m]; infinity: any
 };
 
 struct LoopOptions {
-    /// Positions [m]: from where it approaches and to where it parts; absent: AdhesiveCell::far_gap().
+    /// Positions [m] of the start of the approach and the end of the separation; absent: AdhesiveCell::far_gap().
     std::optional<double> first;
-    double turn = 0.0;  ///< where it turns; a mean gap of 0: full contact. A stage may go on below 0.
-    /// k_m [Pa/m] per area of the cell of a stage that is moved; absent: the mean gap is.
+    double turn = 0.0;  ///< turning position; a mean gap of 0: full contact. A stage may move below 0.
+    /// k_m [Pa/m] per area of the cell of a moving stage; absent: the mean gap is controlled.
     std::optional<double> stage_stiffness;
-    /// It turns earlier where the pressure reaches this [Pa].
+    /// The loop turns earlier where the pressure reaches this value [Pa].
     double max_pressure = std::numeric_limits<double>::infinity();
-    /// A step is halved while both its dissipation and ½|ΔT Δposition|, what the trapezoidal rule may miss, exceed this
-    /// share of w: what is left in jumps is theirs.
+    /// A step is halved while both its dissipation and ½|ΔT Δposition|, the possible error of the trapezoidal rule,
+    /// exceed this share of w. The remaining dissipation of a step is then that of a jump.
     double jump_share = 1e-3;
-    double largest_move = 1.0;  ///< of any gap by the tangent, over ρ
-    double min_step = 0.01;     ///< of the mean gap by the tangent, over ρ
+    double largest_move = 1.0;  ///< largest change of any gap by the tangent, divided by ρ
+    double min_step = 0.01;     ///< smallest change of the mean gap by the tangent, divided by ρ
     /// Called after each step; false ends the loop.
     std::function<bool(const LoopStep&)> progress;
-    /// Called every so many steps with what resumes the loop.
+    /// Called every given number of steps with the data for a continuation.
     std::function<void(const LoopCheckpoint&)> checkpoint;
-    /// Goes on from there; the same cell and the other options as they were.
+    /// Continues from this checkpoint; the cell and the other options must be the same.
     const LoopCheckpoint* resume = nullptr;
 };
 
-/// A loop from far to where it turns, and back.
+/// A loop from separated bodies to the turning position, and back.
 struct AdhesiveLoop {
     std::vector<LoopStep> steps;
-    double approach_work = 0.0;    ///< W_appr = −∫ T d⟨g⟩ on approach: what the attraction did [J/m²]
-    double separation_work = 0.0;  ///< W_sep = ∫ T d⟨g⟩ to part [J/m²]
+    double approach_work = 0.0;    ///< W_appr = −∫ T d⟨g⟩ on approach: work of the attraction [J/m²]
+    double separation_work = 0.0;  ///< W_sep = ∫ T d⟨g⟩ of the separation [J/m²]
     double approach_dissipation = 0.0, separation_dissipation = 0.0;  ///< Σ D_n
-    double smallest_dissipation = 0.0;  ///< least D_n: below 0 by what the trapezoidal rule misses
+    double smallest_dissipation = 0.0;  ///< smallest D_n; below 0 by the error of the trapezoidal rule
     double conformal_energy = 0.0;      ///< e of the cell, AdhesiveCell::conformal_energy()
-    bool complete = false;              ///< it came back to where it began, and every step converged
+    bool complete = false;              ///< whether the loop returned to its start and every step converged
 
     /// Area of the loop, Σ D_n where it ends in the state it began with.
     [[nodiscard]] double loss() const { return separation_work - approach_work; }
 };
 
-/// Where it still holds on at the place where it began, as a sphere does, it is drawn on until it parts, and comes
-/// back.
+/// A contact that still exists at the start position, as of a sphere, is pulled further until separation, and returns.
 ///
-/// Steps follow the tangent (AdhesiveCell::find_tangent), so that none moves a gap by more than ρ, halve where the cell
-/// jumps, and end in a ladder of halves close to full contact.
+/// Steps follow the tangent (AdhesiveCell::find_tangent), so that none moves a gap by more than ρ, are halved where the
+/// cell jumps, and end in a sequence of halved steps close to full contact.
 ///
-/// W_appr = w − e − D_appr and W_sep = w − e + D_sep, of a loop between far and full contact.
-/// A soft stage is a dead load in the limit: where the cell jumps, its tension hardly changes.
+/// W_appr = w − e − D_appr and W_sep = w − e + D_sep, for a loop between separated bodies and full contact.
+/// A soft stage is a dead load in the limit: in a jump of the cell, its tension hardly changes.
 /// @throws InvalidArgument for positions out of order, a stage without stiffness, a pressure of 0 or less.
 [[nodiscard]] AdhesiveLoop adhesive_loop(AdhesiveCell& cell, const LoopOptions& options = {});
 

@@ -5,10 +5,10 @@
 
 namespace setae::half_space {
 
-/// How a layer stands on its rigid base.
+/// Boundary condition of a layer at its rigid base.
 enum class Base {
-    bonded,        ///< neither parts from it nor slides
-    frictionless,  ///< slides, but does not part from it
+    bonded,        ///< no separation and no sliding
+    frictionless,  ///< sliding without separation
 };
 
 /// An elastic layer on a rigid base.
@@ -18,22 +18,21 @@ struct Layer {
     Base base = Base::bonded;
 };
 
-/// What gives way in a contact: a half-space, or a layer where one is stated. The other body is rigid; for two elastic
-/// half-spaces take contact::contact_modulus of both and the composite roughness.
+/// The deforming body of a contact: a half-space, or a layer where one is given. The other body is rigid; for two
+/// elastic half-spaces use contact::contact_modulus of both and the composite roughness.
 struct Body {
     double contact_modulus = 0.0;  ///< E* = E/(1 − ν²) [Pa], > 0
     std::optional<Layer> layer;
 };
 
-/// Stiffness k(q) [Pa/m]: the pressure that holds a wave of displacement of unit amplitude, without shear in the
-/// surface.
+/// Stiffness k(q) [Pa/m]: the pressure for a wave of displacement of unit amplitude, without shear in the surface.
 ///
 ///   half-space              k = E* q/2
 ///   layer, bonded           k = E* q/2 · contact::layer::stiffness_ratio(qt, ν),  k(0) = E* (1 − ν)²/((1 − 2ν) t)
 ///   layer, frictionless     k = E* q/2 · (sinh 2x + 2x)/(cosh 2x − 1), x = qt,    k(0) as bonded
 ///
-/// q: length of the wavevector [rad/m], >= 0. At q = 0 the layer keeps its widths, as a periodic cell does (k is that
-/// of the oedometer): infinite for ν = 1/2. A frictionless layer's k falls to E*/t for long waves, less than k(0).
+/// q: length of the wavevector [rad/m], >= 0. At q = 0 the layer keeps its widths, like a periodic cell (k is that of
+/// the oedometer): infinite for ν = 1/2. k of a frictionless layer decreases to E*/t for long waves, less than k(0).
 /// @throws InvalidArgument for q < 0 or a body outside its domain.
 /// Sources: Johnson, Contact Mechanics (1985), ch. 13; Carbone, Mangialardi, J. Mech. Phys. Solids 56 (2008) 684.
 [[nodiscard]] double stiffness(double wavevector, const Body& body);

@@ -7,7 +7,7 @@
 namespace setae::half_space {
 
 /// Points and widths of a map of pressures, displacements or heights, shape (nx, ny): x_i = i size_x/nx. One of nx and
-/// ny may be 1: then nothing depends on that coordinate, a line contact, and the width along it is its length.
+/// ny may be 1: a line contact, independent of that coordinate, with the width along it as its length.
 struct Grid {
     Index nx = 0, ny = 0;               ///< >= 1
     double size_x = 0.0, size_y = 0.0;  ///< [m], > 0
@@ -21,10 +21,10 @@ struct Grid {
     friend bool operator==(const Grid&, const Grid&) = default;
 };
 
-/// Rows that maps are averaged down to, grid by grid, and not below.
+/// Smallest number of rows of coarsened maps.
 inline constexpr Index coarsest_side = 64;
 
-/// Which rows of a map each of the processes has that solve it together; `ranks`: nullptr for one process.
+/// Rows of a map for each of the processes that solve it together; `ranks`: nullptr for one process.
 /// @throws as parallel::nested_slab.
 [[nodiscard]] parallel::Slab slab_of(const Grid& grid, const parallel::Ranks* ranks);
 
@@ -33,7 +33,7 @@ void require(const Grid& grid);
 
 /// Refuses a map of another shape than the grid's; `what` names it. @throws InvalidArgument.
 void require_shape(const ArrayView2D& map, const Grid& grid, const char* what);
-/// The same of this process's rows of a map.
+/// The check for the rows of this process.
 void require_shape(const ArrayView2D& map, const Grid& grid, const parallel::Slab& slab, const char* what);
 
 }  // namespace setae::half_space

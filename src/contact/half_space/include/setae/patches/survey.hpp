@@ -31,17 +31,17 @@ struct SurveyRow {
     double range_over_height = 0.0;
     int patches = 0;
     PatchMean area_from_far, gain_from_far, area_after_preload, gain_after_preload;
-    int closed = 0;              ///< patches that the protocol's pressures close
-    PatchMean closing_pressure;  ///< of those, over h'_rms E*
-    PatchMean opening_tension;   ///< over σ
-    // of loops, where they were asked for
-    PatchMean approach_work, separation_work, loss, greatest_tension;  ///< over w; tension over σ
+    int closed = 0;              ///< number of patches closed by the pressures of the protocol
+    PatchMean closing_pressure;  ///< closing pressure of those, divided by h'_rms E*
+    PatchMean opening_tension;   ///< divided by σ
+    // for loops, on request
+    PatchMean approach_work, separation_work, loss, greatest_tension;  ///< divided by w; tension divided by σ
     PatchMean large_jumps;                                             ///< share of the loss in jumps above w/100
-    std::vector<JumpClass> approach_jumps, separation_jumps;           ///< a patch
-    bool converged = true;                                             ///< every state and loop
+    std::vector<JumpClass> approach_jumps, separation_jumps;           ///< per patch
+    bool converged = true;                                             ///< for every state and loop
 };
 
-/// A row for each design. Same bytes for any number of threads: each patch is one thread's.
+/// One row per design. Equal bytes for any number of threads: each patch is computed on one thread.
 /// @throws InvalidArgument for no design or seed, and as bring_into_contact().
 [[nodiscard]] std::vector<SurveyRow> survey(const SurveyDesign& design);
 

@@ -19,11 +19,11 @@ struct LoadOptions {
 ///
 /// columns: pressure [Pa], area_fraction, mean_gap [m], contact_stiffness [Pa/m], stored_energy [J/m2] without
 /// adhesion, NaN under tension; with it also adhesive_area_fraction and effective_work [J/m2], γ_eff of the longest
-/// waves, NaN where the rounds do not converge.
+/// waves, NaN where the iterations do not converge.
 /// @throws as contact_at_scales and adhesive_contact_at_scales; InvalidArgument for a pressure <= 0 without adhesion.
 [[nodiscard]] Table load_table(const ArrayView1D& pressure, const Scales& scales, const LoadOptions& options = {});
 
-/// One contact against the waves it is looked at with.
+/// One contact against the waves that are taken into account.
 ///
 /// columns: wavevector [1/m], area_fraction, mean_gap, contact_stiffness, stored_energy, rms_pressure [Pa] of full
 /// contact, √V; with adhesion also adhesive_area_fraction, effective_work and detachment_stress [Pa]. NaN as above.

@@ -22,48 +22,49 @@
 
 namespace setae::loops {
 
-/// Limits beyond which a result carries an alert.
+/// Limits beyond which a result has a warning.
 struct AlertLimits {
-    double contact_radius_per_sphere_radius = 0.2;    ///< LARGE_STRAIN
-    double contact_radius_per_thickness = 0.1;        ///< THIN_LAYER
-    double contact_radius_per_unknown_height = 0.01;  ///< HEIGHT_UNKNOWN, of R: E* from F–δ is then 1 % high and more
-    double tabor_parameter = 5.0;                     ///< TABOR_RANGE: JKR holds above
-    double relative_residual = 0.015;                 ///< POOR_FIT: rms residual over the fitted range, beyond noise
-    double relative_misfit = 0.003;                   ///< BEYOND_NOISE: likewise
-    double work_deviations = 3.0;                     ///< WORK_NEGATIVE: W below 0 by so many standard errors
-    double drift_share = 0.05;                        ///< FORCE_DRIFT: of the largest tension
-    double noise_share = 0.05;                        ///< NOISY_RECORD: of largest tension or penetration
-    double contact_point_share = 0.05;                ///< CONTACT_POINT_SPREAD: of the largest penetration
-    double loop_sampling_share = 0.05;                ///< LOOP_UNDERSAMPLED: sampling error over energy
-    double stiffness_ratio = 10.0;                    ///< STIFFNESS_UNRESOLVED: contact over machine stiffness
-    double pinned_modulus_ratio = 1.5;                ///< of E* of a later press or release to that of first loading
-    double frames_missing = 0.05;                     ///< FRAME_MISSING: share of the frames in contact
+    double contact_radius_per_sphere_radius = 0.2;  ///< LARGE_STRAIN
+    double contact_radius_per_thickness = 0.1;      ///< THIN_LAYER
+    /// HEIGHT_UNKNOWN, divided by R: E* from F–δ is then at least 1 % too high
+    double contact_radius_per_unknown_height = 0.01;
+    double tabor_parameter = 5.0;       ///< TABOR_RANGE: JKR applies above
+    double relative_residual = 0.015;   ///< POOR_FIT: rms residual divided by the fitted range, beyond noise
+    double relative_misfit = 0.003;     ///< BEYOND_NOISE: rms residual divided by the fitted range
+    double work_deviations = 3.0;       ///< WORK_NEGATIVE: W below 0 by this number of standard errors
+    double drift_share = 0.05;          ///< FORCE_DRIFT: share of the largest tension
+    double noise_share = 0.05;          ///< NOISY_RECORD: share of largest tension or penetration
+    double contact_point_share = 0.05;  ///< CONTACT_POINT_SPREAD: share of the largest penetration
+    double loop_sampling_share = 0.05;  ///< LOOP_UNDERSAMPLED: sampling error divided by energy
+    double stiffness_ratio = 10.0;      ///< STIFFNESS_UNRESOLVED: contact stiffness divided by machine stiffness
+    double pinned_modulus_ratio = 1.5;  ///< E* of a later loading or unloading divided by that of first loading
+    double frames_missing = 0.05;       ///< FRAME_MISSING: share of the frames in contact
     double contact_modulus_min = 1e3, contact_modulus_max = 1e12;  ///< UNITS_IMPLAUSIBLE outside [Pa]
     double work_of_adhesion_max = 10.0;                            ///< UNITS_IMPLAUSIBLE above [J/m²]
-    double work_spread = 0.2;  ///< RANGE_SENSITIVE: spread of W over the fit ranges tried, over W
+    double work_spread = 0.2;  ///< RANGE_SENSITIVE: spread of W over the fit ranges, divided by W
 };
 
 struct AnalysisOptions {
     SegmentOptions segments;
-    Index samples_dropped = 3;  ///< after the jump-in; the result depends on it, see BranchAnalysis::sensitivity
+    Index samples_dropped = 3;  ///< number after the jump-in; the result depends on it, see BranchAnalysis::sensitivity
     std::vector<Index> sensitivity_dropped{0, 3, 10, 30};
-    bool effective_variance = true;  ///< fits allow for the errors of force too, where they are known
+    bool effective_variance = true;  ///< whether fits take the errors of force into account, too, where they are known
     double displacement_drift_rate =
-        0.0;                       ///< [m/s] of the displacement where a reference tells it, such as thermal drift
-    bool leave_pinned_out = true;  ///< the unloading fits begin where the contact edge lets go
-    std::optional<double> contact_radius_noise;       ///< σ_a [m]; else from the radii's second differences
-    std::optional<double> machine_stiffness;          ///< [N/m] where `displacement` is the stage's: δ = stage − F/k
+        0.0;  ///< drift rate [m/s] of the displacement from a reference measurement, such as thermal drift
+    bool leave_pinned_out = true;  ///< whether the unloading fits begin where the contact edge starts to move
+    std::optional<double> contact_radius_noise;  ///< σ_a [m]; else from the radii's second differences
+    std::optional<double> machine_stiffness;  ///< [N/m] where `displacement` is that of the stage: δ = stage − F/k
     double machine_stiffness_standard_error = 0.0;    ///< [N/m]
-    ContactPointChoice contact_point;                 ///< where F–δ fits take the contact point from
+    ContactPointChoice contact_point;                 ///< contact point of F–δ fits
     double true_area_ratio = 1.0;                     ///< r of the hard surface, for losses per true area
-    Index retraction_points = 6;                      ///< of (S2)
-    bool retraction_modulus_free = false;             ///< E* of (S2) fitted, not taken from loading
+    Index retraction_points = 6;                      ///< number of points for Eq. S2
+    bool retraction_modulus_free = false;             ///< whether E* of Eq. S2 is fitted, not taken from loading
     Estimate interaction_range{.value = 0.3e-9};      ///< z0 of the Tabor parameter [m]
-    std::vector<contact::RelaxationTerm> relaxation;  ///< by which the bulk relaxes: LoopAnalysis::bulk
+    std::vector<contact::RelaxationTerm> relaxation;  ///< terms of the bulk relaxation: LoopAnalysis::bulk
     AlertLimits limits;
 };
 
-/// Samples a fit rests on.
+/// Samples of a fit.
 struct FitRange {
     std::string name;           ///< such as "loading, from 3 samples after jump-in to the largest force"
     Index first = 0, last = 0;  ///< samples of the record
@@ -72,26 +73,26 @@ struct FitRange {
     double force_last = 0.0;   ///< [N]
 };
 
-/// E* and W with so many samples dropped after the jump-in.
+/// E* and W with a given number of samples dropped after the jump-in.
 struct RangeSensitivity {
     Index dropped = 0;
     Outcome<JkrFit> fit;
 };
 
-/// All routes to E* and W on one branch, side by side.
+/// All routes to E* and W on one branch.
 struct BranchAnalysis {
     FitRange range;
     Outcome<JkrFit> radius_force;                     ///< Eq. (1)
-    Outcome<JkrFit> radius_force_effective_variance;  ///< Eq. (1), errors in both
+    Outcome<JkrFit> radius_force_effective_variance;  ///< Eq. 1, errors in both
     Outcome<JkrFit> linear_form;
     Outcome<JkrFit> force_displacement;
     Outcome<JkrFit> joint;  ///< force, displacement and contact radius together
     Outcome<PointwiseModulus> pointwise;
-    EnergyReleaseRate energy_release_rate;      ///< of measured radii on unloading with E* of loading
+    EnergyReleaseRate energy_release_rate;      ///< for measured radii on unloading with E* of loading
     std::vector<RangeSensitivity> sensitivity;  ///< empty on unloading
     bool effective_variance_first = false;
 
-    /// Eq. (1) where the contact radius was measured, else force against displacement.
+    /// Eq. 1 where the contact radius was measured, else force against displacement.
     [[nodiscard]] const JkrFit& primary() const;
 };
 
@@ -99,7 +100,7 @@ struct BranchAnalysis {
 struct FitRoute {
     Outcome<JkrFit> BranchAnalysis::*fit;
     const char* name;   ///< JkrFit::method
-    const char* title;  ///< in figures
+    const char* title;  ///< title in figures
 };
 inline constexpr std::array<FitRoute, 5> fit_routes{
     {{&BranchAnalysis::radius_force, "radius_force", "a(F)"},
@@ -108,21 +109,20 @@ inline constexpr std::array<FitRoute, 5> fit_routes{
      {&BranchAnalysis::force_displacement, "force_displacement", "F(δ)"},
      {&BranchAnalysis::joint, "joint", "joint"}}};
 
-/// The size of the contact at the largest force, and what a smooth ideal sphere would lose.
+/// The size of the contact at the largest force, and the loss of a smooth ideal sphere.
 struct LoopContext {
-    /// [m]: loading fit at the largest force, moved to the last five frames before unloading, at the end of a hold
+    /// [m]: loading fit at the largest force, shifted to the last five frames before unloading, at the end of a hold
     double largest_contact_radius = 0.0;
-    bool radius_measured = false;           ///< else from the fit alone
+    bool radius_measured = false;           ///< false: from the fit only
     double largest_contact_area = 0.0;      ///< π a_max² [m²]
-    double ideal_smooth_sphere_loss = 0.0;  ///< of the jumps under fixed grips, with E* and W of loading [J]
+    double ideal_smooth_sphere_loss = 0.0;  ///< loss of the jumps under fixed grips, with E* and W of loading [J]
     Estimate tabor_parameter;               ///< with W and E* of loading; errors of that fit and of the range
-    std::string
-        applicable_model;  ///< a sentence: which model of adhesion applies at the largest force; empty where W <= 0
+    std::string applicable_model;  ///< sentence: applicable model of adhesion at the largest force; empty where W <= 0
 };
 
-/// One press and release. The first loading of a contact and the release that parts it are JKR branches; a partial
-/// release, and the press after it, are only where their E* agrees with that of first loading: where the contact edge
-/// is pinned, the contact answers with its stiffness at constant radius, and W would mean nothing.
+/// One loading and unloading. The first loading of a contact and the unloading that ends it are JKR branches; a partial
+/// unloading, and the loading after it, are analysed only where their E* agrees with that of first loading. Where the
+/// contact edge is pinned, the contact has the stiffness of a constant radius, and W is undefined.
 struct CycleAnalysis {
     Cycle cycle;
     Outcome<BranchAnalysis> loading;
@@ -131,20 +131,20 @@ struct CycleAnalysis {
     double energy_standard_error = 0.0;  ///< [J]; NaN where unknown
 };
 
-/// What the machine's stiffness, known within its standard error, leaves open.
+/// Effect of the standard error of the machine stiffness.
 struct ComplianceEffect {
     Estimate stiffness;           ///< k as given [N/m]
-    double modulus_change = 0.0;  ///< of E* from F–δ of loading, k one standard error higher [Pa]
-    double work_change = 0.0;     ///< of W likewise [J/m²]
-    double energy_change = 0.0;   ///< of the energy of the approach [J]; that of the closed loop does not change
+    double modulus_change = 0.0;  ///< change of E* from F–δ of loading for k one standard error higher [Pa]
+    double work_change = 0.0;     ///< change of W for k one standard error higher [J/m²]
+    double energy_change = 0.0;   ///< change of the energy of the approach [J]; that of the closed loop does not change
 };
 
-/// A quantity at the beginning and at the end of a stretch: means of a tenth of its samples each.
+/// A quantity at the beginning and at the end of a section: means of a tenth of its samples each.
 struct Change {
     Estimate first, last;
 };
 
-/// What changes while the force is held: creep, and adhesion that grows with the time of contact.
+/// Changes while the force is held: creep, and adhesion that grows with the time of contact.
 struct HoldGrowth {
     IndexRange samples;
     double duration = 0.0;                   ///< [s]; NaN without time
@@ -154,15 +154,15 @@ struct HoldGrowth {
     std::optional<Change> work_of_adhesion;  ///< G of the measured radii with E* of loading [J/m²]
 };
 
-/// All that one touch tells.
+/// All results of one contact.
 struct ContactAnalysis {
     BranchAnalysis loading;             ///< to where a hold begins, partial releases left out
     std::optional<HoldGrowth> hold;     ///< where the force is held
-    std::optional<IndexRange> pinned;   ///< after the last press, while the contact radius stays at its largest
-    Outcome<BranchAnalysis> unloading;  ///< behind the pinned stretch where that is left out
+    std::optional<IndexRange> pinned;   ///< after the last loading, while the contact radius stays at its largest
+    Outcome<BranchAnalysis> unloading;  ///< after the pinned section where that is left out
     Outcome<PullOff> pull_off;
     Outcome<RetractionFit> retraction;
-    Outcome<WorkAlongRetraction> work_along_retraction;  ///< from where the edge lets go
+    Outcome<WorkAlongRetraction> work_along_retraction;  ///< from where the edge starts to move
     Outcome<LoopEnergy> loop;
     LoopContext context;
     Outcome<ContactPoints> contact_points;
@@ -170,31 +170,31 @@ struct ContactAnalysis {
     std::optional<ComplianceEffect> compliance;  ///< where the machine's stiffness has a standard error
 };
 
-/// What a bulk that relaxes does to a contact, contact::relaxation_force().
+/// Effect of bulk relaxation on a contact, contact::relaxation_force().
 struct BulkRelaxation {
     double energy_loss = 0.0;    ///< ∮ F₁ dδ [J], part of the loop's
     double largest_force = 0.0;  ///< |F₁| [N]
 };
 
-/// A record: its first contact in full, and what there is beside it.
+/// Results of a record: its first contact in full, and further parts.
 struct LoopAnalysis : ContactAnalysis {
-    Loop corrected;  ///< the record as analysed: force counted from its zero, drift and the machine's own deflection
-    ///< taken off
-    ForceZero force_zero;  ///< what was taken off the force
+    /// the record as analysed: force relative to its zero, drift and deflection of the machine subtracted
+    Loop corrected;
+    ForceZero force_zero;  ///< zero that was subtracted from the force
     Segments segments;
     std::vector<Outcome<ContactAnalysis>> further_contacts;  ///< of segments.contacts 1, 2, …
     std::vector<CycleAnalysis> cycles;
     std::vector<ForceStep> steps_in_contact;  ///< sudden changes of the force
     RecordFaults faults;
-    /// Where a relaxation is stated. F₁ is taken off the force before everything else is found in it; the loop's energy
-    /// has what it costs.
+    /// Where a relaxation is stated. F₁ is subtracted from the force before all other analysis; the loop's energy
+    /// includes its loss.
     std::optional<BulkRelaxation> bulk;
     std::vector<Alert> alerts;
 };
 
-/// Everything that one contact experiment tells: segments, fits of both branches, pull-off, loop energy, alerts.
+/// Analyses one contact experiment: segments, fits of both branches, pull-off, loop energy, warnings.
 ///
-/// `subject` names the loop in the alerts.
+/// `subject` names the loop in the warnings.
 /// @throws InvalidArgument for impossible bodies or series; UndefinedDataError where there is no contact to analyse
 /// (see find_segments) or the loading branch has too few samples. A missing retraction is no error: see the reasons.
 [[nodiscard]] LoopAnalysis analyse(const Loop& loop, const LensAndCounterBody& bodies,
@@ -202,9 +202,9 @@ struct LoopAnalysis : ContactAnalysis {
 
 enum class LoopBranch { loading, unloading };
 
-/// The samples that the fits of a branch of the first contact rest on.
+/// The samples of the fits of a branch of the first contact.
 struct BranchSamples {
-    BranchData data;  ///< force counted from its zero
+    BranchData data;  ///< force relative to its zero
     Array1D time;     ///< [s]; empty where not recorded
 };
 
@@ -212,8 +212,8 @@ struct BranchSamples {
 [[nodiscard]] BranchSamples branch_samples(const LoopAnalysis& analysis, LoopBranch branch,
                                            const AnalysisOptions& options);
 
-/// The samples of the unloading branch of the first contact from the last press on, the pinned stretch included, with
-/// and without a camera frame.
+/// The samples of the unloading branch of the first contact from the last loading on, including the pinned section,
+/// with and without a camera frame.
 /// @throws UndefinedDataError where it has no such branch, or the record no time or no measured contact radius.
 [[nodiscard]] RecedingEdge receding_edge(const LoopAnalysis& analysis, const AnalysisOptions& options);
 
@@ -296,7 +296,7 @@ template <>
 struct Described<loops::HoldGrowth> {
     using T = loops::HoldGrowth;
     using Changed = std::optional<loops::Change> T::*;
-    /// An end of what may not be measured.
+    /// One end of a quantity that may not be measured.
     static std::optional<Estimate> end(const T& of, Changed changed, Estimate loops::Change::*which) {
         if (!(of.*changed)) return {};
         return (*(of.*changed)).*which;
@@ -329,7 +329,7 @@ struct Described<loops::HoldGrowth> {
 };
 static_assert(complete<loops::HoldGrowth>);
 
-/// The energy of a closed loop beside that of an ideal sphere.
+/// The energy of a closed loop and that of an ideal sphere.
 struct ClosedLoop {
     loops::LoopEnergy loop;
     double ideal_smooth_sphere = 0.0;  ///< LoopContext::ideal_smooth_sphere_loss [J]
@@ -437,7 +437,7 @@ struct Described<loops::BulkRelaxation> {
 };
 static_assert(complete<loops::BulkRelaxation>);
 
-/// A later touch of a record, without a copy of it.
+/// A later contact of a record, without a copy of the record.
 struct FurtherContact {
     const loops::Outcome<loops::ContactAnalysis>* contact;
 };

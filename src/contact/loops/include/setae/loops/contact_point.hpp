@@ -13,32 +13,32 @@
 
 namespace setae::loops {
 
-/// Ways to find δ0, the displacement at which the undeformed bodies first touch.
+/// Methods for δ0, the displacement at first contact of the undeformed bodies.
 enum class ContactPointMethod {
-    force_departure,     ///< where the force leaves the baseline: a jump, or the first touch where nothing attracts
-    broken_line,         ///< baseline and F = C (δ − δ0)^(3/2) joined at δ0; where nothing attracts
-    jump_in,             ///< first sample behind the jump, along the machine's line: δ + F/k
+    force_departure,     ///< where the force leaves the baseline: a jump, or first contact without attraction
+    broken_line,         ///< baseline and F = C (δ − δ0)^(3/2) joined at δ0; without attraction
+    jump_in,             ///< first sample after the jump, along the machine's line: δ + F/k
     force_displacement,  ///< fitted with E* and W to F(δ) of loading
-    pointwise,           ///< from F, δ and a, free of W: F = 2aE* (δ − δ0 − a²/(3R))
+    pointwise,           ///< from F, δ and a, independent of W: F = 2aE* (δ − δ0 − a²/(3R))
     zero_force,          ///< δ0 = δ(F=0) − a²/(3R), a(F=0) measured or JKR's (9πWR²/(2E*))^(1/3)
-    pull_off,            ///< where the contact parts, with the instability of the machine's stiffness
+    pull_off,            ///< at separation, with the instability for the machine stiffness
 };
 
-/// Every method with the name that texts and JSON call it: "force_departure", …
+/// Every method with its name in texts and JSON: "force_departure", …
 [[nodiscard]] const std::vector<ContactPointMethod>& contact_point_methods();
 [[nodiscard]] std::string contact_point_name(ContactPointMethod method);
 
-/// Where F–δ fits take the contact point from.
+/// Origin of the contact point of F–δ fits.
 struct ContactPointChoice {
     enum class Mode {
-        automatic,  ///< fitted where the data determine it; else the estimate with the smallest standard error, held
+        automatic,  ///< fitted where the data determine it; else the estimate with the smallest standard error, fixed
         fit,        ///< a parameter of every F–δ fit
-        estimator,  ///< what one method says, held in every F–δ fit
-        value,      ///< given, held in every F–δ fit
+        estimator,  ///< result of one method, fixed in every F–δ fit
+        value,      ///< given value, fixed in every F–δ fit
     };
     Mode mode = Mode::automatic;
     ContactPointMethod estimator = ContactPointMethod::force_displacement;
-    double value = 0.0;  ///< [m], of the record's displacement with the machine's deflection taken off
+    double value = 0.0;  ///< [m], of the record's displacement with the deflection of the machine subtracted
 
     friend bool operator==(const ContactPointChoice&, const ContactPointChoice&) = default;
 };
@@ -46,54 +46,54 @@ struct ContactPointChoice {
 /// "auto", "fit", the name of a method, or a length such as "1.25 um". @throws InvalidArgument for anything else.
 [[nodiscard]] ContactPointChoice parse_contact_point(std::string_view text);
 
-/// One estimate of the contact point with what it makes of E* and W.
+/// One estimate of the contact point with the resulting E* and W.
 struct ContactPointEstimate {
     ContactPointMethod method{};
-    Outcome<Estimate> contact_point;  ///< [m], with standard error; or why the method says nothing here
-    Outcome<JkrFit> fit;              ///< F–δ of loading with δ0 held there
+    Outcome<Estimate> contact_point;  ///< [m], with standard error; or the reason for which the method has no result
+    Outcome<JkrFit> fit;              ///< F–δ of loading with fixed δ0
 };
 
-/// Estimates side by side.
+/// All estimates.
 struct ContactPoints {
     std::vector<ContactPointEstimate> estimates;  ///< of every method, in order
     std::optional<ContactPointMethod> chosen;     ///< none where a value was given
-    Estimate contact_point;                       ///< the one chosen [m]
+    Estimate contact_point;                       ///< the chosen estimate [m]
     double spread = 0.0;                          ///< largest minus smallest [m]
-    double spread_share = 0.0;                    ///< of the largest penetration
+    double spread_share = 0.0;                    ///< share of the largest penetration
     double chi2 = 0.0;                            ///< Σ (δ0 − mean)²/σ², about the weighted mean
-    Index degrees_of_freedom = 0;                 ///< estimates with a standard error, less one
-    double work_by_contact_point = 0.0;           ///< dW/dδ0 [J/m³] at the one chosen; NaN where no fit is possible
-    double modulus_by_contact_point = 0.0;        ///< dE*/dδ0 [Pa/m]
+    Index degrees_of_freedom = 0;                 ///< estimates with a standard error, minus one
+    double work_by_contact_point = 0.0;     ///< dW/dδ0 [J/m³] at the chosen estimate; NaN where no fit is possible
+    double modulus_by_contact_point = 0.0;  ///< dE*/dδ0 [Pa/m]
 
     /// The estimate of a method. @throws InternalError where it is not among them.
     [[nodiscard]] const ContactPointEstimate& of(ContactPointMethod method) const;
 };
 
-/// What the estimators draw on, besides the record.
+/// Inputs of the estimators, in addition to the record.
 struct ContactPointInputs {
-    const Loop& loop;  ///< force counted from its zero
+    const Loop& loop;  ///< force relative to its zero
     const Segments& segments;
     const ForceZero& force_zero;
     Index contact = 0;
     BranchData loading;                       ///< samples of the loading fit
-    Outcome<JkrFit> force_displacement;       ///< of loading, δ0 free
+    Outcome<JkrFit> force_displacement;       ///< fit of loading, δ0 free
     Outcome<PointwiseModulus> pointwise;      ///< of loading
-    std::optional<JkrFit> unloading;          ///< the fit that knows W and E* of the retraction best
+    std::optional<JkrFit> unloading;          ///< the best fit of W and E* of the retraction
     std::optional<double> machine_stiffness;  ///< [N/m] where it is known; else that of the jump out
 };
 
-/// Every estimate of the contact point, the one chosen, and how E* and W move with it.
-/// @throws UndefinedDataError without displacement, or where the method chosen says nothing here.
+/// Every estimate of the contact point, the chosen one, and the dependence of E* and W on it.
+/// @throws UndefinedDataError without displacement, or where the chosen method has no result.
 [[nodiscard]] ContactPoints contact_points(const ContactPointInputs& inputs, const LensAndCounterBody& bodies,
                                            const ContactPointChoice& choice = {});
 
-/// Force against displacement with the contact point held, least squares in force, each residual weighed by the noise
+/// Force against displacement with a fixed contact point, least squares in force, each residual weighted by the noise
 /// of both channels; unknown E* and W.
 ///
 ///   F = E* [4a³/(3R) − √(8πωa³)],  a from δ − δ0 = a²/R − √(2πωa),  ω = W/E*
 ///
-/// The covariance is that of E* and W with δ0 exact. Samples below the fitted pull-off under fixed grips keep the force
-/// there.
+/// The covariance is that of E* and W with δ0 exact. Samples below the fitted pull-off under fixed grips have the force
+/// at that state.
 /// @throws as fit_force_displacement.
 [[nodiscard]] JkrFit fit_with_contact_point(const BranchData& data, const LensAndCounterBody& bodies,
                                             double contact_point);

@@ -12,52 +12,53 @@
 
 namespace setae::loops {
 
-/// What is recorded while a contact edge recedes.
+/// Record of a retracting contact edge.
 struct RecedingEdge {
-    Array1D time;                       ///< [s], rising
-    Array1D force;                      ///< F [N], counted from its zero
+    Array1D time;                       ///< [s], increasing
+    Array1D force;                      ///< F [N], relative to its zero
     Array1D contact_radius;             ///< a [m]; NaN between camera frames
-    double contact_radius_noise = 0.0;  ///< σ_a [m]; 0: not known, read from the residuals
+    double contact_radius_noise = 0.0;  ///< σ_a [m]; 0: unknown, determined from the residuals
 };
 
 struct CrackSpeedOptions {
     std::optional<double> exponent;  ///< n where known, else fitted
 };
 
-/// G(v) = G0 [1 + (v/v0)^n] of an edge, and the radii that follow from it.
+/// G(v) = G0 [1 + (v/v0)^n] of an edge, and the resulting radii.
 struct CrackSpeedFit {
     contact::crack_speed::Law law;
     Estimate threshold;                                    ///< G0 [J/m²]
     Estimate reference_speed;                              ///< v0 [m/s]
     Estimate exponent;                                     ///< n; without error where given
-    Estimate contact_modulus;                              ///< E* [Pa], that given and that of this branch together
-    Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero();  ///< of G0, v0, n, E*
+    Estimate contact_modulus;                              ///< E* [Pa], from the given value and this branch together
+    Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero();  ///< covariance of G0, v0, n, E*
     bool converged = false;
     int iterations = 0;
-    Index n = 0;                     ///< frames
+    Index n = 0;                     ///< number of frames
     Array1D residuals;               ///< a − a(t) [m] of the frames
-    double relative_residual = 0.0;  ///< rms of the residuals over the range of a
+    double relative_residual = 0.0;  ///< rms of the residuals divided by the range of a
     double chi2_reduced = 0.0;       ///< NaN where σ_a is not known
-    double slow_speed = 0.0;         ///< 5th percentile of the fitted speeds of receding [m/s]
-    double speed_ratio = 0.0;        ///< 95th over 5th percentile of them
+    double slow_speed = 0.0;         ///< 5th percentile of the fitted speeds of retraction [m/s]
+    double speed_ratio = 0.0;        ///< 95th divided by 5th percentile of these speeds
     double modulus_deviation =
-        0.0;  ///< of the E* given from that of this fit, over its standard error; NaN without one
+        0.0;  ///< deviation of the given E* from that of this fit, divided by its standard error; NaN without one
 };
 
-/// Fits the law of crack speed to the radii of a receding edge.
+/// Fits the dependence of G on crack speed to the radii of a retracting edge.
 ///
 /// The edge follows da/dt = −v(G(a, F(t))), G = (4E*a³/3R − F)²/(8πE*a³), v = v0 (G/G0 − 1)^(1/n) and 0 for G < G0. The
-/// radii computed from the measured force are fitted to those measured by least squares in a; no radius is
-/// differentiated. Free are the first radius, G0, v0, n and E*, the last held near the value given by its standard
-/// error: E* of the same branch fitted with a constant W takes in what G gains with speed, that of loading does not.
+/// radii computed from the measured force are fitted to the measured ones by least squares in a; no radius is
+/// differentiated. Parameters are the first radius, G0, v0, n and E*, the last constrained by the given value with its
+/// standard error. E* of the same branch fitted with a constant W includes the increase of G with speed; that of
+/// loading does not.
 ///
-/// ± of v0 holds 1.5 % of the method's own, which records without noise show.
+/// The standard error of v0 includes 1.5 % of the method, as found for records without noise.
 ///
-/// radius: R of the sphere [m]; contact_modulus: E* [Pa] of the loading branch; without a standard error it is held.
-/// @throws InvalidArgument for series of different length, a time that does not rise, undefined forces, R, E* or n <=
-/// 0; UndefinedDataError with the reason: fewer frames than 8, an edge that does not recede, a law the data do not
-/// tell: ln G0, ln v0 or ln n uncertain by more than 1. Sources: Maugis, Barquins, J. Phys. D 11 (1978) 1989; Gent,
-/// Schultz, J. Adhesion 3 (1972) 281.
+/// radius: R of the sphere [m]; contact_modulus: E* [Pa] of the loading branch; without a standard error it is fixed.
+/// @throws InvalidArgument for series of different length, a time that does not increase, undefined forces, R, E* or n
+/// <= 0; UndefinedDataError with the reason: fewer frames than 8, an edge that does not retract, parameters that the
+/// data do not determine: ln G0, ln v0 or ln n uncertain by more than 1. Sources: Maugis, Barquins, J. Phys. D 11
+/// (1978) 1989; Gent, Schultz, J. Adhesion 3 (1972) 281.
 [[nodiscard]] CrackSpeedFit fit_crack_speed(const RecedingEdge& edge, double radius, const Estimate& contact_modulus,
                                             const CrackSpeedOptions& options = {});
 

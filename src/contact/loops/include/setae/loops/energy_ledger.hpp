@@ -10,35 +10,35 @@
 
 namespace setae::loops {
 
-/// Work ∫F dδ over a stretch of a loop with what is known of its error.
+/// Work ∫F dδ over a section of a loop with its known errors.
 struct WorkEntry {
     IndexRange range;
     double energy = 0.0;  ///< [J]
     LoopErrorBudget standard_error;
 };
 
-/// Where the energy of one contact went. The parts follow each other and add up to the loop's energy.
+/// Energy budget of one contact. The parts follow each other and add up to the loop's energy.
 struct EnergyLedger {
     Index contact = 0;
     LoopEnergy loop;                   ///< ∮F dδ
-    WorkEntry before_contact;          ///< free flight: what noise and drift leave
+    WorkEntry before_contact;          ///< free flight: remainder of noise and drift
     std::optional<WorkEntry> jump_in;  ///< over the samples of the jump
-    WorkEntry approach;                ///< to the last press
-    WorkEntry retraction;              ///< from there to the jump out: negative where energy is recovered
+    WorkEntry approach;                ///< up to the end of the last loading
+    WorkEntry retraction;              ///< from there to the jump out; negative where energy is recovered
     std::optional<WorkEntry> jump_out;
     WorkEntry after_contact;
-    double recovered_share = 0.0;  ///< −retraction over approach
+    double recovered_share = 0.0;  ///< −retraction divided by approach
 
     double ideal_fixed_grips = 0.0;   ///< loss of the smooth JKR sphere with W and E* of loading under fixed grips [J]
-    double ideal_this_machine = 0.0;  ///< the same at the machine's stiffness [J]
-    double machine_stiffness = 0.0;   ///< that stiffness [N/m], infinite for fixed grips
+    double ideal_this_machine = 0.0;  ///< the loss at the machine stiffness [J]
+    double machine_stiffness = 0.0;   ///< machine stiffness [N/m], infinite for fixed grips
 
     double largest_contact_area = 0.0;    ///< π a_max² [m²], apparent
-    double true_area_ratio = 1.0;         ///< r of the surface
+    double true_area_ratio = 1.0;         ///< ratio r of the surface
     double loss_per_apparent_area = 0.0;  ///< [J/m²]
-    double loss_per_true_area = 0.0;      ///< over r π a_max² [J/m²]
+    double loss_per_true_area = 0.0;      ///< loss divided by r π a_max² [J/m²]
 
-    /// r π a_max² [m²], against which losses of many loops lie on a line whose slope is the work a cycle costs per
+    /// r π a_max² [m²]. Losses of many loops against it lie on a line whose slope is the energy loss per cycle and
     /// area.
     [[nodiscard]] double largest_true_area() const { return true_area_ratio * largest_contact_area; }
 };
@@ -53,19 +53,19 @@ struct LedgerInputs {
 };
 
 /// @throws UndefinedDataError as loop_energy; InvalidArgument outside the domain.
-/// Cost: linear; about 0.02 µs a sample.
+/// Cost: linear; about 0.02 µs per sample.
 [[nodiscard]] EnergyLedger energy_ledger(const Loop& loop, const Segments& segments, Index contact,
                                          const LedgerInputs& inputs);
 
-/// Every joule along one contact, sample by sample: work = elastic + surface + dissipated.
+/// Energies along one contact, sample by sample: work = elastic + surface + dissipated.
 struct EnergyCourse {
     IndexRange range;        ///< samples, from the start of the contact's extent to its end
     Array1D work;            ///< ∫F dδ [J]
     Array1D elastic;         ///< U_E = E* [δ²a − 2/3 δa³/R + a⁵/(5R²)] [J]
     Array1D surface;         ///< −W π a², with W of loading [J]
-    Array1D dissipated;      ///< what is left [J]
-    Array1D released;        ///< ∫G dA over the growing and shrinking contact, jumps left out [J]
-    Array1D contact_radius;  ///< measured, else implied by F, δ and E* [m]; 0 out of contact
+    Array1D dissipated;      ///< remainder [J]
+    Array1D released;        ///< ∫G dA over the growing and shrinking contact, without jumps [J]
+    Array1D contact_radius;  ///< measured, else computed from F, δ and E* [m]; 0 out of contact
     bool radius_measured = false;
     double residual = 0.0;  ///< work − elastic + released between the jumps [J]: 0 where F, δ, a and E* agree
 };
@@ -75,10 +75,10 @@ struct CourseInputs {
     double contact_point = 0.0;        ///< δ0 [m]
 };
 
-/// `loop` has its force counted from zero, as LoopAnalysis::corrected has. Between frames the radius runs on a straight
-/// line.
+/// The force of `loop` is relative to its zero, as in LoopAnalysis::corrected. Between frames the radius is
+/// interpolated linearly.
 /// @throws UndefinedDataError without displacement.
-/// Cost: linear; about 0.01 µs a sample where the radius is measured, 0.02 µs where it is implied.
+/// Cost: linear; about 0.01 µs per sample with a measured radius, 0.02 µs with a computed one.
 [[nodiscard]] EnergyCourse energy_course(const Loop& loop, const ContactSegments& contact, const CourseInputs& inputs);
 
 }  // namespace setae::loops

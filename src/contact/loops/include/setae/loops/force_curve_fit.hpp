@@ -22,31 +22,31 @@ enum class TipShape {
 };
 /// "paraboloid", "cone", "three_sided_pyramid".
 [[nodiscard]] std::string to_string(TipShape shape);
-/// The shape of that name. @throws InvalidArgument with the nearest name and all there are.
+/// The shape of that name. @throws InvalidArgument with the nearest name and all names.
 [[nodiscard]] TipShape tip_shape_named(std::string_view name);
 
-/// Where a fit begins and ends, by one of three measures; the larger end is included.
+/// Begin and end of a fit, by one of three measures; the larger end is included.
 struct CurveRange {
     enum class Measure {
         indentation,           ///< δ − δ0 [m]; negative before contact
         force,                 ///< F [N] above the baseline
-        share_of_indentation,  ///< (δ − δ0) over the largest indentation
+        share_of_indentation,  ///< (δ − δ0) divided by the largest indentation
     };
     Measure measure = Measure::share_of_indentation;
-    double from = -1.0;  ///< less than the curve has is no error
+    double from = -1.0;  ///< a value below the range of the curve is no error
     double to = 1.0;
 };
 
 struct ForceCurveFitOptions {
     TipShape shape = TipShape::paraboloid;
-    double half_angle = 0.0;  ///< [rad], of cone and pyramid
+    double half_angle = 0.0;  ///< [rad], for cone and pyramid
     ContactModel model = ContactModel::hertz;
     FitErrors errors = FitErrors::force_only;
     CurveRange range{};
     std::optional<double> contact_point;     ///< δ0 [m] where given
-    bool fit_contact_point = true;           ///< else it stays where given or found
+    bool fit_contact_point = true;           ///< otherwise fixed at the given or determined value
     bool fit_force_offset = false;           ///< a constant added to the model; Hertz only
-    double baseline_share = 0.2;             ///< of the segment, at its free end
+    double baseline_share = 0.2;             ///< share of the segment, at its free end
     bool subtract_baseline_slope = true;     ///< drift and interference: a line against displacement, else its mean
     std::optional<double> work_of_adhesion;  ///< W [J/m²] where given
     std::optional<double> cohesive_stress;   ///< σ0 [Pa] of Maugis–Dugdale where given
@@ -55,21 +55,21 @@ struct ForceCurveFitOptions {
 /// A straight line through the free end of a segment.
 struct CurveBaseline {
     IndexRange range;          ///< samples of the table
-    double force = 0.0;        ///< at the middle of the range [N]
+    double force = 0.0;        ///< force at the middle of the range [N]
     double slope = 0.0;        ///< [N/m], against displacement
     double force_noise = 0.0;  ///< scatter about the line [N]
 };
 
-/// One segment of a force curve: approach, or retraction turned round so that displacement rises.
+/// One segment of a force curve: approach, or retraction in reverse order so that displacement increases.
 struct CurveSegment {
     std::string name;  ///< "approach", "retract", "pause"
     IndexRange range;  ///< samples of the table
     CurveBaseline baseline;
     double contact_point =
-        0.0;  ///< found: displacement beyond which the force stays above three times its noise [m]; NaN where none does
+        0.0;  ///< displacement beyond which the force stays above three times its noise [m]; NaN where none does
     Array1D displacement;         ///< [m], in the record's order
-    Array1D force;                ///< [N], baseline taken off
-    double smallest_force = 0.0;  ///< of a retraction: pull-off [N], 0 where none stands out of the noise
+    Array1D force;                ///< [N], baseline subtracted
+    double smallest_force = 0.0;  ///< for a retraction: pull-off [N], 0 where none exceeds the noise
 };
 
 struct ForceCurveFit {
@@ -82,16 +82,16 @@ struct ForceCurveFit {
     Estimate contact_point;  ///< δ0 [m]
     Estimate force_offset;   ///< [N]; 0 without error where not fitted
     std::optional<ModelFit>
-        model_fit;  ///< everything else, of the models with adhesion and of Hertz with errors in both channels
+        model_fit;  ///< all other results, for the models with adhesion and for Hertz with errors in both channels
     std::vector<std::string>
         parameters;  ///< rows of the covariance: "contact_modulus", "contact_point", "force_offset", …
     Eigen::MatrixXd covariance;
     bool converged = false;
     Index n = 0;
-    double indentation_from = 0.0, indentation_to = 0.0;  ///< of the samples fitted [m]
+    double indentation_from = 0.0, indentation_to = 0.0;  ///< of the fitted samples [m]
     Array1D residuals;                                    ///< F − fitted [N]
     double rms_residual = 0.0;                            ///< [N]
-    double relative_residual = 0.0;                       ///< over the range of force fitted
+    double relative_residual = 0.0;                       ///< divided by the range of the fitted force
 };
 
 /// Segments by the column "segment" (0, 1, …), or, without it, split at the largest force; names from metadata
@@ -99,21 +99,21 @@ struct ForceCurveFit {
 /// @throws InvalidArgument without columns "force" and "displacement"; UndefinedDataError for fewer than 20 samples.
 [[nodiscard]] std::vector<CurveSegment> segments_of_curve(const Table& curve, const ForceCurveFitOptions& options = {});
 
-/// Fits one segment: radius of the tip, Poisson's ratio of the sample and the tip's elasticity as the bodies say.
+/// Fits one segment: radius of the tip, Poisson's ratio of the sample and the tip's elasticity from the bodies.
 ///
-/// The range counts from the contact point given or found, and stays while that is fitted. Hertz's force is 0 before
-/// contact, so a range that begins there helps to find the contact point; with adhesion only the samples between the
-/// smallest force and the turning point are of the model's curve, and the others are left out.
+/// The range is relative to the given or determined contact point, and stays while that is fitted. Hertz's force is 0
+/// before contact, so a range that begins there helps to determine the contact point; with adhesion only the samples
+/// between the smallest force and the turning point belong to the model's curve, and the others are left out.
 /// @throws InvalidArgument for options the shape does not have; UndefinedDataError for fewer than 5 samples in range.
 [[nodiscard]] ForceCurveFit fit_force_curve(const CurveSegment& segment, const LensAndCounterBody& bodies,
                                             const ForceCurveFitOptions& options = {});
 
-/// A segment's fit, or why there is none.
+/// A segment's fit, or the reason for which there is none.
 struct NamedCurveFit {
     std::string name;
     Outcome<ForceCurveFit> fit;
 };
-/// Every segment that moves. @throws as segments_of_curve.
+/// Fits of all moving segments. @throws as segments_of_curve.
 [[nodiscard]] std::vector<NamedCurveFit> fit_force_curve(const Table& curve, const LensAndCounterBody& bodies,
                                                          const ForceCurveFitOptions& options = {});
 

@@ -12,43 +12,43 @@
 
 namespace setae::loops {
 
-/// Which curve the zero of force follows in time.
+/// Curve of the zero of force against time.
 enum class DriftModel {
     automatic,     ///< the line through the free flight before and after contact; a curve where the line does not fit
     constant,      ///< the zero of the free flight before contact, else of that after it
     linear,        ///< a line through all free flight
     quadratic,     ///< a parabola, which needs free flight before and after contact
-    cubic,         ///< likewise
-    extrapolated,  ///< the line through the free flight before contact alone
+    cubic,         ///< a cubic, which needs free flight before and after contact
+    extrapolated,  ///< the line through the free flight before contact only
 };
 
 /// "auto", "none", "linear", "quadratic", "cubic", "extrapolate".
 [[nodiscard]] std::string to_string(DriftModel model);
 
-/// The model of that name. @throws InvalidArgument that lists all names.
+/// The model of that name. @throws InvalidArgument with a list of all names.
 [[nodiscard]] DriftModel drift_model_named(std::string_view name);
 
-/// A sudden change of the force where it should change steadily.
+/// A sudden change of the force within a section of slow change.
 struct ForceStep {
-    Index sample = 0;   ///< last sample before it
+    Index sample = 0;   ///< last sample before the step
     double size = 0.0;  ///< [N]
 };
 
-/// What was found of the drift of the zero of force, and taken off.
+/// Drift of the zero of force, which is subtracted.
 ///
 /// The zero is a polynomial in time, fitted to the free flight before and after contact by least squares (Huber's
-/// weights). Its degree is 1. It is raised, to 3 at most, where means and slopes of the stretches differ from the curve
-/// (χ² with p < 0.02, correlated noise allowed for) and the curve bends within the contact by more than 0.3 % of the
-/// largest tension. The choice counts as an error within contact beside those of the coefficients: for a parabola
-/// half of the largest change that a cubic would make, for a cubic, which free flight cannot test, a quarter of the
-/// largest change from the line.
+/// weights). Its degree is 1. It is increased, to at most 3, where means and slopes of the sections differ from the
+/// curve (χ² with p < 0.02, with correlated noise) and the curve deviates from a line within the contact by more than
+/// 0.3 % of the largest tension. The choice contributes to the error within contact in addition to the coefficients:
+/// for a parabola half of the largest change that a cubic would make, for a cubic, which free flight cannot test, a
+/// quarter of the largest change from the line.
 struct ForceDrift {
-    int degree = 0;                   ///< of the polynomial taken off; 0: a constant
-    Estimate change;                  ///< of the zero from the first sample to the last [N]
-    double largest_in_contact = 0.0;  ///< |zero less that at the first sample|, largest between the stretches [N]
-    double bend = 0.0;                ///< |zero − line|, largest between the stretches [N]; 0 for degree <= 1
-    bool irregular = false;           ///< no curve of degree 3 or less fits the free flight; the line was taken
-    Index stretches = 0;              ///< of free flight that it is known from: 0, 1, 2
+    int degree = 0;                   ///< degree of the subtracted polynomial; 0: a constant
+    Estimate change;                  ///< change of the zero from the first sample to the last [N]
+    double largest_in_contact = 0.0;  ///< |zero minus that at the first sample|, largest between the sections [N]
+    double bend = 0.0;                ///< |zero − line|, largest between the sections [N]; 0 for degree <= 1
+    bool irregular = false;           ///< no curve of degree 3 or less fits the free flight; a line was used
+    Index stretches = 0;              ///< number of sections of free flight: 0, 1, 2
 };
 
 /// The zero of force along a record.

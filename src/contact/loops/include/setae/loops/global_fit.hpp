@@ -9,7 +9,7 @@
 
 namespace setae::loops {
 
-/// One branch of several that are fitted together.
+/// One of several branches that are fitted together.
 struct GlobalBranch {
     std::string name;
     BranchData data;
@@ -19,16 +19,16 @@ struct GlobalBranch {
 struct GlobalOptions {
     bool share_contact_modulus = true;
     bool share_work_of_adhesion = false;
-    /// Model, channels, errors, interaction range; fixed values hold for every branch. Not the transition equation, and
-    /// λ is each branch's own.
+    /// Model, channels, errors, interaction range; fixed values apply to every branch. Not for the transition equation;
+    /// each branch has its own λ.
     ModelFitOptions fit{};
 };
 
-/// What one branch of a global fit has of its own.
+/// Results of one branch of a global fit.
 struct GlobalBranchFit {
     std::string name;
-    ModelFit separate;         ///< the branch alone
-    Estimate contact_modulus;  ///< shared or its own
+    ModelFit separate;         ///< fit of this branch only
+    Estimate contact_modulus;  ///< shared or of the branch
     Estimate youngs_modulus;
     Outcome<Estimate> work_of_adhesion;
     Outcome<Estimate> transition_parameter;  ///< of Maugis–Dugdale
@@ -37,11 +37,11 @@ struct GlobalBranchFit {
     Index n = 0;
 };
 
-/// Whether branches agree in what they share: χ² of the global fit against the sum of the separate ones.
+/// Test of whether shared parameters agree between branches: χ² of the global fit against the sum of the separate ones.
 ///
 ///   F = [(χ²_global − χ²_separate)/(p_separate − p_global)] / [χ²_separate/ν]
 ///
-/// ν: residuals, counted as independent ones, less p_separate. A small p-value says that the branches differ.
+/// ν: number of independent residuals, minus p_separate. A small p-value means that the branches differ.
 struct SharingTest {
     double f_ratio = 0.0;
     double extra_parameters = 0.0;    ///< p_separate − p_global
@@ -64,7 +64,7 @@ struct GlobalFit {
     SharingTest sharing;
 };
 
-/// Fits several branches at once, E* or W or both the same in all of them.
+/// Fits several branches at once, with common E* or W or both.
 ///
 /// Each branch has its bodies, its noise and its contact point.
 /// @throws InvalidArgument for no branches, nothing shared, or the transition equation; as fit_model, with the branch's

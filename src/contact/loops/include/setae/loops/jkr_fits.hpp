@@ -13,8 +13,7 @@
 
 namespace setae::loops {
 
-/// Samples of one branch in the order they were taken, force counted from the baseline, and how noisy they are (0 =
-/// unknown).
+/// Samples of one branch in the order of recording, force relative to the baseline, and their noise (0 = unknown).
 struct BranchData {
     Array1D force;           ///< [N]
     Array1D displacement;    ///< [m], empty where not measured
@@ -23,66 +22,67 @@ struct BranchData {
     double displacement_noise = 0.0;
     double force_displacement_covariance = 0.0;
     double contact_radius_noise = 0.0;
-    /// Independent errors of the zero that forces are counted from [N]: samples × modes, each of one standard
-    /// deviation.
+    /// Independent errors of the zero of force [N]: samples × modes, each of one standard deviation.
     Array2D force_zero_modes{};
-    double compliance = 0.0;  ///< of the machine, whose deflection was taken off the displacement [m/N]
+    /// compliance of the machine, whose deflection was subtracted from the displacement [m/N]
+    double compliance = 0.0;
 
-    /// The same with another zero: forces higher by so much, displacements less by what the machine deflects under it.
+    /// The branch with another zero: forces higher by this amount, displacements smaller by the deflection of the
+    /// machine under it.
     [[nodiscard]] BranchData with_higher_force(const Eigen::Ref<const Array1D>& shift) const;
 };
 
 /// Least-squares estimate of E* and W by one of several routes.
 ///
-/// Standard errors and covariance are scaled by the scatter of the residuals themselves and allow for residuals that
-/// follow their neighbours, as autoregressive; where fewer than about ten independent ones are left (n over
-/// `correlated_samples`) they are still too small. `chi2_reduced` compares that scatter with the noise of free flight,
-/// so that a value far above 1 says that the model, not the noise, makes the residuals. W >= 0: where a contact is
-/// smaller than Hertz's, W is 0 with the error that it would have, and its interval begins at 0.
+/// Standard errors and covariance are scaled by the scatter of the residuals and take autoregressive correlations of
+/// residuals into account; where fewer than about ten independent residuals are left (n divided by
+/// `correlated_samples`) they are still too small. `chi2_reduced` compares that scatter with the noise of free flight:
+/// a value far above 1 means that residuals are due to the model, not to noise. W >= 0: where a contact is smaller than
+/// Hertz's, W is 0 with the error that it would have, and its interval begins at 0.
 struct JkrFit {
     std::string
         method;  ///< "radius_force", "radius_force_effective_variance", "linear_form", "force_displacement", "joint"
-    bool converged = false;  ///< and the data determine the unknowns: covariance defined
+    /// whether the iteration converged and the data determine the unknowns: covariance defined
+    bool converged = false;
     int iterations = 0;
     Estimate contact_modulus;   ///< E* [Pa]
-    Estimate youngs_modulus;    ///< E of the soft body [Pa]; NaN where E* exceeds what the counter-body allows
+    Estimate youngs_modulus;    ///< E of the soft body [Pa]; NaN where E* exceeds the limit of the counter-body
     Estimate work_of_adhesion;  ///< W [J/m²]
-    Estimate contact_point;     ///< δ at first touch [m]; NaN where the method has none
-    std::optional<Estimate> unbounded_work{};  ///< W < 0 at which the sum of squares is least, where it is
-    Eigen::MatrixXd covariance;                ///< of E*, W and, where fitted, the contact point
-    double correlation = 0.0;                  ///< of E* and W
-    double correlated_samples = 1.0;  ///< τ = 1 + 2 Σ ρ_k of the residuals: n/τ of them count as independent
+    Estimate contact_point;     ///< δ at first contact [m]; NaN where the method has none
+    std::optional<Estimate> unbounded_work{};  ///< W < 0 with the smallest sum of squares, where it exists
+    Eigen::MatrixXd covariance;                ///< covariance of E*, W and, where fitted, the contact point
+    double correlation = 0.0;                  ///< correlation of E* and W
+    double correlated_samples = 1.0;           ///< τ = 1 + 2 Σ ρ_k of the residuals: n/τ of them are independent
     Index n = 0;
-    Array1D residuals;               ///< measured − fitted, in `residual_unit`
-    std::string residual_unit;       ///< "m"; "N" with effective variance, "N/m^1.5" for the linear form
-    Array1D depth_residuals;         ///< [m], of the joint fit, beside its residuals of force; empty for the others
-    double rms_residual = 0.0;       ///< in `residual_unit`
-    double relative_residual = 0.0;  ///< rms residual over the range of the fitted quantity
+    Array1D residuals;          ///< measured − fitted, in `residual_unit`
+    std::string residual_unit;  ///< "m"; "N" with effective variance, "N/m^1.5" for the linear form
+    Array1D depth_residuals;    ///< [m], for the joint fit, in addition to its residuals of force; empty for the others
+    double rms_residual = 0.0;  ///< in `residual_unit`
+    double relative_residual = 0.0;  ///< rms residual divided by the range of the fitted quantity
     double chi2_reduced = 0.0;       ///< NaN where the noise is unknown
-    /// Whether noise alone can make the residuals: not where χ²_red > 4 and neighbours are correlated by more than 1/2.
-    /// Nothing where the noise is unknown.
+    /// Whether noise explains the residuals: false where χ²_red > 4 and neighbours are correlated by more than 1/2.
+    /// Empty where the noise is unknown.
     std::optional<bool> within_noise{};
-    RunsTest runs;  ///< of the residuals' signs
+    RunsTest runs;  ///< test of the residuals' signs
 };
 
-/// Which errors the fit of a(F) allows for.
+/// Errors in the fit of a(F).
 enum class RadiusErrors {
     radius_only,         ///< ordinary least squares in a
-    effective_variance,  ///< each residual, taken in force, weighed by σ_F² + (dF/da)² σ_a², slopes at the fitted
-                         ///< radius
+    effective_variance,  ///< each residual, in force, weighted by σ_F² + (dF/da)² σ_a², slopes at the fitted radius
 };
 
-/// Eq. (1): contact radius against force, nonlinear least squares in a; unknown E* and W.
+/// Eq. 1: contact radius against force, nonlinear least squares in a; unknown E* and W.
 ///
 ///   a³ = (3R/4E*) [F + 3πRW + √(6πRWF + (3πRW)²)]
 ///
-/// Forces below the fitted pull-off keep the radius at pull-off. With W near 0 and noise of force, least squares in a
-/// alone is biased and too sure of itself; effective variance is not. With errors in both, each sample has a true
-/// radius that is fitted too, see fit_joint; where the noise is large against the curve's bend, neighbours are averaged
-/// first.
+/// Forces below the fitted pull-off have the radius at pull-off. With W near 0 and noise of force, least squares in a
+/// only is biased and its intervals are too narrow; effective variance is not. With errors in both, each sample has a
+/// true radius that is fitted too, see fit_joint; where the noise is large compared with the curvature of the curve,
+/// neighbours are averaged first.
 ///
-/// Measured, 800 fits to 1000 samples of a branch from jump-in or to pull-off, largest radius and range of force over
-/// σ_a and σ_F 5, 10, 30, 100: the 95 % intervals of E* and W cover 93–96 %.
+/// Measured, 800 fits to 1000 samples of a branch from jump-in or to pull-off, largest radius and range of force
+/// divided by σ_a and σ_F 5, 10, 30, 100: the 95 % intervals of E* and W cover 93–96 %.
 /// @throws UndefinedDataError for fewer than 3 samples or no contact radius; InvalidArgument for R <= 0 and for
 /// effective variance without the noise of both.
 /// Source: Johnson, Kendall, Roberts 1971; effective variance: Orear, Am. J. Phys. 50 (1982) 912.
@@ -97,7 +97,7 @@ enum class RadiusErrors {
 /// @throws as fit_radius_force.
 [[nodiscard]] JkrFit fit_linear_form(const BranchData& data, const LensAndCounterBody& bodies);
 
-/// Which errors the fit of δ(F) allows for.
+/// Errors in the fit of δ(F).
 enum class DepthErrors {
     depth_only,          ///< ordinary least squares in δ
     effective_variance,  ///< distances from the curve in units of the noise of both, σ_Fδ included, where it is known
@@ -105,17 +105,17 @@ enum class DepthErrors {
 
 /// Displacement against force, nonlinear least squares in depth; unknown E*, W and the contact point.
 ///
-///   δ = a²/R − √(2πaW/E*) + δ0,  a = a(F) by (1)
+///   δ = a²/R − √(2πaW/E*) + δ0,  a = a(F) by Eq. 1
 ///
-/// In `depth_only`, forces below the fitted pull-off keep the depth at pull-off, and starts are found by a scan over W,
-/// in which E* and δ0 are linear. Effective variance, taken where the noise of both is known, goes on through the fold,
-/// see fit_joint; of its two minima, which lie on either side of W = 0 where W is hardly known, that of W > 0 is
-/// preferred.
+/// In `depth_only`, forces below the fitted pull-off have the depth at pull-off, and starts are found by a scan over W,
+/// in which E* and δ0 are linear. Effective variance, used where the noise of both is known, continues through the
+/// fold, see fit_joint; of its two minima, which lie on either side of W = 0 where W is poorly determined, that of W >
+/// 0 is preferred.
 ///
-/// Measured as for fit_radius_force: intervals cover 90–97 %. They are too short where W is not told from 0 (its error
-/// larger than itself): those of E* then cover 73–92 %; take the joint fit.
-/// @throws UndefinedDataError for fewer than 4 samples, no displacement, or a displacement that falls as the force
-/// rises; InvalidArgument for R <= 0.
+/// Measured as for fit_radius_force: intervals cover 90–97 %. They are too short where W cannot be distinguished from 0
+/// (its error larger than itself): those of E* then cover 73–92 %; use the joint fit.
+/// @throws UndefinedDataError for fewer than 4 samples, no displacement, or a displacement that decreases as the force
+/// increases; InvalidArgument for R <= 0.
 [[nodiscard]] JkrFit fit_force_displacement(const BranchData& data, const LensAndCounterBody& bodies,
                                             DepthErrors errors = DepthErrors::effective_variance);
 
@@ -124,14 +124,13 @@ enum class DepthErrors {
 ///   F = 4E*a³/(3R) − √(8πE*W a³),  δ = a²/R − √(2πaW/E*) + δ0
 ///
 /// Each sample has a true contact radius, which is fitted too: the sum of squared distances from (F, δ, a) to that
-/// curve in units of the noise is least. To first order this is the pair (F − F(a), δ − δ(a) − δ0) weighed by the
-/// inverse of its covariance diag(σ_F², σ_δ²) + σ_Fδ + σ_a² g gᵀ, g = (F'(a), δ'(a)); but it does not take the measured
-/// a for the true one, which would pull E* and W towards 0, and the mean offset that noise along a curved line makes is
-/// taken off. Residuals are those of the pair; their covariance has an autoregressive process for each of the two
-/// series and their correlation at the same sample. Measured as for fit_radius_force: intervals cover 92–96 %.
-/// @throws UndefinedDataError for fewer than 4 samples or a channel that was not measured; InvalidArgument for R <= 0
-/// and where the noise of a channel is unknown. Source: Britt, Luecke, Technometrics 15 (1973) 233; Amemiya, Fuller,
-/// Ann. Stat. 16 (1988) 147.
+/// curve in units of the noise is minimised. To first order this is the pair (F − F(a), δ − δ(a) − δ0) weighted by the
+/// inverse of its covariance diag(σ_F², σ_δ²) + σ_Fδ + σ_a² g gᵀ, g = (F'(a), δ'(a)). Using the measured a as the true
+/// one would bias E* and W towards 0; the mean offset from noise along a curved line is subtracted. Residuals are those
+/// of the pair; their covariance has an autoregressive process for each of the two series and their correlation at the
+/// same sample. Measured as for fit_radius_force: intervals cover 92–96 %. @throws UndefinedDataError for fewer than 4
+/// samples or a channel that was not measured; InvalidArgument for R <= 0 and where the noise of a channel is unknown.
+/// Source: Britt, Luecke, Technometrics 15 (1973) 233; Amemiya, Fuller, Ann. Stat. 16 (1988) 147.
 [[nodiscard]] JkrFit fit_joint(const BranchData& data, const LensAndCounterBody& bodies);
 
 /// Contact modulus from F, δ and a without W: F = 2aE* (δ − δ0 − a²/(3R)) is linear in E* and E*δ0.
@@ -150,10 +149,11 @@ struct PointwiseModulus {
 
 /// Energy release rate along a branch.
 struct EnergyReleaseRate {
-    Array1D contact_radius;       ///< [m], measured, else implied by F, δ and E*
+    Array1D contact_radius;       ///< [m], measured, else computed from F, δ and E*
     Array1D energy_release_rate;  ///< G [J/m²]
-    Array1D standard_error;  ///< of G from the noise of the sample's own channels [J/m²]; NaN where that is unknown
-    Array1D systematic;  ///< of G from E* (and the contact point, where a is implied), common to all samples [J/m²]
+    /// standard error of G from the noise of the sample's own channels [J/m²]; NaN where that is unknown
+    Array1D standard_error;
+    Array1D systematic;  ///< error of G from E* (and the contact point, for a computed a), common to all samples [J/m²]
     bool radius_measured = false;
 };
 
@@ -161,11 +161,11 @@ struct EnergyReleaseRate {
 [[nodiscard]] EnergyReleaseRate energy_release_rates(const BranchData& data, double radius, double contact_modulus,
                                                      double contact_point);
 
-/// The same with its band. With a measured, F and a carry the noise; with a implied, F and δ, σ_Fδ included.
+/// G with its errors. With a measured, F and a have noise; with a computed, F and δ, including σ_Fδ.
 ///
 ///   σ_G² = Σ (∂G/∂x_i)(∂G/∂x_j) Cov(x_i, x_j);  systematic² = (∂G/∂E* σ_E*)² + (∂G/∂δ0 σ_δ0)²
 ///
-/// The two add in quadrature for one G; of differences along the branch the systematic one largely drops out.
+/// The two add in quadrature for one G; in differences along the branch the systematic error largely cancels.
 [[nodiscard]] EnergyReleaseRate energy_release_rates(const BranchData& data, double radius,
                                                      const Estimate& contact_modulus, const Estimate& contact_point);
 

@@ -11,7 +11,7 @@ struct Circle {
     double centre_x = 0.0;
     double centre_y = 0.0;
     Estimate radius;
-    double rms_residual = 0.0;  ///< of the distances from the circle [m]
+    double rms_residual = 0.0;  ///< rms of the distances from the circle [m]
 };
 
 /// The circle through three points; no standard error.
@@ -30,14 +30,14 @@ struct Circle {
 ///
 ///   z = z0 ± s(x − x0),  c r² − 2 s + (1 + κ) c s² = 0,  c = 1/R;  to fourth order s = r²/(2R) + (1 + κ) r⁴/(8R³)
 ///
-/// κ is the conic constant of optics: 0 a sphere, -1 a paraboloid, > 0 an oblate spheroid.
+/// κ is the conic constant of optics: 0 for a sphere, -1 for a paraboloid, > 0 for an oblate spheroid.
 struct Conic {
     double apex_x = 0.0, apex_z = 0.0;  ///< [m]
-    Estimate radius;                    ///< R of curvature at the apex [m]
+    Estimate radius;                    ///< radius of curvature R at the apex [m]
     Estimate conic_constant;            ///< κ
-    double probability = undefined;     ///< two-sided, of a κ at least as far from 0 where the section is a circle
-    double departure = 0.0;             ///< of the conic from the circle of its apex at the point farthest from it [m]
-    double rms_residual = 0.0;          ///< of the distances from the conic [m]
+    double probability = undefined;     ///< two-sided probability of a κ at least as far from 0 for a circular section
+    double departure = 0.0;     ///< deviation of the conic from the circle of its apex at the farthest point [m]
+    double rms_residual = 0.0;  ///< rms of the distances from the conic [m]
 };
 
 /// The conic with the least sum of squared distances to the points, to first order in the distances.

@@ -20,14 +20,14 @@ struct IndexRange {
     friend bool operator==(const IndexRange&, const IndexRange&) = default;
 };
 
-/// What a contact experiment records, sample by sample: approach, contact, retraction.
+/// Record of a contact experiment, sample by sample: approach, contact, retraction.
 ///
-/// Series are empty where they were not measured; those present have equal length. Force is needed, and displacement or
+/// Series that were not measured are empty; all others have equal length. Force is required, and displacement or
 /// contact radius or both.
 struct Loop {
     Array1D time;            ///< [s]
     Array1D force;           ///< F [N], pressing positive, any offset
-    Array1D displacement;    ///< δ [m], growing into the contact, any offset
+    Array1D displacement;    ///< δ [m], increasing into the contact, any offset
     Array1D contact_radius;  ///< a [m]; 0 out of contact, NaN where a frame is missing
 };
 
@@ -35,8 +35,8 @@ struct Loop {
 /// @throws InvalidArgument where the force is missing, or both displacement and contact radius.
 [[nodiscard]] Loop loop_from_table(const Table& table);
 
-/// The two bodies: a soft one whose modulus is sought and a counter-body whose elasticity is known. Which of them is
-/// the sphere makes no difference to the contact.
+/// The two bodies: a soft one whose modulus is determined and a counter-body with known elasticity. The contact does
+/// not depend on which of them is the sphere.
 struct LensAndCounterBody {
     double radius = 0.0;                    ///< R of the sphere [m], > 0
     double lens_poisson_ratio = 0.5;        ///< ν of the soft body; 1/2 for rubber
@@ -45,7 +45,7 @@ struct LensAndCounterBody {
     std::optional<double> lens_height;      ///< height of the soft lens above its mount [m]
     std::optional<double> layer_thickness;  ///< thickness of the soft body where it is a layer on a rigid base [m]
 
-    /// h of the soft body above what it is fixed to [m]; nothing where neither is known: a half-space.
+    /// h of the soft body above its fixed base [m]; empty where neither is known: a half-space.
     [[nodiscard]] std::optional<double> soft_height() const { return layer_thickness ? layer_thickness : lens_height; }
 
     [[nodiscard]] contact::ElasticSolid counter_body() const {

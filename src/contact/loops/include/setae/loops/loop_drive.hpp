@@ -8,19 +8,19 @@
 
 namespace setae::loops {
 
-/// How the machine moved during the first contact of a record.
+/// Motion of the machine during the first contact of a record.
 struct LoopDrive {
-    double approach_speed = 0.0;    ///< of the motor [m/s], > 0
-    double retraction_speed = 0.0;  ///< likewise
-    double hold_time = 0.0;         ///< for which it rested at the turning point [s]
+    double approach_speed = 0.0;    ///< speed of the motor [m/s], > 0
+    double retraction_speed = 0.0;  ///< speed of the motor [m/s], > 0
+    double hold_time = 0.0;         ///< hold time at the turning point [s]
 };
 
-/// Speeds of free flight before the jump in and behind pull-off, where the motor alone moves the displacement; where
-/// there is none, of δ + F/k_m along the branch. The rest is what lies between both slopes extended to the farthest
+/// Speeds of free flight before the jump in and after pull-off, where the displacement is that of the motor; without
+/// free flight, of δ + F/k_m along the branch. The hold time is the time between both slopes extended to the farthest
 /// position.
 ///
-/// machine_stiffness: k_m [N/m]; infinite: fixed grips. Nothing for a record without time, displacement or retraction,
-/// or whose motor does not come and go.
+/// machine_stiffness: k_m [N/m]; infinite: fixed grips. Empty for a record without time, displacement or retraction, or
+/// whose motor does not move forth and back.
 [[nodiscard]] std::optional<LoopDrive> loop_drive(const LoopAnalysis& analysis,
                                                   double machine_stiffness = std::numeric_limits<double>::infinity());
 

@@ -11,24 +11,23 @@ namespace setae::loops {
 
 /// One standard deviation of each cause of error of a loop energy [J].
 struct LoopErrorBudget {
-    double noise = 0.0;  ///< of force and displacement, sample by sample
-    double drift = 0.0;  ///< of the zero of force and its drift; NaN where no drift was looked for
-    double compliance =
-        0.0;  ///< of the machine's stiffness: 0 over a closed loop, where the spring gives back what it took
-    double sampling = 0.0;        ///< where within one sampling step the jumps happened
-    double discretisation = 0.0;  ///< of the trapezoid rule, against every second sample
-    double total = 0.0;           ///< square root of the sum of squares of those known
+    double noise = 0.0;           ///< of force and displacement, sample by sample
+    double drift = 0.0;           ///< of the zero of force and its drift; NaN without a search for drift
+    double compliance = 0.0;      ///< of the machine stiffness: 0 over a closed loop, because the spring is elastic
+    double sampling = 0.0;        ///< position of the jumps within one sampling step
+    double discretisation = 0.0;  ///< of the trapezoid rule, from a comparison with every second sample
+    double total = 0.0;           ///< square root of the sum of squares of the known errors
 };
 
 /// Energy lost in a closed loop.
 struct LoopEnergy {
-    double energy = 0.0;         ///< ∮F dδ [J], force counted from its drifting zero; > 0 is lost
-    double without_drift = 0.0;  ///< the same with the constant zero of the first free flight
+    double energy = 0.0;         ///< ∮F dδ [J], force relative to its drifting zero; > 0 is lost
+    double without_drift = 0.0;  ///< the energy with the constant zero of the first free flight
     LoopErrorBudget standard_error;
     double opening = 0.0;  ///< displacement at the end minus at the start [m]; free flight, so no energy
 
-    double half_width =
-        0.0;  ///< of the 95 % interval: noise and drift normal, jumps evenly distributed within their steps
+    double half_width = 0.0;  ///< half width of the 95 % interval: noise and drift normal, jumps uniformly distributed
+                              ///< within their steps
 
     [[nodiscard]] Estimate estimate() const {
         Estimate found{energy, standard_error.total, "error budget"};
@@ -40,15 +39,15 @@ struct LoopEnergy {
 /// Loss of one contact, ∮F dδ by the trapezoid rule from the last sample of free flight before it to the first after
 /// it; in free flight the force is zero.
 ///
-/// The rule is exact along a jump that follows the machine's straight unloading line, and for a vertical jump sampled
-/// at both ends; between, it is of second order in the step for a curve sampled evenly in contact radius, and of order
-/// 3/2 for one sampled evenly in displacement, whose slope diverges at the pull-off under fixed grips.
+/// The rule is exact along a jump on the machine's straight unloading line, and for a vertical jump sampled at both
+/// ends; between, it is of second order in the step for a curve sampled evenly in contact radius, and of order 3/2 for
+/// one sampled evenly in displacement, whose slope diverges at the pull-off under fixed grips.
 /// @throws UndefinedDataError without displacement or without return to free flight.
 [[nodiscard]] LoopEnergy loop_energy(const Loop& loop, const Segments& segments, Index contact = 0,
                                      DriftModel drift = DriftModel::automatic);
 
-/// ∮F dδ [J] of a partial release and reload, with the error of noise, drift and discretisation: from the reversal to
-/// where the displacement is reached again. Nothing where it never is.
+/// ∮F dδ [J] of a partial unloading and reloading, with the error of noise, drift and discretisation: from the reversal
+/// to the return to its displacement. Empty without a return.
 [[nodiscard]] std::optional<Estimate> partial_loop_energy(const Loop& loop, const Segments& segments, Index cycle,
                                                           DriftModel drift = DriftModel::automatic);
 

@@ -6,35 +6,38 @@
 
 namespace setae::loops {
 
-/// Stiffness of the machine from a contact so stiff that all of the stage's motion is the machine's own deflection.
+/// Stiffness of the machine from a contact so stiff that all motion of the stage is deflection of the machine.
 struct MachineStiffness {
-    Estimate stiffness;         ///< k = dF/d(stage) [N/m], both branches together
-    Estimate loading;           ///< the same of each branch [N/m]
-    Estimate unloading;         ///< NaN where the record has no retraction
-    double hysteresis = 0.0;    ///< largest difference of the stage between the branches at one force, over the
-                                ///< deflection; NaN without retraction
-    double nonlinearity = 0.0;  ///< change of slope from the lower to the upper half of the forces, over the slope
+    Estimate stiffness;  ///< k = dF/d(stage) [N/m], both branches together
+    Estimate loading;    ///< the stiffness of each branch [N/m]
+    Estimate unloading;  ///< NaN where the record has no retraction
+    /// largest difference of the stage between the branches at one force, divided by the deflection; NaN without
+    /// retraction
+    double hysteresis = 0.0;
+    /// change of slope from the lower to the upper half of the forces, divided by the slope
+    double nonlinearity = 0.0;
     Index n = 0;
 };
 
 struct RigidContactOptions {
-    double lowest_share = 0.2;          ///< of the largest force, below which the touching bodies still settle
-    double largest_nonlinearity = 0.1;  ///< more of it is a soft contact, whose slope grows with the force
+    double lowest_share = 0.2;  ///< share of the largest force below which the bodies are still settling
+    /// a larger value indicates a soft contact, whose slope increases with the force
+    double largest_nonlinearity = 0.1;
 };
 
-/// Machine stiffness from a loop on a rigid counter-body: the slope of force against stage (Huber's M-estimate:
-/// outliers count little; noise of the stage is taken to be small) above `lowest_share` of the largest force, the mean
-/// of both branches.
+/// Machine stiffness from a loop on a rigid counter-body: the slope of force against stage (Huber's M-estimate, robust
+/// against outliers; noise of the stage is assumed small) above `lowest_share` of the largest force, the mean of both
+/// branches.
 ///
-/// `loop.displacement` is the stage's position. The standard error holds the scatter of the residuals, correlated as
-/// they are, and half the difference of the branches.
-/// @throws UndefinedDataError where the slope grows with the force by more than `largest_nonlinearity`, as that of a
-/// soft contact does, where there is no displacement, or fewer than 10 samples on the branch.
+/// `loop.displacement` is the stage's position. The standard error includes the scatter of the residuals with their
+/// correlations, and half the difference of the branches.
+/// @throws UndefinedDataError where the slope increases with the force by more than `largest_nonlinearity`, as that of
+/// a soft contact does, where there is no displacement, or fewer than 10 samples on the branch.
 [[nodiscard]] MachineStiffness machine_stiffness_from_rigid_contact(const Loop& loop, const Segments& segments,
                                                                     Index contact = 0,
                                                                     const RigidContactOptions& options = {});
 
-/// The same with the segments found first; of bodies that do not stick, all up to the largest force and from there on.
+/// The stiffness with the segments determined first; without adhesion, branches are separated at the largest force.
 [[nodiscard]] MachineStiffness machine_stiffness_from_rigid_contact(const Loop& loop);
 
 }  // namespace setae::loops

@@ -7,7 +7,7 @@
 
 namespace setae::loops {
 
-/// A result, or why there is none.
+/// A result, or the reason for which there is none.
 template <class T>
 struct Outcome {
     std::optional<T> value;

@@ -11,16 +11,16 @@ enum class ProfiledFit { effective_variance, force_displacement, joint };
 struct ProfileOptions {
     ProfiledFit fit = ProfiledFit::effective_variance;
     double level = 0.95;
-    Index points = 41;    ///< of each curve
-    double reach = 1.25;  ///< of the curves, in half widths of the interval on each side
+    Index points = 41;    ///< number of points of each curve
+    double reach = 1.25;  ///< extent of the curves, in half widths of the interval on each side
 };
 
-/// Rise of χ² where one parameter is held and all others are fitted again.
+/// Rise of χ² where one parameter is fixed and all others are fitted again.
 struct ParameterProfile {
-    Estimate estimate;  ///< of the fit, with the profile's interval; no interval where an end lies beyond ten standard
-                        ///< errors
-    Array1D values;     ///< of the parameter, SI, increasing
-    Array1D chi2_rise;  ///< Δχ² at each, in units of the noise as the fit sees it
+    /// estimate of the fit, with the profile's interval; no interval where an end lies beyond ten standard errors
+    Estimate estimate;
+    Array1D values;          ///< values of the parameter, SI, increasing
+    Array1D chi2_rise;       ///< Δχ² at each value, in units of the noise of the fit
     double threshold = 0.0;  ///< Δχ² at the ends of the interval: t² of the fit's degrees of freedom
 };
 
@@ -32,18 +32,17 @@ struct ProfileLikelihood {
 
 /// Intervals of E* and of W by the drop of the profile likelihood, which need not be symmetric.
 ///
-///   Δχ²(θ) = [S(θ) − S_min]/φ,  S(θ) = least Σ distance² with θ held
+///   Δχ²(θ) = [S(θ) − S_min]/φ,  S(θ) = minimum of Σ distance² at fixed θ
 ///
-/// S in units of the noise given; φ = (fit's variance of θ)/(that of independent residuals of unit variance), so that
-/// the scatter the residuals show and what they owe their neighbours widen the profile as they widen the standard
-/// error.
+/// S in units of the given noise; φ = (fit's variance of θ)/(that of independent residuals of unit variance), so that
+/// scatter and correlations of residuals widen the profile like the standard error.
 /// @throws UndefinedDataError where the fit has no covariance; else as the fit, with InvalidArgument where the noise of
 /// a channel is unknown, for fewer than 3 points, level outside (0, 1) or reach <= 0. Source: Venzon, Moolgavkar, J. R.
 /// Stat. Soc. C 37 (1988) 87. Cost: one fit, from a near start, for each point.
 [[nodiscard]] ProfileLikelihood profile_likelihood(const BranchData& data, const LensAndCounterBody& bodies,
                                                    const ProfileOptions& options = {});
 
-/// Region of E* and W that holds both together at a level of confidence.
+/// Joint confidence region of E* and W at a given level.
 struct ErrorEllipse {
     double level = 0.95;
     Array1D contact_modulus;   ///< [Pa], points around the ellipse, the first again at the end

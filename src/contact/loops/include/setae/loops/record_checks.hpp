@@ -8,13 +8,13 @@
 
 namespace setae::loops {
 
-/// What is wrong with a record that can still be analysed.
+/// Faults of a record that can still be analysed.
 struct RecordFaults {
-    std::vector<IndexRange> saturated_high;  ///< samples at the largest force that do not even carry noise
+    std::vector<IndexRange> saturated_high;  ///< samples at the largest force without any noise
     std::vector<IndexRange> saturated_low;   ///< at the smallest
-    Index frames = 0;          ///< contact radii > 0 there are, and those their usual rate lets expect between them
-    Index frames_missing = 0;  ///< of those, how many are not there
-    std::optional<IndexRange> longest_gap;  ///< the most samples in a row where frames are missing
+    Index frames = 0;          ///< number of contact radii > 0, and number expected between them from the usual rate
+    Index frames_missing = 0;  ///< number of missing frames
+    std::optional<IndexRange> longest_gap;  ///< the longest run of samples without the expected frames
     std::optional<Index> time_backwards;    ///< first sample earlier than the one before it
 };
 

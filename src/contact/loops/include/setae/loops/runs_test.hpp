@@ -7,7 +7,7 @@
 
 namespace setae::loops {
 
-/// How many stretches of one sign residuals in their order form.
+/// Number of runs of one sign in the ordered residuals.
 struct RunsTest {
     Index runs = 0;
     Index above = 0;             ///< residuals > 0
@@ -15,11 +15,11 @@ struct RunsTest {
     double p_value = undefined;  ///< P(as few runs or fewer); NaN where all residuals have one sign
 };
 
-/// Test of Wald and Wolfowitz: do residuals keep their sign longer than chance lets them?
+/// Test of Wald and Wolfowitz of whether residuals keep their sign longer than by chance.
 ///
-/// One-sided: a model that misses the curve's shape, and noise that follows its neighbour, make too few runs; too many
-/// mean nothing here. Exact for up to 50 residuals, beyond that the normal approximation with half a run's correction.
-/// Zeros are left out. Residuals that are correlated by the recording itself (a filter, drift) fail it too.
+/// One-sided: a model with a wrong shape of the curve, and correlated noise, give too few runs; too many runs are not
+/// tested. Exact for up to 50 residuals, beyond that the normal approximation with half a run's correction. Zeros are
+/// left out. Residuals that are correlated by the recording itself (a filter, drift) fail the test, too.
 /// Source: Wald, Wolfowitz, Ann. Math. Stat. 11 (1940) 147.
 [[nodiscard]] RunsTest runs_test(const ArrayView1D& residuals);
 

@@ -11,71 +11,70 @@
 
 namespace setae::loops {
 
-/// A stretch of free flight: where the zero of force is, and how noisy the record.
+/// A section of free flight: zero of force, and noise of the record.
 struct Baseline {
-    std::optional<IndexRange> range;       ///< none where there is none, or where the zero of force was given
-    double force = 0.0;                    ///< median [N]; without a range the zero of force given
-    double force_standard_error = 0.0;     ///< of the median [N]
-    double force_noise = 0.0;              ///< σ_F of one sample [N], a slope taken off
-    double force_noise_correlation = 0.0;  ///< φ of neighbouring samples, ρ_k = φ^k; 0 where they tell none
-    double displacement_noise = 0.0;       ///< σ_δ of one sample [m], likewise
+    std::optional<IndexRange> range;       ///< empty without free flight, or where the zero of force was given
+    double force = 0.0;                    ///< median [N]; without a range the given zero of force
+    double force_standard_error = 0.0;     ///< standard error of the median [N]
+    double force_noise = 0.0;              ///< σ_F of one sample [N], with a slope subtracted
+    double force_noise_correlation = 0.0;  ///< φ of neighbouring samples, ρ_k = φ^k; 0 where they give none
+    double displacement_noise = 0.0;       ///< σ_δ of one sample [m], with a slope subtracted
     double displacement_noise_correlation = 0.0;
     double force_displacement_covariance = 0.0;  ///< [N m]: a deflection sensor enters both channels
 };
 
-/// One press and release within a contact.
+/// One loading and unloading within a contact.
 struct Cycle {
     IndexRange loading;             ///< from jump-in or the last reversal to the largest force
     IndexRange unloading;           ///< from there to the next reversal or the pull-off minimum
-    Index contact = 0;              ///< which of the record's contacts it belongs to, from 0
+    Index contact = 0;              ///< number of the contact in the record, counted from 0
     bool ends_in_pull_off = false;  ///< false for a partial release
 };
 
-/// One touch, from jump-in to pull-off.
+/// One contact, from jump-in to pull-off.
 struct ContactSegments {
-    IndexRange extent;                    ///< with the free flight around it, up to a sample between two contacts
+    IndexRange extent;                    ///< including the free flight around it, up to a sample between two contacts
     std::optional<IndexRange> jump_in;    ///< last free sample … force minimum
     IndexRange loading;                   ///< first sample in contact … largest force
-    std::optional<IndexRange> hold;       ///< around the largest force, where it hardly changes
-    std::optional<IndexRange> unloading;  ///< last press … smallest force, or last sample in contact
+    std::optional<IndexRange> hold;       ///< around the largest force, in the range of nearly constant force
+    std::optional<IndexRange> unloading;  ///< end of the last loading … smallest force, or last sample in contact
     std::optional<IndexRange> pull_off;   ///< force minimum … first free sample
     std::vector<Index> cycles;            ///< into Segments::cycles
 };
 
 struct Segments {
-    Baseline before;  ///< without a range where the record begins in contact; then the noise is that after
+    Baseline before;  ///< without a range where the record begins in contact; the noise is then that after contact
     std::optional<Baseline> after;  ///< none where the record ends in contact
     std::vector<ContactSegments> contacts;
     std::vector<Cycle> cycles;
     std::vector<IndexRange> ignored;  ///< samples no fit uses: those of the edits, and those of a saturated force
-    std::vector<ForceStep> steps;     ///< at which free flight was cut; the part next to contact is the baseline
+    std::vector<ForceStep> steps;  ///< steps at which free flight was split; the part next to contact is the baseline
 };
 
 struct SegmentOptions {
     std::optional<double>
-        baseline_share;  ///< share of the record, from its start, that is free flight; else it is found
-    std::optional<double> force_baseline;      ///< zero of force [N] where known; no drift is then taken off
-    DriftModel drift = DriftModel::automatic;  ///< of the zero of force; contact is found without it
-    double feature_factor = 6.0;               ///< a feature deeper than this many scatters of free flight is real
-    double turning_share = 0.01;               ///< a reversal smaller than this share of the force range is noise
-    SegmentEdits edits;                        ///< what the user knows better, applied on top of what is found
+        baseline_share;  ///< share of the record, from its start, that is free flight; else it is determined
+    std::optional<double> force_baseline;      ///< zero of force [N] where known; no drift is subtracted then
+    DriftModel drift = DriftModel::automatic;  ///< drift of the zero of force; contact is found without it
+    double feature_factor = 6.0;  ///< a feature deeper than this multiple of the scatter of free flight is real
+    double turning_share = 0.01;  ///< a reversal smaller than this share of the force range is noise
+    SegmentEdits edits;           ///< corrections by the user, applied after the segments are found
 };
 
 /// Finds free flight, jump-in, loading, hold, unloading and pull-off of each contact, and the cycles within.
 ///
-/// Free flight is found first, by slopes and jumps of the force, which an offset and a drift of its zero do not change;
-/// where the displacement shows no contact, by the contact radius. It is cut at sudden steps of the force. The drift
-/// that it shows is taken off, then the rest is found: a force noisy against what it has to show is averaged over
-/// neighbours for that.
+/// Free flight is found first, by slopes and jumps of the force, which are independent of an offset and a drift of its
+/// zero; where the displacement shows no contact, by the contact radius. It is split at sudden steps of the force. Its
+/// drift is subtracted, then the other segments are found; for this a noisy force is averaged over neighbours.
 ///
-/// Without contact radius a contact is known by its adhesion: a force below zero after approach (jump-in) or before
-/// separation (pull-off). With it, by a > 0. A reversal of force counts as a cycle only where the displacement (else
-/// the contact radius) turns with it, so that a slip is no cycle.
+/// Without contact radius a contact is identified by its adhesion: a force below zero after approach (jump-in) or
+/// before separation (pull-off). With it, by a > 0. A reversal of force is a cycle only where the displacement (else
+/// the contact radius) reverses with it, so that a slip is no cycle.
 /// @throws InvalidArgument for series of different length, an undefined force or displacement, or fewer than 20
 /// samples.
-/// @throws ChannelFaultError for a record that makes sense with another sign of force or displacement, or with both
+/// @throws ChannelFaultError for a record that is consistent with another sign of force or displacement, or with both
 /// exchanged. @throws UndefinedDataError for a constant force, a record without contact, one without free flight whose
-/// zero of force is not given, and a "contact" whose force falls as the displacement grows.
+/// zero of force is not given, and a "contact" whose force decreases as the displacement increases.
 [[nodiscard]] Segments find_segments(const Loop& loop, const SegmentOptions& options = {});
 
 }  // namespace setae::loops

@@ -16,37 +16,37 @@ namespace setae::loops {
 struct WorkAlongRetraction {
     Estimate at_pull_off;          ///< W_po, at the smallest contact radius before pull-off [J/m²]
     Estimate at_largest_contact;   ///< W_ret(a_max) [J/m²]
-    Estimate slope;                ///< s [J/m³]; > 0: W_ret falls as the contact shrinks
+    Estimate slope;                ///< s [J/m³]; > 0: W_ret decreases as the contact shrinks
     double smallest_radius = 0.0;  ///< a_po [m]
     double largest_radius = 0.0;   ///< a_max [m]
     Index n = 0;
-    double rms_residual = 0.0;      ///< G measured − W_ret(a) [J/m²]
+    double rms_residual = 0.0;      ///< measured G − W_ret(a) [J/m²]
     double chi2_reduced = 0.0;      ///< NaN where the noise is unknown
     Estimate energy_loss;           ///< ∮F dδ [J] of a loop with W_app on approach and this W_ret on retraction
-    Estimate energy_loss_constant;  ///< the same with W_po during the whole retraction [J]
+    Estimate energy_loss_constant;  ///< the loss with W_po during the whole retraction [J]
 };
 
 struct RetractionCourse {
-    double radius = 0.0;                  ///< R [m], > 0
-    Estimate contact_modulus;             ///< E* of loading [Pa], > 0: of the retraction it takes in what W_ret does
-    Estimate work_approach;               ///< W_app of loading [J/m²], >= 0
-    double largest_contact_radius = 0.0;  ///< a_max [m], > 0
+    double radius = 0.0;       ///< R [m], > 0
+    Estimate contact_modulus;  ///< E* of loading [Pa], > 0; that of the retraction would include the variation of W_ret
+    Estimate work_approach;    ///< W_app of loading [J/m²], >= 0
+    double largest_contact_radius = 0.0;                                 ///< a_max [m], > 0
     double machine_stiffness = std::numeric_limits<double>::infinity();  ///< [N/m], > 0; infinite: fixed grips
 };
 
-/// Line through the energy release rates G(a) of a receding edge, G = (4E*a³/3R − F)²/(8πE*a³): the edge of an elastic
-/// contact recedes at G = W_ret.
+/// Line through the energy release rates G(a) of a retracting edge, G = (4E*a³/3R − F)²/(8πE*a³): the edge of an
+/// elastic contact retracts at G = W_ret.
 ///
-/// Each sample counts by σ² = (∂G/∂F σ_F)² + (∂G/∂a − s)² σ_a², all alike where the noise is unknown. The standard
-/// errors hold the scatter of the residuals, which may depend on their neighbours, the zero of force, E* and, of the
-/// losses, W_app. An edge whose W_ret depends on its speed has a slope, too: fit_crack_speed() tells the two apart.
+/// Each sample is weighted by σ² = (∂G/∂F σ_F)² + (∂G/∂a − s)² σ_a², with equal weights where the noise is unknown. The
+/// standard errors include the scatter of the residuals, which may be correlated, the zero of force, E* and, for the
+/// losses, W_app. An edge whose W_ret depends on its speed has a slope, too: fit_crack_speed() distinguishes the two.
 ///
 /// ∮F dδ = E_jump in + U_E(a_out) + F_out²/2k + ∫ W_ret dA − W_app A_max, A from a_out to a_max
 ///
-/// a_out: radius at which d(δ + F/k)/da = 0 on the line, where the contact parts; U_E = E*(δ²a − 2/3 δa³/R + a⁵/5R²).
-/// @throws InvalidArgument for R, E*, a_max or k <= 0; UndefinedDataError without measured contact radius, for fewer
-/// than 8 samples, or where these cover less than 5 % of a_max, and where the line falls below 0. Source: Maugis,
-/// Contact, Adhesion and Rupture of Elastic Solids (2000), ch. 4; of the loss: energy balance.
+/// a_out: radius at which d(δ + F/k)/da = 0 on the line, where the contact separates; U_E = E*(δ²a − 2/3 δa³/R +
+/// a⁵/5R²). @throws InvalidArgument for R, E*, a_max or k <= 0; UndefinedDataError without measured contact radius, for
+/// fewer than 8 samples, or where these cover less than 5 % of a_max, and where the line falls below 0. Source: Maugis,
+/// Contact, Adhesion and Rupture of Elastic Solids (2000), ch. 4; loss: energy balance.
 [[nodiscard]] WorkAlongRetraction fit_work_along_retraction(const BranchData& retraction,
                                                             const RetractionCourse& course);
 

@@ -12,10 +12,10 @@
 
 namespace setae::statistics {
 
-/// Values that share inputs, after something else is known of the same inputs.
+/// Values that share inputs, conditioned on further knowledge of these inputs.
 ///
-/// Inputs are directions ξ ~ N(0, 1), as Component has them. Residuals r + Cξ = 0, measured less computed, are one fit
-/// of all inputs to all of them, to first order:
+/// Inputs are directions ξ ~ N(0, 1), as in Component. Residuals r + Cξ = 0, measured minus computed, are one fit of
+/// all inputs to all of them, to first order:
 ///
 ///   ξ = −Cᵀ S⁻¹ r,  S = C Cᵀ,  covariance P = 1 − Cᵀ S⁻¹ C
 ///
@@ -28,15 +28,14 @@ public:
 
     [[nodiscard]] TracedValue updated(const TracedValue& value) const;
 
-    [[nodiscard]] double chi2() const { return chi2_; }  ///< rᵀ S⁻¹ r, of as many degrees of freedom as residuals
-    /// ln density of the residuals as they are: −(n ln 2π + ln|S| + χ²)/2.
+    [[nodiscard]] double chi2() const { return chi2_; }  ///< rᵀ S⁻¹ r, with as many degrees of freedom as residuals
+    /// ln density of the residuals: −(n ln 2π + ln|S| + χ²)/2.
     [[nodiscard]] double log_likelihood() const { return log_likelihood_; }
-    /// Inputs that the residuals rest on, and by how many of its standard errors each was moved; several directions
-    /// together.
+    /// Inputs of the residuals, and the shift of each in its standard errors; several directions together.
     [[nodiscard]] const std::map<std::string, double>& moves() const { return moves_; }
 
 private:
-    /// First place of each input's directions, and how many.
+    /// First position of each input's directions, and their number.
     std::map<std::string, std::pair<Index, Index>> places_;
     Eigen::MatrixXd basis_;  ///< Q of Cᵀ = Q R: P = 1 − Q Qᵀ
     Eigen::VectorXd shift_;  ///< ξ

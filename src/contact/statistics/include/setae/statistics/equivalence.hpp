@@ -7,11 +7,11 @@
 
 namespace setae::statistics {
 
-/// What a difference and its uncertainty say beside a margin within which nobody would care.
+/// Result of the comparison of a difference and its uncertainty with a margin of equivalence.
 enum class Verdict {
-    equivalent,  ///< shown to lie within the margin
-    different,   ///< shown to lie beyond it, on one side
-    undecided,   ///< neither: more measurements are wanted, or a wider margin
+    equivalent,  ///< shown to be within the margin
+    different,   ///< shown to be beyond the margin, on one side
+    undecided,   ///< neither: more measurements or a wider margin are needed
 };
 
 /// Two one-sided tests of a difference d ± s against a margin Δ:
@@ -24,7 +24,7 @@ struct Equivalence {
     Estimate difference;
     double margin = 0.0;               ///< Δ, in the difference's unit
     double probability = undefined;    ///< p; NaN where the difference has no standard error
-    std::optional<Interval> interval;  ///< of level 1 − 2α
+    std::optional<Interval> interval;  ///< interval of level 1 − 2α
     Verdict verdict = Verdict::undecided;
 };
 

@@ -9,16 +9,16 @@
 
 namespace setae::statistics {
 
-/// One measured value: the fit of one loop, say.
+/// One measured value, such as the result of the fit of one loop.
 struct Replicate {
     double value = undefined;           ///< finite
-    double standard_error = undefined;  ///< within the fit, >= 0; NaN where unknown
-    std::vector<std::string> groups;  ///< a label for each level, outermost first; the same label within another outer
-                                      ///< group is another group
-    std::string name;                 ///< for the reader: a file, a line
+    double standard_error = undefined;  ///< standard error of the fit, >= 0; NaN where unknown
+    /// a label for each level, outermost first; labels are unique only within the outer group
+    std::vector<std::string> groups;
+    std::string name;  ///< name for the reader: a file, a line
 };
 
-/// A row that is left out of the mean, and why.
+/// A row that is left out of the mean, with the reason.
 struct Exclusion {
     std::size_t row = 0;
     std::string reason;  ///< never empty
@@ -28,12 +28,13 @@ struct Exclusion {
 struct ReplicateData {
     std::vector<std::string> levels{"surface", "lens",
                                     "spot"};  ///< outermost first; the first is the surface, a fixed effect
-    std::vector<std::string> crossed;  ///< levels whose labels name the same group on every surface, such as a lens
-                                       ///< that was pressed on all of them; groups of the others lie on one surface
+    /// levels whose labels are common to all surfaces, such as a lens that was pressed on all of them; groups of the
+    /// others lie on one surface
+    std::vector<std::string> crossed;
     std::vector<Replicate> rows;
     std::vector<Exclusion> exclusions;
-    std::string quantity = "value";  ///< what the values are, for messages and figures
-    std::string unit = "1";          ///< of value and standard error
+    std::string quantity = "value";  ///< name of the values, for messages and figures
+    std::string unit = "1";          ///< unit of value and standard error
 };
 
 }  // namespace setae::statistics
