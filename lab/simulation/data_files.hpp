@@ -10,7 +10,7 @@
 
 namespace setae::simulation {
 
-/// A name as part of a file's name: what is no letter, digit, '-' or '.' becomes '_'.
+/// A name as part of a file name: characters other than letters, digits, '-' or '.' become '_'.
 [[nodiscard]] std::string file_stem(const std::string& name);
 
 /// Instruments' text exports: x [um] or [nm] and h [nm] in columns, a map as a matrix with Gwyddion's header.
@@ -19,7 +19,7 @@ namespace setae::simulation {
 [[nodiscard]] std::string contour_text(const topography::Profile& contour);
 [[nodiscard]] std::string loop_text(const loops::Loop& loop);
 
-/// truth.json: what is planted, SI.
+/// truth.json: true values, SI.
 [[nodiscard]] std::string truth_text(const Recipe& recipe, const std::vector<SurfaceTruth>& surfaces,
                                      const std::vector<PlantedLoop>& loops);
 
@@ -29,12 +29,12 @@ struct MeasurementFile {
     std::string instrument;
     std::string tip_radius;                 ///< "5e-06 ± 2e-07 m", an input's name, or empty without tip
     std::string height_calibration{};       ///< "afm_height", "1 ± 0.02"; empty without one
-    std::string lateral_calibration{};      ///< likewise
+    std::string lateral_calibration{};      ///< calibration of lengths
     double foil_thickness = 0.0;            ///< [m]; 0: a line
     std::vector<std::string> references{};  ///< scans of a smooth standard in the same session
 };
 
-/// study.toml: an analysis of all of it that is told only what an experimenter knows.
+/// study.toml: an analysis of the data set with only the inputs that an experiment has.
 [[nodiscard]] std::string study_text(const Recipe& recipe,
                                      const std::vector<std::vector<MeasurementFile>>& measurements,
                                      const std::vector<PlantedLoop>& loops);

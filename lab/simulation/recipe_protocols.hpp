@@ -9,7 +9,7 @@
 
 namespace setae::simulation {
 
-/// Who measures, by name: the instruments of a surface without its spectrum.
+/// Instruments of a surface by name, without its spectrum.
 using Protocols = std::map<std::string, SurfaceRecipe>;
 
 /// Reads [protocols.NAME]. @throws FormatError as read_recipe.

@@ -10,9 +10,9 @@
 
 namespace setae::simulation {
 
-/// Quantities that a recipe tells with a ±: each is drawn about what is told, once a scope.
+/// Quantities of a recipe with a standard error: each is drawn about its stated value, once per scope.
 ///
-///   value = told + ± n,  n a standard normal number of the seed and the scope's name alone
+///   value = stated + ± n,  n a standard normal number of only the seed and the scope's name
 ///
 /// "1.2 to 1.3 mm" is drawn uniformly between its ends.
 class StatedDraws {
@@ -21,12 +21,12 @@ public:
 
     /// A quantity under a key of a table of the recipe. input: its scope and its name in the study, where several keys
     /// may share it; else empty, and table and key are its scope.
-    /// @throws FormatError at the key where it is missing, where its scope was told otherwise before, and for a value
-    /// that is drawn as 0 or less.
+    /// @throws FormatError at the key where it is missing, where its scope has another value, and for a value that is
+    /// drawn as 0 or less.
     [[nodiscard]] StatedQuantity required(bytes::TomlReader& reader, const std::string& table, const char* key,
                                           const Expected& expected, const std::string& input = "");
 
-    /// The same of what was read already: all but the value. place: what errors, which stand at the key, say of it.
+    /// The quantity with a drawn value, from a quantity that was read already. place: its name in errors at the key.
     [[nodiscard]] StatedQuantity drawn(StatedQuantity quantity, const std::string& place,
                                        const bytes::TomlReader& reader, const char* key);
 
@@ -39,7 +39,7 @@ private:
     std::map<std::string, Told> told_;
 };
 
-/// What the study is told of a quantity, SI: "0.025 ± 0.001 J/m2", "0.0012 to 0.0013 m".
+/// Text of a quantity in the study, SI: "0.025 ± 0.001 J/m2", "0.0012 to 0.0013 m".
 [[nodiscard]] std::string told_text(const Estimate& told, const std::string& unit);
 [[nodiscard]] inline std::string told_text(const StatedQuantity& quantity) {
     return told_text(quantity.told, quantity.unit);

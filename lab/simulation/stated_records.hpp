@@ -7,8 +7,7 @@
 
 namespace setae::simulation {
 
-/// What an instrument states of true lengths: divided by its factors, whatever they are a part of, tilts and noise
-/// included.
+/// Lengths as an instrument states them: true lengths, including tilts and noise, divided by its factors.
 [[nodiscard]] topography::LineScan stated(topography::LineScan scan, const InstrumentCalibration& factors);
 [[nodiscard]] topography::HeightMap stated(topography::HeightMap map, const InstrumentCalibration& factors);
 [[nodiscard]] topography::Profile stated(topography::Profile contour, const InstrumentCalibration& factors);

@@ -7,7 +7,7 @@ namespace setae::validation {
 
 /// A rendered curve and the size of its picture.
 struct RenderedContour {
-    simulation::RoughCurve truth;  ///< as it lies in the picture, vacuum on its left hand
+    simulation::RoughCurve truth;  ///< as it is in the picture, vacuum on the left of the direction of the curve
     long width = 0, height = 0;
     double shortest_wave = 0.0;  ///< [px]; spectra are compared down to it
 };

@@ -7,14 +7,14 @@
 
 namespace setae::validation {
 
-/// Where a point is nearest to a curve.
+/// Nearest point of a curve.
 struct NearestPlace {
-    double distance = 0.0;  ///< positive on the left hand of who walks along the curve as the picture is seen
+    double distance = 0.0;  ///< positive on the left of the direction of the curve in the picture
     Index segment = 0;      ///< between the points segment and segment + 1
     double x = 0.0, y = 0.0;
 };
 
-/// Nearest places of points on a curve, looked up in squares of a few pixels.
+/// Nearest positions of points on a curve, found in squares of a few pixels.
 class CurveIndex {
 public:
     explicit CurveIndex(const simulation::PixelCurve& curve);

@@ -23,11 +23,11 @@ struct DataSets {
     std::function<void(int done)> progress;  ///< one call at a time
 };
 
-/// One of them: its number from 0, what it was made from, and where it lies.
+/// Called for a data set with its number from 0, its recipe and its folder.
 using DataSetVisit = std::function<void(int run, const simulation::Recipe& recipe, const std::string& folder)>;
 
-/// Makes each data set and hands it to `visit`, in parallel. What each run failed for, in their order; empty where it
-/// did not.
+/// Makes each data set and calls `visit` for it, in parallel. Returns the reason of failure of each run, in order;
+/// empty without a failure.
 /// @throws what reading the recipe throws; InvalidArgument for fewer than one run; FileError where the folder cannot be
 /// made.
 [[nodiscard]] std::vector<std::string> for_each_data_set(const DataSets& sets, const DataSetVisit& visit);

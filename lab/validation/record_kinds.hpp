@@ -9,17 +9,17 @@
 
 namespace setae::validation {
 
-/// A simulated record on its way to a kind.
+/// A simulated record before the changes of its kind.
 struct RecordInMaking {
     hysteresis::HystereticSphere specimen;
     simulation::LoadingProtocol protocol;
     double pull_off = 0.0;            ///< 3/2 πRW_ret [N]
     double penetration = 0.0;         ///< at the largest force [m]
-    double force_noise = 0.01;        ///< of one sample, share of the pull-off
-    double force_correlation = 0.0;   ///< of neighbouring samples
+    double force_noise = 0.01;        ///< noise of one sample, share of the pull-off
+    double force_correlation = 0.0;   ///< correlation of neighbouring samples
     double displacement_noise = 0.0;  ///< share of the penetration
     double displacement_correlation = 0.0;
-    double compliance = 0.0;  ///< of the load path, which the displacement contains [m/N]
+    double compliance = 0.0;  ///< compliance of the load path, which the displacement contains [m/N]
     bool camera = false;
     bool touches = true;
     loops::AnalysisOptions options{};
@@ -29,7 +29,7 @@ struct RecordInMaking {
     numerics::RandomKey key{};
 };
 
-/// Changes what the record is simulated from.
+/// Changes the simulation of the record.
 void change_experiment(const std::string& kind, RecordInMaking& record);
 
 /// Changes the simulated record before noise is added: free flight, cycles, drift, steps.

@@ -9,17 +9,17 @@
 
 namespace setae::validation {
 
-/// A number of a surface.
+/// A parameter of a surface.
 struct SurfaceQuantity {
     std::string name, unit;
     std::function<double(const roughness::SpectralParameters&)> value;
-    double least = 0.0;  ///< what it exceeds
+    double least = 0.0;  ///< lower limit of the values
 };
 
 /// Heights, slopes, curvatures, energy, true area, C1D by decade.
 [[nodiscard]] std::vector<SurfaceQuantity> surface_quantities();
 
-/// NaN where nothing is planted: C1D of surfaces that are not Gaussian.
+/// NaN without a true value: C1D of surfaces that are not Gaussian.
 [[nodiscard]] double planted_value(const SurfaceQuantity& quantity, const simulation::SurfaceTruth& truth);
 
 }  // namespace setae::validation

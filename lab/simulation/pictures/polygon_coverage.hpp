@@ -17,8 +17,8 @@ struct PixelWindow {
 ///
 ///   B(row, column) = Σ_segments ∫ clamp(row + ½ − y(x), 0, 1) dx,  over the column, dx < 0 where the curve turns back
 ///
-/// Signed areas of segments within pixels, summed down the columns; the curve goes on level beyond its ends. Values
-/// outside [0, 1] are those of a curve that crosses itself. O(pixels + length). Source: as rasterisers of fonts do,
+/// Signed areas of segments within pixels, summed down the columns; the curve continues horizontally beyond its ends.
+/// Values outside [0, 1] are those of a curve that crosses itself. O(pixels + length). Source: rasterisation of fonts,
 /// Levien, font-rs (2016).
 [[nodiscard]] Array2D coverage_below(const PixelCurve& curve, const PixelWindow& window);
 

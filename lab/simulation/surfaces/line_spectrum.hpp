@@ -13,8 +13,8 @@ namespace setae::simulation {
 /// Midpoints in t, 30 a unit: 2e-4 at bends and at the end of C_iso, else better. 0 from q_s on.
 [[nodiscard]] double profile_value(const spectra::SpectralDensity& C_iso, double wavevector, double short_wavevector);
 
-/// C1D of straight lines through a surface (its Gaussian heights), tabulated once: 100 nodes a decade, ln(C1D/√(q_s² −
-/// q²)) linear in ln q between them, constant below 1/1000 of the roll-off's wavevector.
+/// C1D of straight lines through a surface (its Gaussian heights), tabulated once: 100 nodes per decade, ln(C1D/√(q_s²
+/// − q²)) linear in ln q between them, constant below 1/1000 of the roll-off's wavevector.
 ///
 /// Lines at an angle φ to the long direction of a surface stretched s times: C1D_φ(q) = t C1D(t q), t = s/√(s² sin²φ +
 /// cos²φ). Made in 5 ms.

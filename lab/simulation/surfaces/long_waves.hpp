@@ -14,11 +14,11 @@ struct SplitSpectrum {
 };
 [[nodiscard]] SplitSpectrum split_spectrum(const spectra::SpectralDensity& C_iso, double wavevector);
 
-/// The long waves of a surface on a periodic patch of their own, much larger than what is measured, so that a window
-/// shows waves far longer than itself as a piece of a real surface does.
+/// The long waves of a surface on a periodic patch of their own, much larger than the measurement, so that a window
+/// contains parts of much longer waves, like a piece of a real surface.
 ///
-/// Held with at least eight points a wave and interpolated by eight points a direction: 2e-4 of the shortest wave's
-/// height, whose share is zero.
+/// Stored with at least eight points per wavelength and interpolated by eight points per direction: error 2e-4 of the
+/// shortest wave's height, whose share is zero.
 class LongWaves {
 public:
     /// spectrum: of the long waves, zero from the wavevector `end` [1/m] on.  period_x, period_y: of the patch [m].
@@ -29,9 +29,9 @@ public:
     LongWaves(const spectra::SpectralDensity& spectrum, const spectra::Anisotropy& anisotropy, const Patch& patch,
               numerics::RandomKey key);
 
-    /// Where a window lies on the patch, and which columns of the map it fills.
+    /// Position of a window on the patch, and its columns of the map.
     struct Window {
-        double x = 0.0, y = 0.0;  ///< of the map's first row and of first_column [m]
+        double x = 0.0, y = 0.0;  ///< position of the map's first row and of first_column [m]
         Index first_column = 0, columns = 0;
     };
     void add_to(topography::HeightMap& map, const Window& window) const;

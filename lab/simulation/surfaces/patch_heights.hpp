@@ -7,8 +7,8 @@
 
 namespace setae::simulation {
 
-/// Heights of a patch of the Gaussian parent become those of the surface. The waves that are longer than the patch set
-/// the height about which it lies, drawn here and taken off again.
+/// Converts heights of a patch of the Gaussian parent to those of the surface. The waves that are longer than the patch
+/// determine its mean height, which is drawn here and subtracted again.
 class PatchHeights {
 public:
     /// patch_size: longest wavelength that the patch holds [m].

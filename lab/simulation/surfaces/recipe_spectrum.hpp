@@ -9,8 +9,7 @@
 
 namespace setae::simulation {
 
-/// Reads spectrum, anisotropy and skewness of a surface and keeps every number of them. folder: where files are looked
-/// for.
+/// Reads spectrum, anisotropy and skewness of a surface and stores all parameters. folder: folder of the files.
 /// @throws FormatError as read_recipe.
 void read_spectrum(bytes::TomlReader& surface_table, const std::string& folder, const RangeDraws& draws,
                    SurfaceRecipe& recipe);

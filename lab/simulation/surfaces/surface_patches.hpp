@@ -9,7 +9,7 @@
 
 namespace setae::simulation {
 
-/// All scans of a surface: below a tip those of one length on one strip, without a tip each on a line of its own.
+/// All scans of a surface: with a tip those of one length on one strip, without a tip each on a line of its own.
 [[nodiscard]] std::vector<topography::LineScan> stylus_scans(const KnownSurface& surface, const LineSpectrum& C1D,
                                                              const StylusProtocol& protocol, numerics::RandomKey key);
 
@@ -21,7 +21,7 @@ namespace setae::simulation {
 [[nodiscard]] topography::HeightMap afm_scan(const KnownSurface& surface, const AfmProtocol& protocol,
                                              std::size_t index, numerics::RandomKey key);
 
-/// Contour `index` of the protocol, on a line of its own; of a foil with thickness, on a patch.
+/// Contour `index` of the protocol, on a line of its own; for a foil with thickness, on a patch.
 [[nodiscard]] topography::Profile tem_contour(const KnownSurface& surface, const LineSpectrum& C1D,
                                               const TemProtocol& protocol, std::size_t index, numerics::RandomKey key);
 

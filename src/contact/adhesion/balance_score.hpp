@@ -7,7 +7,7 @@
 
 namespace setae::adhesion {
 
-/// A score without the deviation of what was left out.
+/// A score without the leave-one-out deviation.
 [[nodiscard]] BalanceScore score_of(int parameters, double work, double residual_squares, double total_squares,
                                     std::size_t pairs);
 

@@ -22,7 +22,7 @@ public:
         }
     }
 
-    /// Inputs of what was measured of a pair, and of its line.
+    /// Inputs of the measured value of a pair, and of its line.
     void add_inputs_of(const PairPoint& pair) {
         for (const auto* inputs :
              {&pair.measured_inputs, &pair.measured_noise, &pair.slope_inputs, &pair.offset_inputs})
@@ -47,7 +47,7 @@ public:
         pulls_.resize(0);
     }
 
-    /// How far the inputs drawn move a value.
+    /// Shift of a value by the drawn inputs.
     [[nodiscard]] double moved(const Components& inputs) const {
         double sum = 0.0;
         for (const auto& [name, component] : inputs)

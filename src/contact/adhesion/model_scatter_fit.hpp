@@ -17,7 +17,7 @@ namespace setae::adhesion {
 /// (XᵀV⁻¹X)⁻¹XᵀV⁻¹, one row a parameter: how far it moves with each y − f.
 [[nodiscard]] Eigen::MatrixXd generalised_weights(const Eigen::MatrixXd& design, const Eigen::MatrixXd& covariance);
 
-/// Which effects of the model are told from each other.
+/// Effects of the model that can be distinguished.
 struct ScatterLevels {
     bool surfaces = true, elastomers = true;
 };
@@ -28,15 +28,15 @@ public:
     /// wanted: effects of surfaces (elastomers) are looked for where there are three of them, one with several pairs.
     ScatterFit(const std::vector<PairPoint>& pairs, ScatterLevels wanted);
 
-    /// V: what is known and the scatter. Where nothing is uncertain every pair counts alike.
+    /// V: known errors and the scatter. Without any uncertainty all pairs have equal weights.
     [[nodiscard]] Eigen::MatrixXd covariance(const PairResiduals& at, const ModelScatter& scatter) const;
     /// −½ (rᵀPr + ln|V| + ln|XᵀV⁻¹X|), without its constant.
     [[nodiscard]] double restricted_log_likelihood(const PairResiduals& at, const ModelScatter& scatter) const;
     /// −½ (rᵀV⁻¹r + ln|V| + n ln 2π).
     [[nodiscard]] double log_likelihood(const PairResiduals& at, const ModelScatter& scatter) const;
     [[nodiscard]] bool tells(double ModelScatter::*level) const;
-    /// The most likely scatter: the highest of the summits that are reached from `scatter` and from a grid over all
-    /// levels. Of a level that the pairs do not tell, that of `scatter`.
+    /// The most likely scatter: the highest of the maxima that are reached from `scatter` and from a grid over all
+    /// levels. For a level that the pairs do not determine, that of `scatter`.
     [[nodiscard]] ModelScatter most_likely(const PairResiduals& at, ModelScatter scatter) const;
     /// The summit next to `scatter`: where the highest is known to be near.
     [[nodiscard]] ModelScatter nearest_summit(const PairResiduals& at, const ModelScatter& scatter) const;

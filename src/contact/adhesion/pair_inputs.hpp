@@ -10,18 +10,18 @@
 
 namespace setae::adhesion {
 
-/// y − f(W) of pairs at one W, and what is known of its errors beside the scatter.
+/// y − f(W) of pairs at one W, and its known errors without the scatter.
 struct PairResiduals {
     Eigen::VectorXd value;       ///< y − f
     Eigen::MatrixXd design;      ///< ∂f/∂θ, one column a parameter that some pair answers to
-    Eigen::VectorXd share;       ///< of an error of the balance that its floor lets through
-    Eigen::MatrixXd covariance;  ///< of own noise and inputs
+    Eigen::VectorXd share;       ///< share of an error of the balance that passes its floor
+    Eigen::MatrixXd covariance;  ///< covariance of own noise and inputs
 };
 
-/// What the errors of pairs have in common, looked up by the names of inputs once for all W.
+/// Shared errors of pairs, looked up by the names of inputs once for all W.
 ///
-/// Of measured − prediction(W) inputs make ρ m + e − σ (W s − o): m, e those of the measured value, s, o of the line, ρ
-/// and σ as residual_inputs() takes them. Products of all of these over all pairs say the covariance at any W.
+/// Inputs change measured − prediction(W) by ρ m + e − σ (W s − o): m, e those of the measured value, s, o of the line,
+/// ρ and σ as in residual_inputs(). Products of all of these over all pairs give the covariance at any W.
 class PairInputs {
 public:
     /// @throws InvalidArgument where two values have one input with different numbers of directions.

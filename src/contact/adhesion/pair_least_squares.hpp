@@ -27,7 +27,7 @@ using PairVariance = std::function<double(const PairPoint&)>;
 /// @throws InvalidArgument for fewer than two pairs, a slope <= 0 and values that are not finite.
 void require_pairs(const std::vector<PairPoint>& pairs);
 
-/// Covariance of measured − predicted of pairs: what `inputs` of residuals share, and on the diagonal each pair's own.
+/// Covariance of measured − predicted of pairs: shared `inputs` of residuals, and on the diagonal each pair's own.
 [[nodiscard]] Eigen::MatrixXd residual_covariance(const std::vector<PairPoint>& pairs,
                                                   const std::vector<Components>& inputs);
 

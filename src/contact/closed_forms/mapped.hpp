@@ -5,7 +5,7 @@
 
 namespace setae::contact {
 
-/// Values of a function at each of a series, in order.
+/// Values of a function for each entry of a series, in order.
 template <class Function>
 [[nodiscard]] Array1D mapped(const ArrayView1D& values, Function&& function) {
     Array1D result(values.size());

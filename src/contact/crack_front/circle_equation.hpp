@@ -6,7 +6,7 @@
 
 namespace setae::crack_front {
 
-/// The machine as the front sees it: δ = (pull + 2E*⟨a³⟩/(3R))/(stiffness + 2E*⟨a⟩), or δ itself where held.
+/// The machine in the equation of the front: δ = (pull + 2E*⟨a³⟩/(3R))/(stiffness + 2E*⟨a⟩), or fixed δ.
 struct Machine {
     bool holds_displacement = true;
     double displacement = 0.0;           ///< held [m]

@@ -8,7 +8,7 @@
 
 namespace setae::crack_front {
 
-/// What pulls a front back where > 0, and how that changes with the front:
+/// Force that pulls a front back where > 0, and its derivative by the front:
 ///
 ///   H = diag(stiffness) + kernel · K − coupling_factor · coupling couplingᵀ
 struct Balance {
@@ -35,7 +35,7 @@ public:
 protected:
     /// Everything but the pinning; `bent` is K x. Sets all of the balance.
     virtual void elastic_part(const Array1D& front, const Array1D& bent, Balance& balance) = 0;
-    /// What the pinning of a line counts with; 1 for most.
+    /// Factor on the pinning of a line; 1 for most models.
     virtual void scale_pinning(const Array1D& /*front*/, Array1D& /*scale*/) {}
 
 private:
@@ -53,9 +53,9 @@ struct Equilibrium {
 };
 
 struct SearchLimits {
-    double tolerance = 0.0;  ///< of the largest |residual|
+    double tolerance = 0.0;  ///< tolerance of the largest |residual|
     int max_iterations = 0;
-    double largest_move = 0.0;  ///< of a point in one step of the trust region
+    double largest_move = 0.0;  ///< largest move of a point in one step of the trust region
 };
 
 /// Points move one way only, each to where it would rest if the others stayed, never over a change of slope at once:

@@ -19,7 +19,7 @@ public:
     void softened(const Array1D& in, Array1D& out, double s, double c) { filtered(in, out, s, c, true); }
     /// da/dz: waves times i q_n, the shortest left out.
     void slopes(const Array1D& in, Array1D& out);
-    /// (K a)_j of a_j alone.
+    /// Part of (K a)_j due to a_j.
     [[nodiscard]] double own() const { return own_; }
 
 private:

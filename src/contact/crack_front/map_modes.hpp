@@ -14,7 +14,7 @@ namespace setae::crack_front {
 struct MapModes {
     std::vector<double> qx, qy, real, imaginary;
     double mean = 0.0;
-    double seen = 1.0;  ///< mean square of what the map was faded with: its waves' power over that of the surface
+    double seen = 1.0;  ///< mean square of the window of the map: power of its waves divided by that of the surface
 
     [[nodiscard]] std::size_t count() const { return qx.size(); }
 };
@@ -47,9 +47,9 @@ private:
     Factor factor_;
     LinePoints radii_;
     fourier::InverseRealTransform back_;
-    double step_;                     ///< of the transform's wavevectors
+    double step_;                     ///< step of the transform's wavevectors
     std::vector<double> correction_;  ///< for the kernel, at each radius
-    /// c √q exp(∓iφ/2), φ in [0, π): f c is one of them but for a phase that the ray alone decides
+    /// c √q exp(∓iφ/2), φ in [0, π): f c is one of them except for a phase that depends only on the ray
     std::vector<fourier::Complex> minus_, plus_;
 };
 

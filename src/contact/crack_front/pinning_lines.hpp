@@ -7,7 +7,7 @@
 
 namespace setae::crack_front {
 
-/// What holds the front on each line, linear between points: a w [J/m] on rays, w [J/m²] on parallels.
+/// Pinning force on the front on each line, linear between points: a w [J/m] on rays, w [J/m²] on parallels.
 class PinningLines {
 public:
     /// `repeats`: the line goes on from its end as from its beginning.
@@ -22,7 +22,7 @@ public:
     [[nodiscard]] Index cell(double x) const {
         return static_cast<Index>(std::floor((x - points_.first) / points_.spacing));
     }
-    /// Where a cell begins; it ends where the next begins.
+    /// Begin of a cell; it ends at the begin of the next.
     [[nodiscard]] double begin(Index cell) const { return points_.at(cell); }
     [[nodiscard]] bool holds(Index cell) const { return repeats_ || (cell >= 0 && cell < points_.count - 1); }
     [[nodiscard]] Value at(Index line, double x, Index cell) const {

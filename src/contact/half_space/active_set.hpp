@@ -11,7 +11,7 @@
 
 namespace setae::half_space {
 
-/// What is prescribed on one grid.
+/// Prescribed quantity on one grid.
 struct Target {
     std::optional<double> mean_pressure;  ///< [Pa]; absent: the level is
     double level = 0.0;                   ///< c [m] of g = G p − h + c
@@ -28,7 +28,7 @@ public:
     ActiveSetSolver(ElasticOperator& response, const fourier::Multiplier& compliance, const ElasticOperator& stiffness,
                     const Array2D& heights, const Target& target, parallel::Threads threads);
 
-    /// From pressures that stand in pressures(). `report` is called for every new set.
+    /// Starts from the content of pressures(). `report` is called for every new set.
     SolveStatus solve(double tolerance, Index max_iterations, const std::function<void(const SolveProgress&)>& report);
 
     [[nodiscard]] Array2D& pressures() { return p_; }

@@ -7,7 +7,7 @@
 
 namespace setae::half_space {
 
-/// What lengths and pressures are counted in, so that all numbers of a model in float are about 1.
+/// Units of lengths and pressures with which all numbers of a model in float are about 1.
 struct ModelUnits {
     double length = 1.0, pressure = 1.0;
 };

@@ -4,7 +4,7 @@
 /// Displacements of a half-space of contact modulus 1 Pa under pressure on one pixel.
 namespace setae::half_space {
 
-/// Half the widths of a pixel [m].
+/// Half widths of a pixel [m].
 struct HalfPixel {
     double x = 0.0, y = 0.0;
 };
@@ -24,8 +24,8 @@ struct HalfPixel {
 ///   u = 2/π ∫ K_0(q |y − y'|) dy'                  q > 0
 ///     = −2/π ∫ (ln(|y − y'|/2L) + γ) dy'           q = 0
 ///
-/// A pressure that does not vary along x moves the whole body: the zero of u is that of a row of point forces L apart,
-/// Σ 1/√((x + nL)² + y²) − Σ 1/|nL|. Relative error below 1e-13 (q = 0: of the largest term).
+/// A pressure that does not vary along x moves the whole body: the zero of u is that of a row of point forces with
+/// spacing L, Σ 1/√((x + nL)² + y²) − Σ 1/|nL|. Relative error below 1e-13 (q = 0: of the largest term).
 /// Source: DLMF 10.32.9 integrated over y, by the trapezoidal rule, which converges exponentially here.
 [[nodiscard]] double strip_displacement(double wavevector, double y, double half_width, double repeat);
 

@@ -36,9 +36,9 @@ ConstRowOf<Real> row(const MapOf<Real>& map, Index i) {
 /// 1 where a number is above 0, else 0, in vector instructions as comparisons are not; less than 1 below 1e-300.
 [[nodiscard]] auto above_zero(const auto& numbers) { return (numbers.max(0.0) * 1e300).min(1.0); }
 
-/// Numbers of several kinds, one of each a row, from a pass over a map or from what rides along with a transform: rows
-/// are added in an order of their own, whatever thread or process they came from. Processes store their own rows,
-/// counted from 0, and ask together.
+/// Numbers of several kinds, one of each per row, from a pass over a map or from an operation within a transform: rows
+/// are added in a fixed order, independent of threads and processes. Processes store their own rows, counted from 0,
+/// and read together.
 template <std::size_t kinds>
 class RowSums {
 public:
@@ -51,7 +51,7 @@ public:
     [[nodiscard]] double sum(std::size_t kind = 0) const { return pairwise_sum(of(kind)); }
     [[nodiscard]] double least(std::size_t kind = 0) const { return of(kind).minCoeff(); }
     [[nodiscard]] double largest(std::size_t kind = 0) const { return of(kind).maxCoeff(); }
-    /// Of all processes' rows, and what one of them said.
+    /// Rows of all processes, and the result of one row.
     [[nodiscard]] Index rows() const { return slab_.all(); }
     [[nodiscard]] double at(Index row, std::size_t kind = 0) const { return of(kind)[row]; }
 
@@ -62,7 +62,7 @@ private:
         shared_[kind] = true;
         return {values, slab_.all()};
     }
-    /// Of most maps on the stack: passes are many and short.
+    /// Size for most maps on the stack: passes are many and short.
     static constexpr std::size_t on_stack = 1024;
     const parallel::Slab& slab_;
     mutable boost::container::small_vector<double, on_stack> values_;
@@ -72,16 +72,16 @@ private:
 /// Passes over a map row by row, on threads where it is large.
 class RowPasses {
 public:
-    /// Of a map of so many columns, of which this process has the rows of a slab.
+    /// For a map of a number of columns, of which this process has the rows of a slab.
     RowPasses(const parallel::Slab& slab, Index columns, parallel::Threads threads)
         : slab_(slab),
           columns_(columns),
           rows_per_task_(std::max<Index>(1, points_per_task / std::max<Index>(1, columns))),
           threads_{slab.rows() * columns < 2 * points_per_task ? 1 : threads.resolved()} {}
 
-    /// Of the whole map.
+    /// Number of points of the whole map.
     [[nodiscard]] double points() const { return static_cast<double>(slab_.all()) * static_cast<double>(columns_); }
-    /// For what rides along with a transform.
+    /// For operations within a transform.
     template <std::size_t kinds>
     [[nodiscard]] RowSums<kinds> sums() const {
         return RowSums<kinds>(slab_);
@@ -96,7 +96,7 @@ public:
             for (Index i = first; i < std::min(rows, first + rows_per_task_); ++i) body(i);
         });
     }
-    /// What body(row), an array of that many numbers, says of every row.
+    /// Sums of the arrays that body(row) returns for all rows.
     template <std::size_t kinds, class Body>
     [[nodiscard]] RowSums<kinds> numbers(const Body& body) const {
         auto result = sums<kinds>();

@@ -10,16 +10,16 @@
 
 namespace setae::half_space {
 
-/// Of the longest wave [Pa/m], above 0 for a map of one point, too.
+/// Stiffness of the longest wave [Pa/m], above 0 also for a map of one point.
 [[nodiscard]] double softest_stiffness(const ElasticOperator& elastic);
 
-/// Pressures of a set of points, and what is left of their gaps: conjugate gradients that close them.
+/// Pressures of a set of points, and the remaining gaps: conjugate gradients that close them.
 ///
-///   lower ½ d·G d − r·d in the set,  r the residual, d what the pressures lose,  Σ d = 0 where the load is held
+///   lower ½ d·G d − r·d in the set,  r the residual, d the decrease of pressures,  Σ d = 0 for a fixed load
 ///
-/// preconditioned in the set by k(q). Everything rides along with the transforms: two pairs an iteration, no pass of
-/// its own. In float, which halves the traffic: sets reduce their residual by little, and the caller finds the gaps of
-/// the pressures anew in double.
+/// preconditioned in the set by k(q). All operations are combined with the transforms: two pairs per iteration, without
+/// passes of their own. In float, which halves the memory traffic: a set reduces its residual by a small factor, and
+/// the caller computes the gaps of the pressures in double.
 class SetModel {
 public:
     /// compliance: G, a multiplier of `response`. `preconditioner`: of periodic edges; may be the same.
@@ -35,7 +35,7 @@ public:
     [[nodiscard]] RowOf<float> change(Index i) { return row(change_, i); }
 
     struct Aim {
-        double points = 0.0, square = 0.0;  ///< of the set: how many, and Σ r²
+        double points = 0.0, square = 0.0;  ///< number of points of the set, and Σ r²
         bool load_held = true;
         double reduction = 0.25;  ///< of √Σ r², that ends it
         Index max_iterations = 16;
@@ -68,11 +68,11 @@ private:
     void move(float step);
 
     fourier::MapFilterOf<float> filter_;
-    std::optional<fourier::MapFilterOf<float>> periodic_filter_;  ///< of the preconditioner where edges are free
+    std::optional<fourier::MapFilterOf<float>> periodic_filter_;  ///< filter of the preconditioner for free edges
     fourier::MultiplierOf<float> compliance_, stiffness_;
     RowPasses rows_;
     MapOf<float> face_, residual_, change_, direction_, response_;
-    double curvature_ = 0.0;  ///< of the last direction
+    double curvature_ = 0.0;  ///< curvature along the last direction
     Index pairs_ = 0;
 };
 

@@ -9,7 +9,7 @@
 
 namespace setae::loops {
 
-/// Collects alerts about one subject.
+/// Collects warnings about one subject.
 class AlertList {
 public:
     explicit AlertList(std::string subject) : subject_(std::move(subject)) {}
@@ -24,8 +24,7 @@ private:
     std::vector<Alert> alerts_;
 };
 
-/// What is wrong with the record itself, or looks as if its units were: times, saturation, frames, sizes, several
-/// contacts.
+/// Faults of the record itself, or apparent errors of units: times, saturation, frames, sizes, several contacts.
 void check_record(AlertList& list, const LoopAnalysis& analysis, const Loop& loop, const LensAndCounterBody& bodies,
                   const AlertLimits& limits);
 

@@ -8,7 +8,7 @@
 
 namespace setae::loops {
 
-/// What the reader of an analysis must know, from its numbers and the limits.
+/// Warnings of an analysis, from its numbers and the limits.
 [[nodiscard]] std::vector<Alert> alerts_of(const LoopAnalysis& analysis, const Loop& loop,
                                            const LensAndCounterBody& bodies, const AlertLimits& limits,
                                            const std::string& subject);

@@ -22,7 +22,7 @@ struct Selection {
 /// All samples of a stretch.
 [[nodiscard]] Selection range_selection(const IndexRange& range, std::string name);
 
-/// A record whose force counts from its zero, and what is known of its errors.
+/// A record with its force relative to its zero, and its known errors.
 struct LevelledLoop {
     const Loop& loop;
     const Baseline& noise;
@@ -33,14 +33,14 @@ struct LevelledLoop {
 [[nodiscard]] BranchData branch_data(const LevelledLoop& record, const Selection& selection,
                                      const AnalysisOptions& options);
 
-/// Every fit of one branch; a fit that cannot be made carries its reason. elastic_modulus: E* that G of measured radii
-/// is computed with, else the branch's own, which takes in what G gains with the speed of the edge.
-/// @throws UndefinedDataError where no fit can be made at all.
+/// Every fit of one branch; a fit that is not possible has its reason. elastic_modulus: E* for G of measured radii,
+/// else that of the branch, which includes the increase of G with the speed of the edge.
+/// @throws UndefinedDataError where no fit is possible.
 [[nodiscard]] BranchAnalysis analyse_branch(const LevelledLoop& record, const Selection& selection,
                                             const LensAndCounterBody& bodies, const AnalysisOptions& options,
                                             const std::optional<Estimate>& elastic_modulus = {});
 
-/// The branch's primary fit alone.
+/// Only the branch's primary fit.
 [[nodiscard]] JkrFit primary_fit(const BranchData& data, const LensAndCounterBody& bodies,
                                  const AnalysisOptions& options);
 

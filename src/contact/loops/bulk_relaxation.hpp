@@ -8,7 +8,7 @@
 
 namespace setae::loops {
 
-/// What a relaxing bulk adds to the force of the first contact.
+/// Additional force of a relaxing bulk in the first contact.
 struct BulkForce {
     Index first = 0;  ///< sample of the record
     Array1D force;    ///< from there on [N]

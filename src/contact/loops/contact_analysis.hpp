@@ -8,10 +8,10 @@ namespace setae::loops {
 
 /// A record ready for analysis.
 struct PreparedRecord {
-    Loop deflected;  ///< the machine's own deflection and the displacement's drift taken off
+    Loop deflected;  ///< deflection of the machine and drift of the displacement subtracted
     Loop level;      ///< the zero of force and its drift, too
     Segments segments;
-    ForceZero zero;  ///< what was taken off the force
+    ForceZero zero;  ///< zero that was subtracted from the force
 
     [[nodiscard]] LevelledLoop levelled() const { return {level, segments.before, zero.modes}; }
 };
@@ -19,8 +19,8 @@ struct PreparedRecord {
 /// A branch without the samples that no fit uses.
 [[nodiscard]] Selection without_ignored(Selection selection, const Segments& segments);
 
-/// A record with its faults taken out, as the options want it. `known`: segments to keep, in which baselines are
-/// measured anew; else they are found.
+/// A record with its faults removed as requested by the options. `known`: segments to keep, in which baselines are
+/// measured again; else they are found.
 /// @throws as find_segments.
 [[nodiscard]] PreparedRecord prepared(const Loop& recorded, const RecordFaults& faults, const AnalysisOptions& options,
                                       const Segments* known = nullptr);

@@ -6,13 +6,13 @@
 
 namespace setae::loops {
 
-/// What a branch of a body of finite height would be on a half-space.
+/// The equivalent branch on a half-space of a body of finite height.
 ///
-/// Each sample is moved by the difference of JKR's curve to that of the layer (contact/layer.hpp) at the contact radius
-/// the layer has under its force, F' = F + F_∞(a) − F_h(a) and δ' = δ + δ_∞(a) − δ_h(a), with E* and W of the primary
-/// fit to the moved samples: found by repetition to 1e-10 of E*. Every route for half-spaces then holds for F', δ', a.
-/// Without a height the branch comes back as it is.
-/// @throws UndefinedDataError where it does not settle; as the fits; InvalidArgument for a contact beyond 5 h.
+/// Each sample is shifted by the difference of JKR's curve to that of the layer (contact/layer.hpp) at the contact
+/// radius of the layer under its force, F' = F + F_∞(a) − F_h(a) and δ' = δ + δ_∞(a) − δ_h(a), with E* and W of the
+/// primary fit to the shifted samples: iterated to 1e-10 of E*. Every route for half-spaces then applies to F', δ', a.
+/// Without a height the branch is unchanged.
+/// @throws UndefinedDataError without convergence; as the fits; InvalidArgument for a contact beyond 5 h.
 [[nodiscard]] BranchData as_half_space(const BranchData& data, const LensAndCounterBody& bodies,
                                        const AnalysisOptions& options);
 
@@ -20,8 +20,8 @@ namespace setae::loops {
 [[nodiscard]] BranchData as_half_space(const BranchData& data, const contact::layer::Layer& layer,
                                        const contact::AdhesiveContact& contact);
 
-/// By how much E* from force and displacement is too high where a layer is taken for a half-space: f/d^(3/2) − 1 of the
-/// layer's factors, without adhesion.
+/// Relative error of E* from force and displacement if a layer is treated as a half-space: f/d^(3/2) − 1 of the layer's
+/// factors, without adhesion.
 [[nodiscard]] double modulus_excess(double contact_radius, double thickness, double poisson_ratio);
 
 }  // namespace setae::loops

@@ -5,7 +5,7 @@
 
 namespace setae::loops {
 
-/// What changes while the force is held; nothing where the record has no hold, or too few samples in it.
+/// Changes while the force is held; empty where the record has no hold, or too few samples in it.
 [[nodiscard]] std::optional<HoldGrowth> hold_growth(const LevelledLoop& record, const ContactSegments& contact,
                                                     const BranchAnalysis& loading, const LensAndCounterBody& bodies,
                                                     const AnalysisOptions& options);

@@ -7,15 +7,15 @@
 
 namespace setae::loops {
 
-/// Samples after the last press in which the contact edge does not move: the contact unloads as a flat punch, G rises
-/// from one W to the other, and no JKR curve describes it.
+/// Samples after the last loading in which the contact edge does not move: the contact unloads like a flat punch, G
+/// increases from one W to the other, and no JKR curve describes it.
 ///
-/// The edge recedes for good behind the last sample whose contact radius is within four standard deviations of the
+/// The edge retracts permanently after the last sample whose contact radius is within four standard deviations of the
 /// noise of the largest; noisier radii are averaged over their neighbours first. Where the radius was not measured, it
-/// recedes behind the last sample whose force exceeds that of a flat punch of the largest radius by less than four
-/// standard deviations, and than 1 % of what has been unloaded, 5 % where the error of W leaves the largest radius in
-/// doubt. Nothing without a retraction, for a stretch of fewer than two samples, or where fewer than ten samples of the
-/// branch would be left.
+/// retracts after the last sample whose force exceeds that of a flat punch of the largest radius by less than four
+/// standard deviations, and than 1 % of the unloaded force, 5 % where the error of W makes the largest radius
+/// uncertain. Empty without a retraction, for a section of fewer than two samples, or where fewer than ten samples of
+/// the branch would remain.
 [[nodiscard]] std::optional<IndexRange> pinned_stretch(const Loop& loop, const Segments& segments,
                                                        const ContactSegments& contact, const ContactAnalysis& analysis,
                                                        const LensAndCounterBody& bodies,

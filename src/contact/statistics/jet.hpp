@@ -16,7 +16,7 @@ struct Jet {
 
     double value = 0.0;
     std::array<double, most> first{};
-    std::array<double, most*(most + 1) / 2> second{};  ///< of variables i and j at at(i, j)
+    std::array<double, most*(most + 1) / 2> second{};  ///< second derivative by variables i and j at at(i, j)
 
     Jet& operator+=(const Jet& other) {
         value += other.value;

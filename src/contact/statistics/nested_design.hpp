@@ -10,21 +10,21 @@
 
 namespace setae::statistics {
 
-/// A variance that can be told from the others: between the groups of a level.
+/// A variance that can be distinguished from the others: between the groups of a level.
 struct DesignLevel {
     std::vector<std::string> includes;  ///< names of the levels whose groups these are, outermost first
-    std::vector<int> group;             ///< of each row of the design, rising unless crossed
+    std::vector<int> group;             ///< group of each row of the design, increasing unless crossed
     int groups = 0;
     int degrees_of_freedom = 0;
     bool crossed = false;  ///< its groups lie across surfaces
 };
 
 /// Rows in the order of their groups, so that every nested group's rows are neighbours, with the levels whose variances
-/// can be told, crossed ones first. The last level, where there is any, is nested and has one row a group.
+/// can be estimated, crossed ones first. The last level, if any, is nested and has one row per group.
 struct NestedDesign {
     std::vector<std::string> surfaces;
-    std::vector<std::size_t> rows;  ///< of the data
-    std::vector<int> surface;       ///< of each row of the design, rising
+    std::vector<std::size_t> rows;  ///< rows of the data
+    std::vector<int> surface;       ///< surface of each row of the design, increasing
     Array1D value;
     Array1D known_variance;  ///< 0 where no standard error is known
     std::vector<DesignLevel> levels;
@@ -37,7 +37,7 @@ struct NestedDesign {
 /// The design of some rows of valid data; surfaces in the order of their first row.
 [[nodiscard]] NestedDesign nested_design(const ReplicateData& data, const std::vector<std::size_t>& rows);
 
-/// Whether a level's labels name the same group on every surface.
+/// Whether a level's labels are common to all surfaces.
 [[nodiscard]] bool is_crossed(const ReplicateData& data, const std::string& level);
 
 /// Whether no row has a label at a level.

@@ -16,7 +16,7 @@ enum class Branch { approach, retraction };
 /// W_int of the elastomers: one of all, or in proportion to W_app of the smooth reference on the same elastomer.
 enum class WorkOfElastomers { common, by_reference };
 
-/// What is known of everything that a model's predictions rest on: mean and covariance, in standard errors.
+/// Present estimate of all inputs of a model's predictions: mean and covariance, in standard errors.
 struct Knowledge {
     Eigen::VectorXd mean;
     Eigen::MatrixXd covariance;
@@ -26,36 +26,36 @@ struct Knowledge {
 ///
 ///   y − f = residual − J (x − mean)
 struct BranchLines {
-    Eigen::VectorXd residual;         ///< at the mean of what is known [J/m²]
+    Eigen::VectorXd residual;         ///< residual at that mean [J/m²]
     Eigen::MatrixXd jacobian;         ///< pairs × inputs [J/m²]
-    Eigen::VectorXd own_variance;     ///< of noise that no other value shares [J²/m⁴]
+    Eigen::VectorXd own_variance;     ///< variance of noise that no other value shares [J²/m⁴]
     Eigen::VectorXd by_approach;      ///< ∂ predicted/∂ W_app as measured
-    Eigen::MatrixXd covariance_with;  ///< of all inputs with J x: K Jᵀ
+    Eigen::MatrixXd covariance_with;  ///< covariance of all inputs with J x: K Jᵀ
     Eigen::MatrixXd covariance;       ///< J K Jᵀ and the own noise
 };
 
-/// Both works of adhesion of all pairs by one model, as functions of W_int, of the model's number and of all inputs.
+/// Both works of adhesion of all pairs by one model, as functions of W_int, of the model's parameter and of all inputs.
 ///
-///   W_app = g W − K,   W_ret = φ (W_app as measured + x), or φ W_x α r
+///   W_app = g W − K,   W_ret = φ (measured W_app + x), or φ W_x α r
 ///
-/// Numbers above 0 vary in their logarithms. Retraction is told W_app as it was measured, so that an error of the
-/// balance of approach does not count twice.
+/// Logarithms of positive numbers vary linearly. Retraction uses the measured W_app, so that an error of the balance of
+/// approach is counted once.
 class BothBranches {
 public:
-    /// Before the inputs of the pairs: ln W_int, the model's number, and a constant beside W_ret.
+    /// Inputs before those of the pairs: ln W_int, the model's parameter, and a constant error of W_ret.
     enum Shared : Index { work, number, constant, shared_count };
 
-    /// known_work: W_int where it is not to be found from the pairs. works: by_reference needs a reference of every
-    /// pair; W_int is then that of a pair whose reference is as their mean.
+    /// known_work: W_int where it is not determined from the pairs. works: by_reference needs a reference of every
+    /// pair; W_int is then that of a pair with the mean reference.
     BothBranches(const RetractionModel& model, const std::vector<RankedPair>& pairs,
                  const std::optional<Estimate>& known_work, WorkOfElastomers works = WorkOfElastomers::common);
 
     [[nodiscard]] Index size() const { return static_cast<Index>(pairs_.size()); }
     /// Before any pair has been measured. with_constant: whether W_ret may be off by one constant of all pairs.
     [[nodiscard]] Knowledge prior(bool with_constant) const;
-    /// Of the pairs' branch about x. own_variance has that of W_app in that of W_ret.
+    /// Linearised branch of the pairs about x. own_variance of W_ret includes that of W_app.
     [[nodiscard]] BranchLines lines_at(Branch branch, const Eigen::VectorXd& x, const Knowledge& known) const;
-    /// approach_error: of W_app as measured [J/m²], which retraction is told.
+    /// approach_error: error of measured W_app [J/m²], which retraction uses.
     [[nodiscard]] double predicted(Branch branch, Index pair, const Eigen::VectorXd& x,
                                    double approach_error = 0.0) const;
     [[nodiscard]] const Eigen::VectorXd& measured(Branch branch) const {
@@ -65,16 +65,16 @@ public:
     [[nodiscard]] const Eigen::VectorXd& noise(Branch branch) const {
         return branch == Branch::approach ? approach_noise_ : retraction_noise_;
     }
-    /// Of what is known of the shared ones: W_int [J/m²], the model's number [its unit], the constant [J/m²].
+    /// Estimates of the shared inputs: W_int [J/m²], the model's parameter [its unit], the constant [J/m²].
     [[nodiscard]] Estimate value_of(Shared input, const Knowledge& known) const;
-    /// Where a number of the model and W_int are what they are said to be.
+    /// Position in the inputs with given parameter of the model and given W_int.
     [[nodiscard]] Eigen::VectorXd at(double work_of_adhesion, double parameter) const;
     /// The same inputs drawn by standard normal numbers, one a direction that they have.
     [[nodiscard]] Eigen::VectorXd drawn(const Eigen::VectorXd& normal) const { return factor_ * normal; }
     [[nodiscard]] Index directions() const { return factor_.cols(); }
 
 private:
-    /// Numbers of one pair that its predictions rest on, in their order.
+    /// Inputs of the predictions of one pair, in their order.
     enum Number : Index {
         area_ratio,
         energy,
@@ -101,14 +101,14 @@ private:
     };
     [[nodiscard]] Index first_of(Index pair) const { return shared_count + pair * number_count; }
     [[nodiscard]] double moved(Index pair, Number number, double value, const Eigen::VectorXd& x) const;
-    /// Whether a number may move what the model predicts of a branch.
+    /// Whether an input can change the prediction of a branch by the model.
     [[nodiscard]] bool matters(Branch branch, Number of) const;
 
     RetractionModel model_;
     std::vector<RetractionPair> without_approach_;
     std::vector<Pair> pairs_;
     Eigen::VectorXd approach_, retraction_, approach_noise_, retraction_noise_;
-    Eigen::MatrixXd factor_;      ///< of the covariance of all inputs, the shared ones left out …
+    Eigen::MatrixXd factor_;      ///< factor of the covariance of all inputs without the shared ones …
     Eigen::MatrixXd covariance_;  ///< … and that
     Estimate work_, number_;      ///< priors
     double constant_ = 0.0;       ///< standard error of the prior

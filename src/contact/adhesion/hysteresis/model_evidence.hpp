@@ -21,12 +21,12 @@ struct ScatterScales {
 struct FittedToOthers {
     std::vector<Eigen::Index> seen;  ///< places of these pairs
     BranchLines on_approach, on_retraction;
-    Eigen::MatrixXd gain;  ///< what approach moves the inputs by with the residual of each seen pair
+    Eigen::MatrixXd gain;  ///< shift of the inputs by approach per residual of each pair in the fit
 };
 
-/// What one model says of pairs that it has not seen.
+/// Evidence for one model from pairs that are left out.
 struct LeftOutEvidence {
-    /// ln density of what was measured on each surface, by all others, summed over surfaces [(J/m²)^−n].
+    /// ln density of the measured values of each surface by all others, summed over surfaces [(J/m²)^−n].
     double approach = 0.0, retraction = 0.0;
     std::vector<adhesion::LeftOutPrediction> predictions;  ///< of W_ret
     std::vector<FittedToOthers> fits;                      ///< one each group
@@ -34,11 +34,11 @@ struct LeftOutEvidence {
     [[nodiscard]] double both() const { return approach + retraction; }
 };
 
-/// What all pairs together say of a model.
+/// Evidence for a model from all pairs together.
 struct WholeEvidence {
     Estimate work_of_adhesion;  ///< W_int by both branches [J/m²]
     adhesion::ModelScatter approach_scatter;
-    Estimate constant;           ///< what W_ret is off by on all pairs alike [J/m²], where it is free
+    Estimate constant;           ///< constant error of W_ret of all pairs [J/m²], where it is free
     double constant_tail = 1.0;  ///< probability of a constant at least as far from 0 if there were none
 };
 

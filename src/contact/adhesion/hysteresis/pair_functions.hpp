@@ -11,7 +11,7 @@
 
 namespace setae::hysteresis {
 
-/// What a surface is to a contact: true area and energy in full contact.
+/// Roughness in a contact: true area and energy in full contact.
 struct Roughness {
     double area_ratio = 1.0;                  ///< r
     double elastic_energy_per_modulus = 0.0;  ///< U_el/(A E*) [m]
@@ -26,19 +26,19 @@ struct Roughness {
                         : 0.0) {}
 };
 
-/// Whether k of simulated fronts is in W_app and W_ret of a law.
+/// Whether W_app and W_ret of a model include k of simulated fronts.
 [[nodiscard]] bool is_of_simulated_fronts(Law law);
-/// Whether what the sphere's jumps lose is in W_ret of a law.
+/// Whether W_ret of a model includes the loss of the sphere's jumps.
 [[nodiscard]] bool counts_jumps(Law law);
 
-/// What time does to loops of a model, terms of the relaxation as share and time after each other.
+/// Time dependence of loops for a model, with share and time of the terms of relaxation in sequence.
 [[nodiscard]] ViscousBody viscous_body(const RetractionModel& model, const EdgeSpeed& edge,
                                        std::span<const double> terms);
 
-/// Numbers of a pair as functions of its inputs.
+/// Quantities of a pair as functions of its inputs.
 class PairFunctions {
 public:
-    /// Inputs of a pair beside its spectrum, in their order.
+    /// Inputs of a pair in addition to its spectrum, in their order.
     enum Input : std::size_t {
         contact_modulus,
         surface_energy,
@@ -56,7 +56,7 @@ public:
         reference_speed,
         exponent,
         rest_factor,
-        input_count  // behind them share and time of each term of the relaxation
+        input_count  // followed by share and time of each term of the relaxation
     };
     using Inputs = std::vector<double>;  ///< their values
 
@@ -64,7 +64,7 @@ public:
 
     void set(const FittedModel& fitted);
 
-    /// A function of roughness and inputs with all that it rests on.
+    /// A function of roughness and inputs with all its inputs.
     template <class Function>
     [[nodiscard]] TracedValue traced(const Function& function) const {
         return adhesion::traced_function(
@@ -74,16 +74,16 @@ public:
 
     /// The contact that the model comes to without load; of a tip φ where W_ret was read.
     [[nodiscard]] PairState state(const RetractionModel& model, const Roughness& rough, const Inputs& in) const;
-    /// W_app [J/m²] of that contact, what pins the edge taken off; >= 0.
+    /// W_app [J/m²] of that contact, minus the effect of pinning; >= 0.
     [[nodiscard]] double predicted_approach(const RetractionModel& model, const Roughness& rough,
                                             const Inputs& in) const;
     [[nodiscard]] RetractionLine line(const RetractionModel& model, const Roughness& rough, const Inputs& in) const;
     [[nodiscard]] double work_retraction(const RetractionModel& model, const Roughness& rough, const Inputs& in) const;
-    /// W_ret at rest: what the edge of the loop needs before its speed adds to it.
+    /// W_ret at zero speed: work at the edge of the loop without rate dependence.
     [[nodiscard]] double work_at_rest(const RetractionModel& model, const Roughness& rough, const Inputs& in) const;
     [[nodiscard]] HystereticSphere sphere(const RetractionModel& model, const Roughness& rough, const Inputs& in) const;
 
-    /// Of the inputs' values.
+    /// Sphere at the values of the inputs.
     [[nodiscard]] HystereticSphere sphere(const RetractionModel& model) const {
         return sphere(model, Roughness(pair_.rough.parameters), values());
     }
@@ -92,13 +92,13 @@ public:
         return pair_.pressed(contact, in[contact_area], in[machine_stiffness]);
     }
 
-    /// What holds the edge of that contact.
+    /// Pinning of the edge of that contact.
     [[nodiscard]] PairPinning pinning(const Roughness& rough, const Inputs& in) const;
 
-    /// What time does to the loop by a model.
+    /// Time dependence of the loop by a model.
     [[nodiscard]] ViscousBody body(const RetractionModel& model) const;
 
-    /// What a smooth edge at rest needs over W_app by a model.
+    /// Work of a smooth edge at zero speed divided by W_app, by a model.
     [[nodiscard]] static double resting_factor(const RetractionModel& model, const Inputs& in) {
         if (model.tip == Tip::none) return 1.0;
         return in[model.tip == Tip::speed ? rest_factor : tip_factor];

@@ -10,31 +10,31 @@
 
 namespace setae::half_space {
 
-/// The quadratic model of a cell's energy about a state, in the points that are free to move.
+/// The quadratic model of a cell's energy about a state, in the free points.
 ///
-///   q(d) = G·d + ½ d·H d,  H d = K d + V'' d + c ⟨d⟩,  d = 0 outside the face, ⟨d⟩ = 0 where the mean is held
+///   q(d) = G·d + ½ d·H d,  H d = K d + V'' d + c ⟨d⟩,  d = 0 outside the face, ⟨d⟩ = 0 for a fixed mean
 struct FaceProblem {
     const Array2D& gradient;     ///< G [Pa] …
     double level = 0.0;          ///< … from here; of the face's mean where the mean gap is held
     const MapOf<float>& slopes;  ///< V'' in the model's units
     const MapOf<float>& face;    ///< 1 where free, else 0
-    double points = 0.0;         ///< of the face
+    double points = 0.0;         ///< number of points of the face
     bool mean_held = true;
-    double control_stiffness = 0.0;  ///< c [Pa/m] of what holds the mean
+    double control_stiffness = 0.0;  ///< stiffness c [Pa/m] of the control of the mean
     double radius = 0.0;             ///< |d| <= radius [m]
-    double tolerance = 0.0;          ///< rms of what is left of G + H d in the face [Pa]
+    double tolerance = 0.0;          ///< rms of the remainder G + H d in the face [Pa]
     int max_iterations = 200;
 };
 
-/// How minimise() ended.
+/// Result of minimise().
 struct FaceOutcome {
     bool curves_down = false;  ///< along a direction, which was followed to the radius
     bool at_radius = false;
 };
 
-/// Minimises the model by conjugate gradients (Steihaug), preconditioned in the face by 1/(k + k(q_min)). Everything
-/// rides along with the transforms: two pairs an iteration, no pass of its own. In float, which halves the traffic:
-/// what comes out is a direction, whose energy the caller finds in double.
+/// Minimises the model by conjugate gradients (Steihaug), preconditioned in the face by 1/(k + k(q_min)). All
+/// operations are combined with the transforms: two pairs per iteration, without passes of their own. In float, which
+/// halves the memory traffic: the result is a direction, whose energy the caller computes in double.
 class FaceModel {
 public:
     FaceModel(const Array2D& shape, const ElasticOperator& elastic, const ModelUnits& units, parallel::Threads threads);
@@ -62,7 +62,7 @@ private:
     FaceOutcome descend(const Scaled& problem, int max_iterations);
     void precondition(const Scaled& problem, Real length, Real hold);
     void apply_hessian(const Scaled& problem, Real along_last);
-    /// How far along the direction |d| reaches the radius.
+    /// Distance along the direction at which |d| reaches the radius.
     [[nodiscard]] Real reach(Real radius);
     void move(Real length);
 

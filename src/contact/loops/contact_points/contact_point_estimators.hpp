@@ -5,7 +5,7 @@
 
 namespace setae::loops {
 
-/// What one method says of the contact point [m]. @throws UndefinedDataError with the reason where it says nothing.
+/// Estimate of the contact point by one method [m]. @throws UndefinedDataError with the reason where it has no result.
 [[nodiscard]] Estimate estimated_contact_point(ContactPointMethod method, const ContactPointInputs& inputs,
                                                const LensAndCounterBody& bodies);
 

@@ -5,7 +5,7 @@
 
 #include "records/force_zero.hpp"
 
-/// ∫F dδ over stretches of a loop and what its parts of error are.
+/// ∫F dδ over sections of a loop, and contributions to its error.
 namespace setae::loops {
 
 /// A record with its force counted from its zero.
@@ -35,9 +35,9 @@ struct LevelRecord {
 /// Error from the machine's stiffness k where δ = stage − F/k: (F_last² − F_first²) σ_k/(2k²), for the rest telescopes.
 [[nodiscard]] double compliance_error(const LevelRecord& record, const IndexRange& range, const Estimate& stiffness);
 
-/// Largest error of a jump. It happened somewhere within its sampling step, f of it with the motion before and 1 − f
-/// with that after: the chord between the samples then errs by ½ [(1 − f) A_after − f A_before], A the area jump and
-/// motion of one step span; for steady motion A (½ − f), evenly distributed between ± A/2.
+/// Largest error of a jump. It occurred within its sampling step, a share f of it with the motion before and 1 − f with
+/// that after: the error of the chord between the samples is ½ [(1 − f) A_after − f A_before], A the area spanned by
+/// jump and motion of one step; for steady motion A (½ − f), uniformly distributed between ± A/2.
 [[nodiscard]] double jump_error_limit(const LevelRecord& record, const IndexRange& jump);
 
 /// The trapezoid rule against itself with every second sample, on a smooth piece; signed, so that pieces add up.

@@ -8,15 +8,15 @@
 
 namespace setae::loops::errors_in_variables {
 
-/// The curve at true radii x beside the samples from `first` on, in units of the noise: one entry a channel.
+/// The curve at true radii x and the samples from `first` on, in units of the noise: one entry per channel.
 template <std::size_t channels, std::size_t parameters, class Lane>
 struct CurveBesideSamples {
     using Vector = std::array<Lane, channels>;
     Vector residual;  ///< sample − curve
-    Vector tangent;   ///< by x
-    Vector second;    ///< by x twice
+    Vector tangent;   ///< derivative by x
+    Vector second;    ///< second derivative by x
     std::array<Vector, parameters> by_parameter;
-    std::array<Vector, parameters> mixed;  ///< by x and parameter; left open unless asked for
+    std::array<Vector, parameters> mixed;  ///< derivative by x and parameter; undefined unless requested
 
     /// Residual without the offset that noise along the bent curve makes on average, −γ''/(2|γ'|²) across it. Where the
     /// noise is as large as the bend's radius, as where a contact without adhesion begins, that series means nothing:

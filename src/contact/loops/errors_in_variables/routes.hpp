@@ -3,7 +3,7 @@
 
 #include "start.hpp"
 
-/// The fits in which each sample has a true contact radius, with what they were made to.
+/// The fits in which each sample has a true contact radius, with their data.
 namespace setae::loops::errors_in_variables {
 
 struct Route {
@@ -11,7 +11,7 @@ struct Route {
     Fitted fitted;
 };
 
-/// Eq. (1) with errors in force and radius. @throws as fit_radius_force.
+/// Eq. 1 with errors in force and radius. @throws as fit_radius_force.
 [[nodiscard]] Route effective_variance_route(const BranchData& data, const LensAndCounterBody& bodies);
 
 /// δ(F) with errors in both. @throws as fit_force_displacement; InvalidArgument where the noise of either is unknown.

@@ -14,11 +14,11 @@
 ///
 ///   f = e x³ − g x^(3/2),  d = x² − (2/3)(g/e) √x + d0,  e = 4E*L³/(3RF_s),  g = √(8πE*W L³)/F_s with the sign of W
 ///
-/// which is smooth in x through the fold at pull-off and, for g <= 0, goes on to W <= 0. The sum of squared distances
-/// of the samples from this curve, in units of their noise, is made least in e, g, d0 and all x by Gauss and Newton's
-/// method, each x eliminated by hand (Britt, Luecke, Technometrics 15 (1973) 233). Noise along a curved line moves
-/// samples to its outer side by half the curvature on average: that is taken off (Amemiya, Fuller, Ann. Stat. 16 (1988)
-/// 147).
+/// which is smooth in x through the fold at pull-off and, for g <= 0, continues to W <= 0. The sum of squared distances
+/// of the samples from this curve, in units of their noise, is minimised over e, g, d0 and all x by the Gauss–Newton
+/// method, each x eliminated analytically (Britt, Luecke, Technometrics 15 (1973) 233). Noise along a curved line
+/// shifts samples to its outer side by half the curvature on average: this is subtracted (Amemiya, Fuller, Ann. Stat.
+/// 16 (1988) 147).
 namespace setae::loops::errors_in_variables {
 
 struct Channels {
@@ -29,11 +29,11 @@ struct Channels {
 /// Samples in reduced units, and the inverse of their noise.
 struct Points {
     Channels channels;
-    double radius = 0.0;      ///< of the sphere [m]
+    double radius = 0.0;      ///< radius of the sphere [m]
     double force_unit = 0.0;  ///< F_s [N]
     double length = 0.0;      ///< L [m]
     double depth_unit = 0.0;  ///< L²/R [m]
-    double origin = 0.0;      ///< of displacements [m]
+    double origin = 0.0;      ///< zero of displacements [m]
     double shared = 0.0;  ///< σ_Fδ/σ_F² in reduced units: the noise of d − shared·f is independent of that of f
     double force_weight = 0.0, depth_weight = 0.0,
            radius_weight = 0.0;            ///< 1/σ in reduced units; for depth, of d − shared·f
@@ -42,12 +42,12 @@ struct Points {
 
 using Parameters = Eigen::Vector3d;  ///< e, g, d0
 
-/// Which parameter is kept.
+/// Fixed parameter.
 enum class Held { none, modulus, work };
 
 struct Options {
     Held held = Held::none;
-    bool curvature = true;  ///< its offset is taken off
+    bool curvature = true;  ///< whether the offset by curvature is subtracted
     int max_rounds = 100;
 };
 
@@ -82,11 +82,10 @@ struct Solution {
 /// All samples with their nearest points on the curve of a solution for means of them.
 [[nodiscard]] Solution projected(const Points& points, const Solution& solution);
 
-/// The samples with the mean offset that the curvature makes taken off, for a sum of squares that is least at the
-/// solution.
+/// The samples with the mean offset by curvature subtracted, for a sum of squares with its minimum at the solution.
 [[nodiscard]] Points straightened(const Points& points, const Solution& solution);
 
-/// What noise along the curve does at a solution, in units of the noise.
+/// Effects of noise along the curve at a solution, in units of the noise.
 struct AlongTheCurve {
     double curvature = 0.0;     ///< the largest: |γ''⊥|/|γ'|²
     Eigen::MatrixXd pretended;  ///< Σ j'j'ᵀ/|γ'|², j' the change along the curve of the derivatives across it

@@ -9,7 +9,7 @@ namespace setae::loops::errors_in_variables {
 /// linear least squares in force, the contact point by the mean difference.
 [[nodiscard]] Parameters linear_start(const Points& points);
 
-/// What a fit was made to, and what came out.
+/// Data and result of a fit.
 struct Fitted {
     Points points;  ///< means of neighbours where the noise is large
     Solution solution;
@@ -17,10 +17,9 @@ struct Fitted {
 
 /// Solved for means of neighbours first, then for all samples from there. Without contact radius W >= 0.
 ///
-/// What is left of the noise's offset behind the curvature's correction grows with the fourth power of the noise:
-/// samples whose noise exceeds a tenth of the curve's smallest radius of curvature (in units of the noise) are replaced
-/// by means of so many neighbours that theirs does not, 24 means at least. Samples therefore come in the order they
-/// were taken.
+/// The remaining offset by noise after the correction for curvature grows with the fourth power of the noise: samples
+/// whose noise exceeds a tenth of the curve's smallest radius of curvature (in units of the noise) are replaced by
+/// means of as many neighbours as necessary, with at least 24 means. Samples therefore have the order of recording.
 [[nodiscard]] Fitted fit(const Points& points, const Parameters& start);
 
 }  // namespace setae::loops::errors_in_variables

@@ -7,10 +7,10 @@
 
 namespace setae::loops {
 
-/// What residuals that may depend on their neighbours say of a least-squares fit.
+/// Covariance of a least-squares fit with correlated residuals.
 struct FitCovariance {
-    Eigen::MatrixXd
-        covariance;  ///< of the parameters; undefined where JᵀJ is singular or there are no degrees of freedom
+    Eigen::MatrixXd covariance;  ///< covariance of the parameters; undefined where JᵀJ is singular or there are no
+                                 ///< degrees of freedom
     double correlated_samples = 1.0;  ///< τ = 1 + 2 Σ (1 − k/n) ρ_k, at least 1: n/τ residuals count as independent
     double degrees_of_freedom = 0.0;  ///< max(1, n/τ − p)
 };
@@ -20,18 +20,18 @@ struct FitCovariance {
 ///   (JᵀJ)⁻¹ JᵀΩJ (JᵀJ)⁻¹ s²,  Ω_ij = ρ_|i−j|,  s² = Σ r²/(n − tr HΩ),  H = J(JᵀJ)⁻¹Jᵀ
 ///
 /// ρ is that of an autoregressive process of order up to min(10, n/8), chosen by the corrected Akaike criterion. The
-/// fit takes from its residuals what looks like the model: their autocovariances are corrected for E[rrᵀ] = (1 − H)Ω(1
-/// − H) in three rounds. For fewer than eight residuals, and where order 0 is best, it is s² (JᵀJ)⁻¹ with s² = Σ r²/(n
-/// − p).
+/// fit removes from its residuals the part along the model: their autocovariances are corrected for E[rrᵀ] = (1 − H)Ω(1
+/// − H) in three iterations. For fewer than eight residuals, and where order 0 is best, it is s² (JᵀJ)⁻¹ with s² = Σ
+/// r²/(n − p).
 ///
 /// Measured, 300 fits of a(F) to 400 samples whose noise follows ρ_k = φ^k: the 95 % interval of W covers 94, 93, 94,
-/// 92 % for φ = 0, 0.6, 0.9, 0.97, where residuals taken for independent cover about 95, 70, 35, 18 %. With fewer than
+/// 92 % for φ = 0, 0.6, 0.9, 0.97, where residuals taken as independent cover about 95, 70, 35, 18 %. With fewer than
 /// about ten independent residuals (n/τ) it covers less than 85 %. jacobian: n × p. Source: Newey, West, Econometrica
-/// 55 (1987) 703 (the sandwich); Hurvich, Tsai, Biometrika 76 (1989) 297. Cost: O(n) for each round and order.
+/// 55 (1987) 703 (the sandwich); Hurvich, Tsai, Biometrika 76 (1989) 297. Cost: O(n) for each iteration and order.
 [[nodiscard]] FitCovariance correlated_covariance(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& residuals);
 
-/// The same for several series of residuals of one fit, sample by sample beside each other, each with a variance and a
-/// process of its own; what two series share at the same sample, their correlation there, they share at all lags.
+/// The covariance for several series of residuals of one fit with common samples, each with a variance and a process of
+/// its own; the correlation of two series at the same sample applies at all lags.
 ///
 ///   N⁻¹ [Σ_s s_s² J_sᵀΩ_sJ_s + Σ_(s≠t) ρ_st s_s s_t J_sᵀ(Ω_s + Ω_t)J_t/2] N⁻¹,  N = Σ_s J_sᵀJ_s
 ///

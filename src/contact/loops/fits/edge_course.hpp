@@ -10,14 +10,14 @@
 
 namespace setae::loops {
 
-/// What the course of an edge depends on.
+/// Parameters of the course of an edge.
 struct EdgeParameters {
     double first_radius = 0.0;     ///< a at the first sample [m]
     double contact_modulus = 0.0;  ///< E* [Pa]
     contact::crack_speed::Law law;
 };
 
-/// a(t) of a receding edge at every sample, and its derivatives by ln a(0), ln E*, ln G0, ln v0 and ln n.
+/// a(t) of a retracting edge at every sample, and its derivatives by ln a(0), ln E*, ln G0, ln v0 and ln n.
 struct EdgeCourse {
     static constexpr int parameters = 5;
     Array1D contact_radius;                                          ///< [m]; NaN from where the edge ran away

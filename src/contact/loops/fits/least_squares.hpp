@@ -14,7 +14,7 @@ namespace setae::loops {
 struct ResidualFunction {
     Eigen::Index residuals = 0;
     Eigen::Index parameters = 0;
-    /// Fills the residuals and, where asked, their Jacobian (residuals × parameters) at the parameters given.
+    /// Fills the residuals and, where requested, their Jacobian (residuals × parameters) at the given parameters.
     std::function<void(const Eigen::VectorXd& parameters, Eigen::VectorXd& residuals, Eigen::MatrixXd* jacobian)>
         evaluate;
 };
@@ -30,7 +30,7 @@ struct LeastSquaresSolution {
     [[nodiscard]] Estimate estimate(double value, double standard_error) const;
 };
 
-/// Least squares by Levenberg and Marquardt's method from a start that lies near the solution.
+/// Least squares by Levenberg and Marquardt's method from a start near the solution.
 [[nodiscard]] LeastSquaresSolution solve_nonlinear(const ResidualFunction& function, const Eigen::VectorXd& start,
                                                    int max_iterations = 200);
 

@@ -11,8 +11,7 @@
 
 namespace setae::loops {
 
-/// A model's parameters on the scale on which fits move them, one slot each; models with fewer leave the last ones
-/// alone.
+/// A model's parameters on the scale of fits, one slot each; models with fewer do not use the last ones.
 ///
 /// 0: ln E*.  1: signed √W (jkr, layer, large_strain: the root of W in the force, so that fits pass through 0), W
 /// (dmt), ln W (maugis_dugdale).  2: ln λ, or ln σ0 where that is given.  Transition: ln a0, ln(−Fc), ln(α/(1 − α)).
@@ -27,8 +26,8 @@ struct CurvePoint {
 
 /// A model's curve through force, displacement and contact radius.
 ///
-/// The coordinate t is the contact radius; Hertz's and DMT's curves go on below t = 0 with the bodies apart: δ = −t²/R,
-/// the force as at t = 0.
+/// The coordinate t is the contact radius; Hertz's and DMT's curves continue below t = 0 for separated bodies: δ =
+/// −t²/R, the force as at t = 0.
 class ModelCurve {
 public:
     /// @throws InvalidArgument for a layer without thickness or R <= 0.
@@ -38,9 +37,9 @@ public:
     [[nodiscard]] double radius() const { return radius_; }
     /// Whether the third slot of Maugis–Dugdale is ln σ0.
     [[nodiscard]] bool stress_given() const { return stress_given_; }
-    /// How many of the slots the model has.
+    /// Number of slots of the model.
     [[nodiscard]] int parameters() const;
-    /// Whether bodies apart are part of the curve.
+    /// Whether separated bodies are part of the curve.
     [[nodiscard]] bool goes_on_apart() const { return model_ == ContactModel::hertz || model_ == ContactModel::dmt; }
     /// Largest t [m] the model holds for.
     [[nodiscard]] double largest_radius() const;

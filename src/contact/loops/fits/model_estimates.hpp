@@ -20,7 +20,7 @@ void fill_estimates(ModelFit& fit, const PreparedFit& prepared, const FitSolutio
 /// Says in place of λ and σ0 that λ ran to one of its limits.
 void leave_zone_open(ModelFit& fit, double transition_parameter);
 
-/// A fit with what a further fit of the same branch starts from.
+/// A fit with the start of a further fit of the same branch.
 struct SolvedFit {
     ModelFit fit;
     PreparedFit prepared;

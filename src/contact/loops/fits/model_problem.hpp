@@ -9,7 +9,8 @@
 
 namespace setae::loops {
 
-/// What a fit moves: the curve's slots and, in units of the displacements' range from their first, the contact point.
+/// Parameters of a fit: the curve's slots and, in units of the displacements' range from their first, the contact
+/// point.
 using FitParameters = Eigen::Vector4d;
 constexpr Index contact_point_slot = 3;
 
@@ -38,7 +39,7 @@ public:
     [[nodiscard]] bool has_displacement() const { return channels_ != Channels::force_radius; }
     [[nodiscard]] bool has_radius() const { return channels_ != Channels::force_displacement; }
     [[nodiscard]] Index samples() const { return force_.size(); }
-    /// One a sample; two where three channels are fitted.
+    /// One per sample; two where three channels are fitted.
     [[nodiscard]] Index residuals() const {
         return channels_ == Channels::force_displacement_radius ? 2 * samples() : samples();
     }
@@ -51,14 +52,14 @@ public:
         return (contact_point - origin_) / depth_unit_;
     }
 
-    /// Fills residuals and, where asked, their derivatives by all four parameters.
+    /// Fills residuals and, where requested, their derivatives by all four parameters.
     void evaluate(const FitParameters& at, Eigen::Ref<Eigen::VectorXd> residuals, Eigen::MatrixXd* jacobian) const;
     /// Sets the weights of effective variance to those at the parameters; the others have none to renew.
     /// @return the largest relative change of one
     double renew_weights(const FitParameters& at);
     [[nodiscard]] bool weights_change() const { return errors_ == FitErrors::effective_variance && has_radius(); }
 
-    /// The point of the curve that stands for each sample: the nearest, or with force_only the one of its abscissa.
+    /// The point of the curve for each sample: the nearest, or with force_only that at the same abscissa.
     [[nodiscard]] std::vector<CurvePoint> fitted(const FitParameters& at) const;
     /// Measured − fitted of each channel that is fitted, at those points.
     [[nodiscard]] Array1D force_residuals(const std::vector<CurvePoint>& fitted) const;
@@ -66,8 +67,8 @@ public:
     [[nodiscard]] Array1D radius_residuals(const std::vector<CurvePoint>& fitted) const;
     /// Σ of their squares over the noise.
     [[nodiscard]] double chi2(const std::vector<CurvePoint>& fitted, const FitParameters& at) const;
-    /// How far a curve lies from the data along displacement and radius at their forces, for a search of starts:
-    /// squares over the channels' ranges. Sets the contact point unless that is given.
+    /// Distance of a curve from the data along displacement and radius at their forces, for a search of starts: squares
+    /// divided by the channels' ranges. Sets the contact point unless it is given.
     [[nodiscard]] double distance(FitParameters& at, bool contact_point_given) const;
     /// Every k-th sample, so that at most `most` are left.
     [[nodiscard]] BranchProblem thinned(Index most) const;
@@ -101,9 +102,9 @@ private:
     ChannelNoise noise_;
     Array1D force_, displacement_, radius_;
     double origin_ = 0.0, depth_unit_ = 1.0;
-    double rounding_ = 0.0;  ///< of whitened errors
+    double rounding_ = 0.0;  ///< rounding of whitened errors
     Eigen::Matrix3d whitening_ = Eigen::Matrix3d::Zero();
-    std::vector<Eigen::Matrix2d> weights_;  ///< of effective variance, a sample each
+    std::vector<Eigen::Matrix2d> weights_;  ///< weights of effective variance, one per sample
 };
 
 }  // namespace setae::loops

@@ -28,13 +28,13 @@ struct PreparedFit {
 
 struct FitSolution {
     FitParameters at;
-    LeastSquaresSolution least_squares;  ///< of the free slots
+    LeastSquaresSolution least_squares;  ///< solution in the free slots
 };
 
 /// Least squares from a start, weights renewed until they settle.
 [[nodiscard]] FitSolution solve(PreparedFit& fit, const FitParameters& start);
 
-/// Whether a set of parameters is one a curve can be drawn for at all.
+/// Whether a curve can be computed for a set of parameters.
 [[nodiscard]] bool drawable(const FitParameters& at);
 
 }  // namespace setae::loops

@@ -8,7 +8,7 @@
 
 namespace setae::loops {
 
-/// What a sum of squares of few parameters needs of its residuals: JᵀJ, Jᵀr and Σ r², J that of the model.
+/// Sums for a least-squares problem of few parameters: JᵀJ, Jᵀr and Σ r², J that of the model.
 template <int parameters>
 struct NormalEquations {
     Eigen::Matrix<double, parameters, parameters> normal = Eigen::Matrix<double, parameters, parameters>::Zero();
@@ -23,8 +23,8 @@ struct SmallMinimum {
     int iterations = 0;
 };
 
-/// Whether a step is far below the standard errors, squares/freedom the variance; it is taken all the same, and what is
-/// left behind it is smaller still.
+/// Whether a step is far below the standard errors, squares/freedom the variance; the step is still applied, and the
+/// remainder after it is smaller.
 template <class Step, class Normal>
 [[nodiscard]] bool far_below_errors(const Step& step, const Normal& normal, double squares, double freedom) {
     constexpr double of_standard_error = 1e-4;

@@ -17,7 +17,8 @@ namespace setae::loops {
 /// σ_F and how many samples count as one, from free flight.
 [[nodiscard]] SampleNoise sample_noise(const Baseline& baseline);
 
-/// A baseline where the user sees free flight. @throws InvalidArgument for fewer than five samples, and as samples_of.
+/// A baseline in the free flight given by the user. @throws InvalidArgument for fewer than five samples, and as
+/// samples_of.
 [[nodiscard]] Baseline given_baseline(const Loop& loop, const GivenRange& range, const std::string& name);
 
 /// Zero of force, its slope and noise from a stretch of free flight.

@@ -8,9 +8,9 @@
 
 namespace setae::loops {
 
-/// The mistake in the columns of a record in which no contact is found as it is: the one without which a contact with a
-/// jump into it or out of it shows. Nothing where none does. Columns count as swapped only where the force draws two
-/// straight lines in time, as a stage does (they leave less than 2 % of its variance), and the displacement does not
+/// The error in the columns of a record without a visible contact: the one whose correction gives a contact with a jump
+/// into it or out of it. Empty where none does. Columns are treated as swapped only where the force consists of two
+/// straight lines in time, like a stage (with less than 2 % of its variance remaining), and the displacement does not
 /// (more than 10 %).
 [[nodiscard]] std::optional<ChannelFault> channel_fault(const Loop& loop);
 

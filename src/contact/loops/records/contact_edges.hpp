@@ -18,13 +18,12 @@ struct ContactEdges {
     std::optional<IndexRange> after;   ///< free flight after it
 };
 
-/// Finds contact by slopes and jumps of the force, which no offset and no steady drift of its zero changes.
+/// Finds contact by slopes and jumps of the force, which do not depend on an offset or a steady drift of its zero.
 ///
-/// Lines are fitted to windows of samples wide enough that noise hides no slope. In contact the slope in time exceeds
-/// that at the record's own end by more than 15 % of the slope near the turn. Jumps into contact lead to less
-/// force, jumps out of it to more; the side of free flight is flat. Free flight needs five samples. Where nothing jumps
-/// into contact, free flight ends one window before the slope does; after contact there is free flight only where a
-/// jump ends it.
+/// Lines are fitted to windows of samples wide enough that slopes exceed the noise. In contact the slope in time
+/// exceeds that at the record's end by more than 15 % of the slope near the turn. Jumps into contact lead to less
+/// force, jumps out of it to more; the side of free flight is flat. Free flight needs five samples. Without a jump into
+/// contact, free flight ends one window before the slope does; after contact there is free flight only after a jump.
 ///
 /// Needs displacement. Cost: n log n.
 [[nodiscard]] ContactEdges find_contact_edges(const Loop& loop);

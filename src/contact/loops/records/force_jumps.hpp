@@ -21,23 +21,23 @@ enum class FreeSide { neither, before, after };
 
 /// Where jumps are looked for.
 struct JumpSearch {
-    IndexRange samples;    ///< of the sample before the jump
+    IndexRange samples;    ///< samples of the jump
     double sign = 0.0;     ///< 1: upwards, −1: downwards, 0: both
     double noise = 0.0;    ///< σ_F of one sample [N]
-    Index half_width = 4;  ///< of the windows that show slopes: lines of so many samples, half of it and four are tried
+    Index half_width = 4;  ///< of the windows of slopes: lines of this number of samples, half of it and four are tried
     FreeSide free_side = FreeSide::neither;
     double flat = 0.0;  ///< slope in time that the force in free flight stays below [N a unit of the clock]
 };
 
 /// Jumps that exceed six times their error, of all widths and of gaps of 0, 1, 3 and 7 samples.
 ///
-/// The size is what the lines on both sides of the gap differ by, extrapolated to its middle: a steady drift makes
-/// none. Its error is that of the lines, whose scatter is at least the noise, and at least 1.4826 times the median
-/// deviation of all such differences in the stretch: slow noise and bends do not count as jumps. clock: increasing
-/// strictly. Cost: linear.
+/// The size is the difference of the lines on both sides of the gap, extrapolated to its middle: zero for a steady
+/// drift. Its error is that of the lines, whose scatter is at least the noise, and at least 1.4826 times the median
+/// deviation of all such differences in the section: slow noise and bends are not jumps. clock: increasing strictly.
+/// Cost: linear.
 [[nodiscard]] std::vector<ForceJump> force_jumps(const Array1D& clock, const Array1D& force, const JumpSearch& search);
 
-/// How clearly a jump is one [N]: its size, less where it takes several samples or hardly stands out.
+/// Significance of a jump [N]: its size, reduced where it takes several samples or hardly exceeds its error.
 [[nodiscard]] double clarity(const ForceJump& jump);
 
 }  // namespace setae::loops

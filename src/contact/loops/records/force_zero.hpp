@@ -16,8 +16,8 @@ namespace setae::loops {
 /// Source: Huber, Ann. Math. Stat. 35 (1964) 73 (the weights).
 [[nodiscard]] ForceZero force_zero(const Loop& loop, const Segments& segments, DriftModel model);
 
-/// The loop with a drift of the displacement at a known rate [m/s] taken off, counted from the first sample.
-/// @throws InvalidArgument where the rate is not 0 and the record has no time that runs on.
+/// The loop with a drift of the displacement at a known rate [m/s] subtracted, counted from the first sample. @throws
+/// InvalidArgument where the rate is not 0 and the record has no increasing time.
 [[nodiscard]] Loop without_displacement_drift(const Loop& loop, double rate);
 
 }  // namespace setae::loops

@@ -6,10 +6,10 @@
 
 namespace setae::loops {
 
-/// A loop with its force counted from its zero, and the levels that tell features from noise.
+/// A loop with its force relative to its zero, and the thresholds between features and noise.
 struct Record {
     const Loop& loop;
-    Array1D level;            ///< force [N], zero and drift taken off
+    Array1D level;            ///< force [N], zero and drift subtracted
     Array1D force;            ///< the same, averaged over neighbours where it is noisy [N]
     SampleNoise noise;        ///< of `level`
     double range = 0.0;       ///< largest minus smallest force [N]
@@ -22,15 +22,15 @@ struct Record {
     [[nodiscard]] bool has_displacement() const { return loop.displacement.size() > 0; }
     /// Out of contact: a = 0 where the radius is known, else a force of free flight.
     [[nodiscard]] bool is_free(Index sample) const;
-    /// What turns together with the force in a true release: displacement, else contact radius.
+    /// Quantity that reverses together with the force in a true release: displacement, else contact radius.
     [[nodiscard]] double position(Index sample) const;
 };
 
 /// @throws InvalidArgument for series of different length, an undefined force or displacement, or a short record.
 void require_valid(const Loop& loop);
 
-/// level: the force with its zero taken off. segments: the baselines. @throws UndefinedDataError for a force that is
-/// constant or never leaves its noise.
+/// level: the force with its zero subtracted. segments: the baselines. @throws UndefinedDataError for a force that is
+/// constant or never exceeds its noise.
 [[nodiscard]] Record make_record(const Loop& loop, const Array1D& level, const Segments& segments,
                                  const SegmentOptions& options);
 

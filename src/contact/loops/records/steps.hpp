@@ -13,17 +13,17 @@ struct Step {
     double size = 0.0;  ///< [unit of the series]
 };
 
-/// Degrees of the polynomials that a step is told apart by.
+/// Degrees of the polynomials by which a step is identified.
 struct Smoothness {
-    Index degree = 1;     ///< of the curve that the step interrupts
-    Index rivalling = 3;  ///< of the curve without step that must fit worse
+    Index degree = 1;     ///< degree of the curve with the step
+    Index rivalling = 3;  ///< degree of the curve without step that must fit worse
 };
 
-/// The step that a series has, if it has one: where a polynomial that changes its level there fits better than a smooth
-/// one of a higher degree, and the change exceeds six standard errors, correlated noise allowed for, that of the series
-/// itself or the noise known. Eight samples or more are left on both sides.
+/// The step of a series, if it has one: where a polynomial with a step fits better than a smooth one of a higher
+/// degree, and the step exceeds six standard errors, with correlated noise of the series or the known noise. At least
+/// eight samples remain on both sides.
 ///
-///   size = Σ_(behind) r/|h|²,  r: residuals of the polynomial, h: a unit step less the polynomial through it
+///   size = Σ_(after) r/|h|²,  r: residuals of the polynomial, h: a unit step minus the polynomial through it
 ///
 /// Cost: linear.
 [[nodiscard]] std::optional<Step> step_in(const Array1D& series, const Smoothness& smoothness,

@@ -4,11 +4,11 @@
 #include <span>
 #include <string_view>
 
-/// The schemas beside this header, put into the program when it is built.
+/// The schemas in this folder, included in the program at build time.
 namespace setae::answers::schemas {
 
 struct NamedText {
-    std::string_view name;  ///< of the file, without ending
+    std::string_view name;  ///< name of the file, without ending
     std::string_view text;
 };
 

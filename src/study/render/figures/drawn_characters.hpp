@@ -5,9 +5,8 @@
 
 namespace setae::figures {
 
-/// Whether a font of this machine has a character, given as UTF-8: gnuplot's cairo terminals draw one that none has as
-/// a black shape larger than the figure. Asked of fontconfig's fc-list; without it, what European fonts have is taken
-/// for drawn.
+/// Whether an installed font has a character, given as UTF-8: gnuplot's cairo terminals draw a missing one as a black
+/// shape larger than the figure. Determined by fontconfig's fc-list; without it, by the characters of European fonts.
 [[nodiscard]] bool is_drawn(std::string_view character);
 
 }  // namespace setae::figures

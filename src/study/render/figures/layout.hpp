@@ -16,17 +16,17 @@ struct Box {
     double left = 0.0, right = 0.0, bottom = 0.0, top = 0.0;
 };
 
-/// Where a panel's axes and what belongs to them stand.
+/// Position of a panel's axes and of their labels.
 struct Layout {
     Box cell;  ///< with titles and numbers
     Box axes;
-    double legend_left = 0.0;  ///< of a legend beside the axes
+    double legend_left = 0.0;  ///< position of a legend next to the axes
 };
 
-/// @throws InvalidArgument where no room is left for the axes.
+/// @throws InvalidArgument where no space is left for the axes.
 [[nodiscard]] Layout layout_of(const Figure& figure, std::size_t panel);
 
-/// Where a panel stands, in shares of the figure: where it is told, or its cell of the grid.
+/// Position of a panel, in shares of the figure: as given, or its cell of the grid.
 [[nodiscard]] Place place_of(const Figure& figure, std::size_t panel);
 
 /// Entries of a panel's legend and the letters of its longest.

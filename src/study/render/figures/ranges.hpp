@@ -16,7 +16,7 @@ void require_drawable(const Panel& panel);
 /// Whether an axis can show a number: finite, and positive where it is logarithmic.
 [[nodiscard]] bool shows(const Axis& axis, double value);
 
-/// The ends an axis states, else those of what it can show of the panel's data with a margin.
+/// The stated ends of an axis, else those of the panel's data within its domain with a margin.
 /// @throws InvalidArgument for ends that are not finite, not in order, or not positive on a logarithmic axis.
 [[nodiscard]] Range x_range(const Panel& panel);
 [[nodiscard]] Range y_range(const Panel& panel);
@@ -24,7 +24,7 @@ void require_drawable(const Panel& panel);
 /// The values at the ends of a map's colours: those it states, else those it holds.
 [[nodiscard]] Range value_range(const HeatMap& map);
 
-/// Where along an axis a value lies: 0 at from, 1 at to.
+/// Position of a value along an axis: 0 at from, 1 at to.
 [[nodiscard]] double share(const Axis& axis, const Range& range, double value);
 
 /// A band with points added where it leaves the panel and its ends held inside: gnuplot fills those it clips wrongly.

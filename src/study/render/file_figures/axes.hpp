@@ -10,7 +10,7 @@
 
 namespace setae::file_figures {
 
-inline constexpr int black = 4;  ///< of figures' palette
+inline constexpr int black = 4;  ///< index in the palette of figures
 inline constexpr double normal_95 = 1.959963984540054;
 inline constexpr double column_mm = 85.0, page_mm = 178.0;
 

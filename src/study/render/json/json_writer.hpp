@@ -21,15 +21,15 @@ public:
     void begin_array() { begin('['); }
     void end_array() { end(']'); }
     void key(std::string_view name);
-    /// Of the key before, or the whole document.
+    /// Value of the preceding key, or the whole document.
     void value(const Json& json);
-    /// Of the array that was begun.
+    /// Element of the open array.
     void element(const Json& json);
     /// The same made before, on another thread, by text_within().
     void element_as(std::string_view text);
     /// Objects and arrays that were begun and not ended.
     [[nodiscard]] std::size_t depth() const { return depth_; }
-    /// An element as it stands `depth` objects or arrays deep.
+    /// An element at a depth of `depth` objects or arrays.
     [[nodiscard]] static std::string text_within(std::size_t depth, const Json& json);
 
 private:
@@ -44,7 +44,7 @@ private:
     std::function<void(std::string_view)> write_;
     std::string text_;
     std::size_t depth_ = 0;
-    bool first_ = true;  ///< of the innermost object or array
+    bool first_ = true;  ///< whether it is the first entry of the innermost object or array
 };
 
 }  // namespace setae::output

@@ -11,19 +11,19 @@
 
 namespace setae::report {
 
-/// What a page says of its figures beside what they say themselves.
+/// Text of a page on its figures, in addition to their captions.
 struct FigurePage {
     std::string study;                           ///< path of the study file, for the commands
     std::map<std::string, std::string> remarks;  ///< HTML below the caption, by StudyFigure::identifier
-    /// How many surfaces and loops a figure "spectra:NAME" or "loop:NAME" may be of, by what stands before the colon.
+    /// Largest number of figures "spectra:NAME" or "loop:NAME", by the part before the colon.
     std::map<std::string, std::size_t, std::less<>> of_a_kind;
 };
 
-/// Figures as HTML: report.js draws them from the JSON beside each, as they come near or are unfolded.
+/// Figures as HTML: report.js draws them from their JSON, when they become visible or are unfolded.
 struct FigureParts {
     std::string carrying;  ///< that carry the verdict, open: 4, prediction and 1; where none of them can be drawn, the
                            ///< first that can
-    std::string way_back;  ///< of retraction and losses, folded
+    std::string way_back;  ///< retraction and losses, folded
     std::string others;    ///< folded, then the reasons of those that cannot be drawn
 };
 

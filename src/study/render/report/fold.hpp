@@ -7,13 +7,13 @@ namespace setae::report {
 
 /// A part of a page under a heading that opens and closes it: a reader's click, a link to it, printing.
 struct Fold {
-    std::string identifier;  ///< of the part, for links; no other part has it
+    std::string identifier;  ///< identifier of the part, for links; unique
     std::string kind;        ///< class in the style sheet
     std::string title;       ///< HTML
-    std::string remark;      ///< HTML behind the title, such as "16 rows"; may be empty
-    std::string html;        ///< what is folded
-    int level = 3;           ///< of the heading
-    bool open = false;       ///< to begin with
+    std::string remark;      ///< HTML after the title, such as "16 rows"; may be empty
+    std::string html;        ///< folded content
+    int level = 3;           ///< level of the heading
+    bool open = false;       ///< whether it is unfolded initially
 };
 [[nodiscard]] std::string as_html(const Fold& fold);
 

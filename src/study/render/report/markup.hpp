@@ -12,14 +12,14 @@ namespace setae::report {
 /// that are no UTF-8 as U+FFFD.
 [[nodiscard]] std::string escaped(std::string_view text);
 
-/// Sentences of alerts and captions as HTML: 5e-06 is 5×10⁻⁶, W_int, U_el and their like are set as symbols, mJ/m2 as
-/// mJ m⁻². Everything else letter by letter.
+/// Sentences of warnings and captions as HTML: 5e-06 is 5×10⁻⁶, W_int, U_el and similar are set as symbols, mJ/m2 as mJ
+/// m⁻². All else is plain text.
 [[nodiscard]] std::string prose(std::string_view text);
 
 /// JSON for an element <script type="application/json">: no text in it can end the element.
 [[nodiscard]] std::string script_json(const output::Json& json);
 
-/// Markup of figures::Axis::quantity as HTML (<i>, <sub>, <sup>) and as text alone.
+/// Markup of figures::Axis::quantity as HTML (<i>, <sub>, <sup>) and as plain text.
 [[nodiscard]] std::string typeset(std::string_view quantity);
 [[nodiscard]] std::string plain(std::string_view quantity);
 

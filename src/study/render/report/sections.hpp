@@ -7,20 +7,20 @@
 
 namespace setae::report {
 
-/// Per measurement the band that is trusted and what limited it; what failed, with its reason.
+/// Reliable band of each measurement with its limits; failures with their reasons.
 [[nodiscard]] std::string cut_html(const study::StudyResult& result);
 
-/// Every alert, grouped by code.
+/// Every warning, grouped by code.
 [[nodiscard]] std::string alerts_html(const study::StudyResult& result);
 
-/// What was done to each measurement, and the methods in words.
+/// Processing of each measurement, and the methods in words.
 [[nodiscard]] std::string steps_html(const study::StudyResult& result);
 [[nodiscard]] std::string methods_html(const study::StudyResult& result);
 
 /// Version, command, time, inputs with their digests, options.
 [[nodiscard]] std::string provenance_html(const study::StudyResult& result, const RunRecord& run);
 
-/// What to cite.
+/// References to cite.
 [[nodiscard]] std::string references_html();
 
 }  // namespace setae::report

@@ -8,13 +8,13 @@
 
 namespace setae::report {
 
-/// The verdict in the terminal's words, what was studied and what failed.
+/// The verdict in the terminal's words, the studied data and failures.
 [[nodiscard]] std::string verdict_html(const study::StudyResult& result);
 
 /// The intrinsic work of adhesion by both ways and each surface's roughness, in sentences with numbers.
 [[nodiscard]] std::string numbers_html(const study::StudyResult& result, const output::Json& study);
 
-/// What tests support, then what the study cannot tell, and why.
+/// Conclusions that tests support, then limits of the study, with reasons.
 [[nodiscard]] std::string limits_html(const study::StudyResult& result);
 
 }  // namespace setae::report

@@ -28,15 +28,14 @@ struct DisplayUnit {
 /// A JSON pointer and a path below it: "/surfaces/A" and "rms_height/value".
 [[nodiscard]] std::string joined(const std::string& pointer, const std::string& path);
 
-/// A JSON pointer and a key that users gave, with what means something in a pointer escaped: "/surfaces" and "A/B" are
+/// A JSON pointer and a key given by a user, with special characters of pointers escaped: "/surfaces" and "A/B" are
 /// "/surfaces/A~1B".
 [[nodiscard]] std::string named(const std::string& pointer, const std::string& key);
 
 /// The entry a pointer names; null where there is none.
 [[nodiscard]] const output::Json& entry(const output::Json& study, const std::string& pointer);
 
-/// A number of the study, which names where in the JSON it stands: <span data-pointer="…" data-value="full
-/// precision">shown</span>.
+/// A number of the study with its JSON pointer: <span data-pointer="…" data-value="full precision">shown</span>.
 [[nodiscard]] std::string number_html(const output::Json& study, const std::string& pointer, const DisplayUnit& unit,
                                       int decimals, const std::string& part = "value");
 
@@ -70,7 +69,7 @@ struct Column {
     std::string unit;     ///< SI, of its numbers; empty for texts
 };
 
-/// Rows of a table, entries of a list and alerts of a kind that a page holds; files of results hold all.
+/// Largest number of rows of a table, entries of a list and warnings of a kind in a page; files of results contain all.
 inline constexpr std::size_t max_rows = 200;
 /// Experiments whose numbers a page holds: each has about a hundred.
 inline constexpr std::size_t max_experiments = 40;
@@ -79,16 +78,16 @@ inline constexpr std::size_t max_experiments = 40;
 struct DataTable {
     std::string identifier;  ///< no other table of a page has it
     std::string title;
-    std::string note;  ///< HTML: what stands in it
+    std::string note;  ///< HTML: content of the note
     std::vector<Column> columns;
     std::vector<std::vector<Cell>> rows;
     bool open = false;                ///< unfolded to begin with
-    std::string file = "study.json";  ///< of the results, with every row
+    std::string file = "study.json";  ///< file of the results with every row
     std::size_t most = max_rows;      ///< rows that are shown
 };
 
-/// A fold "table-IDENTIFIER": a note, the table in a region that scrolls, with buttons that sort and copy. Of more
-/// rows than are shown it says so, and names the file that has all. Nothing without rows.
+/// A fold "table-IDENTIFIER": a note, the table in a region that scrolls, with buttons that sort and copy. For more
+/// rows than are shown it states this, with the file that has all. Empty without rows.
 [[nodiscard]] std::string as_html(const DataTable& table, const output::Json& study);
 
 }  // namespace setae::report

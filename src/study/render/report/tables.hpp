@@ -12,13 +12,13 @@ namespace setae::report {
 /// of it.
 [[nodiscard]] std::vector<DataTable> parameter_tables(const study::StudyResult& result, const output::Json& study);
 
-/// Every measurement: what was done to it and found on it, or why it failed.
+/// Every measurement: its processing and results, or the reason of its failure.
 [[nodiscard]] DataTable measurement_table(const study::StudyResult& result);
 
 /// Every loop, or why it failed.
 [[nodiscard]] DataTable loop_table(const study::StudyResult& result);
 
-/// What users see of a balance or fit of the JSON: "modified" is "(7)".
+/// Name of a balance or fit of the JSON for users: "modified" is "(7)".
 [[nodiscard]] std::string balance_name(const std::string& fit);
 
 }  // namespace setae::report

@@ -8,8 +8,8 @@
 
 namespace setae::report {
 
-/// How pairs hold on, folded: which law says it, what it says of each pair, where the joules went. Empty where the
-/// study has no W_int. `study` is output::to_json(result), figures: HTML.
+/// Retraction of pairs, folded: the best retraction model, its predictions for each pair, the energy budgets. Empty
+/// where the study has no W_int. `study` is output::to_json(result), figures: HTML.
 [[nodiscard]] std::string way_back_html(const study::StudyResult& result, const output::Json& study,
                                         const std::string& figures);
 

@@ -7,20 +7,21 @@
 /// Tables for readers, in the units of the field; numbers by uncertain_number(). Without rows where there is nothing.
 namespace setae::output::reading {
 
-/// Which spectra of surfaces stand in a table: that which everything rests on, or all of them.
+/// Spectra of surfaces in a table: that used for all other results, or all of them.
 enum class Spectra { used, all };
 
 [[nodiscard]] tables::TidyTable surfaces(const study::StudyResult& result, Spectra spectra);
-/// One row a surface and instrument, with the decade in which it agrees least.
+/// One row per surface and instrument, with the decade of worst agreement.
 [[nodiscard]] tables::TidyTable agreement(const study::StudyResult& result);
 [[nodiscard]] tables::TidyTable elastomers(const study::StudyResult& result);
 [[nodiscard]] tables::TidyTable loops(const study::StudyResult& result);
 /// Empty without loops whose contact radius was measured.
 [[nodiscard]] tables::TidyTable work_along(const study::StudyResult& result);
 [[nodiscard]] tables::TidyTable references(const study::StudyResult& result);
-/// Measured and predicted works of adhesion, one row a pair.
+/// Measured and predicted works of adhesion, one row per pair.
 [[nodiscard]] tables::TidyTable pairs(const study::StudyResult& result);
-/// The same of every spectrum, with raw values, (S13) and how the contact closes.
+/// The works for every spectrum, with raw values, the Persson–Tosatti balance (Eq. S13) and the formation of full
+/// contact.
 [[nodiscard]] tables::TidyTable all_pairs(const study::StudyResult& result);
 /// One row a balance.
 [[nodiscard]] tables::TidyTable fits(const study::StudyResult& result);

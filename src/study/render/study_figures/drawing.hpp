@@ -12,7 +12,7 @@
 
 namespace setae::study_figures {
 
-/// Of figures' palette.
+/// Colours of the palette of figures.
 namespace colour {
 inline constexpr int blue = 0, vermilion = 1, green = 2, pink = 3, black = 4, orange = 5, sky = 6;
 }
@@ -40,17 +40,18 @@ struct DrawnCurve {
 /// A sentence for the caption where a figure leaves surfaces out; empty where it shows all.
 [[nodiscard]] std::string left_out_surfaces(const study::StudyResult& result);
 
-/// Colour and symbol of a surface or an elastomer: its place in the study, black left to lines that are no data.
+/// Colour and symbol of a surface or an elastomer by its position in the study; black is reserved for lines that are no
+/// data.
 [[nodiscard]] int colour_of_place(std::size_t place);
 [[nodiscard]] std::size_t place_of_surface(const study::StudyResult& result, const std::string& name);
 [[nodiscard]] std::size_t place_of_elastomer(const study::StudyResult& result, const std::string& name);
 
-/// A surface's name as a legend has it, with "(reconstruction)" where its spectrum stands for published moments.
+/// A surface's name in a legend, with "(reconstruction)" where its spectrum is reconstructed from published moments.
 [[nodiscard]] std::string label_of(const study::SurfaceResult& surface);
 
-/// A type of instruments as a reader knows it: "AFM" of "afm".
+/// Name of a type of instruments for readers: "AFM" for "afm".
 [[nodiscard]] std::string instrument_in_words(const std::string& type);
-/// The same of a measurement's instrument; its name where the type is unknown.
+/// Name of a measurement's instrument for readers; its own name where the type is unknown.
 [[nodiscard]] std::string instrument_of(const study::MeasurementResult& measurement);
 /// Instruments of all measurements that were analysed, coarsest first.
 struct InstrumentBand {
@@ -62,10 +63,10 @@ struct InstrumentBand {
 /// "37.1 ± 3.5 mJ/m2": value and standard error times `factor`.
 [[nodiscard]] std::string with_error(const Estimate& estimate, double factor, const std::string& unit);
 
-/// What must be said where a spectrum reconstructed from published moments is shown; empty where none is.
+/// Note for figures of a spectrum reconstructed from published moments; empty where none is.
 [[nodiscard]] std::string reconstruction_note(const study::StudyResult& result);
-/// Pairs of such spectra for which (7) is floored although adhesion was measured, and how large the stored energy may
-/// be for it not to be; empty where there is none.
+/// Pairs of such spectra for which the full-contact balance (Eq. 7) is floored although adhesion was measured, and the
+/// largest stored energy without a floor; empty where there is none.
 [[nodiscard]] std::string floored_note(const study::StudyResult& result);
 
 /// "one pair", "3 pairs".

@@ -13,7 +13,7 @@ namespace setae::output {
 /// that.
 [[nodiscard]] tables::TidyTable smooth_limit_table(const study::Hysteresis& hysteresis);
 
-/// For each likeliest model that is not the answer: what predictions go by, and how far it is off on the smooth
+/// For each likeliest model that is not recommended: the model of the predictions, and its error for the smooth
 /// reference.
 [[nodiscard]] std::vector<std::string> smooth_limit_sentences(const study::Hysteresis& hysteresis);
 

@@ -24,12 +24,12 @@ void add_cells(Cells& row, T&&... cells) {
     (row.emplace_back(std::forward<T>(cells)), ...);
 }
 
-/// A study and, where it rests on likelihoods, the same on averages.
+/// Conclusions of a study and, where it uses likelihoods, those with averages.
 [[nodiscard]] std::vector<const study::Conclusions*> by_method(const study::StudyResult& result);
-/// The method behind numbers that rest on all surfaces; those without measurements have no choice.
+/// The method of numbers that depend on all surfaces; surfaces without measurements have no choice.
 [[nodiscard]] std::string method_name(const study::StudyResult& result, const study::Conclusions& conclusions);
 
-/// Names of what uncertainty_cells() gives of a quantity.
+/// Names of the cells of uncertainty_cells() for a quantity.
 [[nodiscard]] std::vector<std::string> uncertainty_columns(const std::string& name, const std::string& unit);
 [[nodiscard]] Cells uncertainty_cells(const std::optional<Estimate>& estimate);
 

@@ -19,10 +19,10 @@ namespace setae::output {
 /// The sentences of Verdict::findings.
 [[nodiscard]] std::vector<std::string> findings_of(const study::StudyResult& result);
 
-/// What cannot be concluded, and why.
+/// A limit of the conclusions, with the reason.
 struct Limit {
     std::string sentence;
-    std::string note;      ///< what explains it; may be empty
+    std::string note;      ///< explanation; may be empty
     bool reserves = true;  ///< a reservation that the answer does not state itself
 };
 
@@ -38,7 +38,8 @@ inline constexpr double improbable = 0.05;
 /// "4 pairs".
 [[nodiscard]] std::string pairs_text(int n);
 
-/// The loss's W_int less that of the approach, with what both rest on; nothing where either is missing.
+/// W_int from the loss minus that of the approach by generalised least squares, with their shared inputs; empty where
+/// either is missing.
 [[nodiscard]] std::optional<Estimate> loss_less_approach(const study::StudyResult& result);
 
 /// Whether a difference between the W_int of loss and that of approach half as large as W_int would have shown: a claim

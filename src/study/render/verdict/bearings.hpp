@@ -11,24 +11,25 @@
 
 namespace setae::output {
 
-/// How kinds of alerts limit a conclusion.
+/// Effect of kinds of warnings on a conclusion.
 struct Bearing {
     std::vector<std::string_view> codes;  ///< kinds with the same consequence
-    const char* sentence;                 ///< {} stands for whom it concerns
+    const char* sentence;                 ///< {} is replaced by the items concerned
 };
 
-/// Those of every kind that bears on a conclusion, what misleads most first. The others report what was done or how a
-/// file is made, or their matter has a sentence of its own in Verdict::limits: failures, reconstructions, Eq. 7 below
-/// 0.
+/// Effects of every kind of warning that limits a conclusion, those with the largest effect first. Other kinds report
+/// processing or properties of a file, or have a sentence of their own in Verdict::limits: failures, reconstructions,
+/// Eq. 7 below 0.
 [[nodiscard]] const std::vector<Bearing>& bearings();
 
-/// Whom an alert concerns.
+/// Item that a warning concerns.
 struct Subject {
     std::string name;     ///< the measurement or loop where it is one's, else the surface, pair or elastomer
-    std::string surface;  ///< of a measurement; else empty
+    std::string surface;  ///< surface of a measurement; else empty
 };
 
-/// Tells whom alerts of a result concern. The result outlives it. Cost: of each alert the logarithm of their number.
+/// Determines the items that warnings of a result concern. The result outlives it. Cost: for each warning the logarithm
+/// of their number.
 class Subjects {
 public:
     explicit Subjects(const study::StudyResult& result);

@@ -7,8 +7,8 @@
 
 namespace setae::study {
 
-/// "waves down to 78.1 nm are believed": what is taken for seen of a channel where nobody says what its probe hides,
-/// two of its steps; without a length where the file does not say its size.
+/// "waves down to 78.1 nm are used": lateral resolution that is assumed for a channel without a known probe, two of its
+/// steps; without a length where the file does not state its size.
 [[nodiscard]] std::string believed_without_probe(const formats::ChannelInfo& info);
 
 }  // namespace setae::study

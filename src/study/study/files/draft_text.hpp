@@ -15,7 +15,7 @@ struct DraftMeasurement {
     std::string file;  ///< as the draft names it
     const formats::ChannelInfo* info;
     std::optional<std::size_t> channel;  ///< where the file has several
-    std::string channels;                ///< names of them, for a remark
+    std::string channels;                ///< names of channels, for a remark
 };
 
 /// A loop as a draft lists it.
@@ -38,7 +38,7 @@ struct DraftLoop {
 /// Text that stays within a comment.
 [[nodiscard]] std::string comment_line(const std::string& text);
 
-/// A measurement of a surface with what is asked of it.
+/// A measurement of a surface with questions for missing values.
 [[nodiscard]] std::string measurement_text(const std::string& surface, const DraftMeasurement& measurement);
 /// "C1D [m3] from 3.1 nm to 100 µm".
 [[nodiscard]] std::string spectrum_remark(const Table& spectrum);

@@ -21,7 +21,7 @@
 
 namespace setae::study {
 
-/// What a parser makes of a text, its complaint at the key's place.
+/// Runs a parser on a text, with its errors at the key's position.
 template <class Parser>
 void parse_at(const bytes::TomlReader& reader, const char* key, const Parser& parser) {
     try {
@@ -31,15 +31,15 @@ void parse_at(const bytes::TomlReader& reader, const char* key, const Parser& pa
     }
 }
 
-/// Keeps a remark where a value lies outside two, with the power of 1000 that its unit may be off by. 0 is a choice.
-/// @throws FormatError where a value lies outside by more than 12 powers of ten.
+/// Adds a remark where a value lies outside two limits, with the power of 1000 by which its unit may be wrong. 0 is
+/// valid. @throws FormatError where a value lies outside by more than 12 powers of ten.
 void remark_implausible(bytes::TomlReader& reader, const char* key, double value, double lower, double upper,
                         const std::string& unit);
 
-/// Keys of a table that describes a T: what each means to readers, and how it is read into the T.
+/// Keys of a table that describes a T: meaning of each for readers, and reading into the T.
 ///
-/// A field is a pointer to a member of T, or a function that gives a reference into it. What a T holds before it is
-/// read is the default, which stays where the key is missing.
+/// A field is a pointer to a member of T, or a function that returns a reference into it. The value in T before reading
+/// is the default for a missing key.
 template <class T>
 class Keys {
 public:
@@ -108,7 +108,7 @@ public:
     }
     static constexpr std::int64_t unbounded = std::numeric_limits<std::int64_t>::max();
 
-    /// One of a closed set of words, each with what it stands for.
+    /// One of a closed set of words, each with its value.
     template <class Value, class Field>
     Keys& choice(const char* key, Field field, std::vector<std::pair<std::string, Value>> words, std::string meaning) {
         KeyDescription described{key, "", "", "", std::move(meaning)};
@@ -122,7 +122,7 @@ public:
         });
     }
 
-    /// What a parser puts into a T from a text. @throws, where it throws InvalidArgument, FormatError at the key.
+    /// Value that a parser stores in a T from a text. @throws, where it throws InvalidArgument, FormatError at the key.
     template <class Parser>
     Keys& parsed(const char* key, std::string type, Parser parser, std::string meaning) {
         return add({key, std::move(type), "", "", std::move(meaning)}, [=](Reader& reader, T& of) {
@@ -130,7 +130,7 @@ public:
         });
     }
 
-    /// A file, or a list of them, as the field is; paths are relative to the file that says them.
+    /// A file, or a list of them, by the type of the field; paths are relative to the file with the key.
     template <class Field>
     Keys& file(const char* key, Field field, std::string meaning) {
         if constexpr (std::same_as<Plain<Field>, std::vector<std::string>>)
@@ -156,14 +156,13 @@ public:
         return *this;
     }
 
-    /// The default of the key added last, in words, where its type tells none.
+    /// The default of the key added last, in words, where its type gives none.
     Keys& by_default(std::string words) {
         keys_.back().first.standard = std::move(words);
         return *this;
     }
 
-    /// Values of the key added last that are likely, in SI: another one is kept with a remark, as its unit may be
-    /// wrong.
+    /// Likely values of the key added last, in SI: another one is kept with a remark, as its unit may be wrong.
     Keys& plausible(double lower, double upper) {
         auto& [description, read] = keys_.back();
         read = [=, key = description.key, unit = description.unit, values = values_, before = std::move(read)](
@@ -229,7 +228,7 @@ private:
         else if (value) each_value(*value, take);
     }
 
-    /// What a fresh T says in a field, in words; empty where it says nothing.
+    /// Default value of a field, in words; empty without a default.
     template <class Field>
     static std::string untouched(Field field) {
         const T fresh{};
@@ -241,7 +240,8 @@ private:
     }
 
     std::vector<std::pair<KeyDescription, Read>> keys_;
-    std::function<void(T&, const std::function<void(double)>&)> values_;  ///< of the quantity added last
+    /// visits the values of the quantity added last
+    std::function<void(T&, const std::function<void(double)>&)> values_;
 };
 
 }  // namespace setae::study

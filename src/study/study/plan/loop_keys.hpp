@@ -6,7 +6,7 @@
 
 namespace setae::study {
 
-/// Keys of [loops], which every experiment may hold for its own loop: how it is analysed, and what is fitted to it.
+/// Keys of [loops], which every experiment may contain for its own loop: analysis, and models that are fitted.
 [[nodiscard]] const Keys<ExperimentInput>& loop_keys();
 
 }  // namespace setae::study

@@ -7,9 +7,9 @@
 
 namespace setae::study {
 
-/// Elastomers whose edge needs more at speed than their bulk can take: W_ret as read over W_ret at rest of a pair more
-/// than two standard errors above 1 + Σ g of the relaxation that the study states. SPEED_BEYOND_BULK, of the pair that
-/// is farthest beyond.
+/// Elastomers with a rate dependence of the edge above the limit of their bulk: W_ret as measured divided by W_ret at
+/// zero speed of a pair more than two standard errors above 1 + Σ g of the stated relaxation. SPEED_BEYOND_BULK, for
+/// the pair with the largest excess.
 /// Source: contact::crack_speed::largest_bulk_factor().
 [[nodiscard]] std::vector<Alert> speeds_beyond_bulk(const Hysteresis& hysteresis);
 

@@ -12,7 +12,7 @@ namespace setae::study {
 
 inline constexpr const char* part_failed = "PART_FAILED";
 
-/// Keeps an alert for a part of a study that cannot be computed, once for each reason.
+/// Adds a warning for a part of a study that cannot be computed, once for each reason.
 inline void add_failed_part(std::vector<Alert>& alerts, const std::string& part, const std::string& reason) {
     const bool known = std::any_of(alerts.begin(), alerts.end(), [&](const Alert& alert) {
         return alert.code == part_failed && alert.subject == part && alert.message == reason;

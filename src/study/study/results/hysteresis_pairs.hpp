@@ -11,7 +11,7 @@
 
 namespace setae::study {
 
-/// A pair of the study with what lives as long as laws look at it.
+/// A pair of the study with the data that models refer to.
 struct PreparedPair {
     const PairResult& measured;
     const ElastomerResult& elastomer;
@@ -27,7 +27,7 @@ struct PreparedPair {
     [[nodiscard]] const Components& retraction_inputs() const {
         return measured.retraction ? measured.retraction_inputs : measured.pull_off_inputs;
     }
-    /// Of a pair with a measured W_app.
+    /// For a pair with a measured W_app.
     [[nodiscard]] hysteresis::MeasuredWork measured_approach() const {
         return {*measured.approach, measured.approach_inputs};
     }
@@ -40,7 +40,7 @@ struct PreparedPair {
     }
 };
 
-/// Pairs that laws can say something of, those that they cannot, and what their elastomers do in time.
+/// Pairs with the inputs of models, pairs without them, and the time dependence of their elastomers.
 struct PreparedPairs {
     std::deque<PreparedPair> pairs;  ///< whose places do not change
     std::vector<SkippedPair> skipped;

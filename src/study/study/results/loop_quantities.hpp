@@ -9,7 +9,7 @@
 
 namespace setae::study {
 
-/// A quantity of loops, where a loop has it, and the same of pairs.
+/// A quantity of loops, where a loop has it, and the corresponding quantity of pairs.
 struct LoopQuantity {
     const char* name;
     const char* symbol;
@@ -23,7 +23,7 @@ struct LoopQuantity {
 /// W_app, W_po, W_ret and E_loss.
 [[nodiscard]] const std::vector<LoopQuantity>& loop_quantities();
 
-/// Loops that have a quantity, their values in it, and the weight of each in a mean of it.
+/// Loops that have a quantity, their values, and the weight of each in the mean.
 struct LoopsInMean {
     std::vector<const ExperimentResult*> loops;
     std::vector<Estimate> values;
@@ -36,11 +36,11 @@ struct LoopsInMean {
                                      const std::string& elastomer, const std::optional<std::string>& surface,
                                      bool excluded);
 
-/// Of a pair: the inputs behind a mean of loops and, of W_app where the elastomer's modulus comes from loops, their
+/// Sets the inputs of a mean of loops for a pair and, for W_app where the elastomer's modulus comes from loops, their
 /// fits.
 void take_dependence(PairResult& pair, const LoopQuantity& quantity, const LoopsInMean& mean, bool modulus_from_loops);
 
-/// Own noise of fits in a weighed mean of what they give: `of_fit` is E or W.
+/// Own noise of fits in a weighted mean of their results: `of_fit` is E or W.
 [[nodiscard]] Components fits_in_mean(const LoopsInMean& mean, Component FitNoise::*of_fit);
 
 /// Inputs of loops in a weighed mean of one of their numbers.

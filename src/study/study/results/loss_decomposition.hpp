@@ -7,12 +7,12 @@
 
 namespace setae::study {
 
-/// A pair, and the law by which its joules are told.
+/// A pair, and the model of its energy budget.
 struct PairLaw {
     const PreparedPair& pair;
     hysteresis::FittedModel fitted;
-    adhesion::ModelScatter scatter;  ///< of pairs about the law
-    bool ranked = false;             ///< else the law is assumed: works of retraction are not held against it
+    adhesion::ModelScatter scatter;  ///< scatter of pairs about the model
+    bool ranked = false;             ///< false: the model is assumed, and works of retraction are not compared with it
 };
 
 struct DecomposedLosses {
@@ -20,10 +20,10 @@ struct DecomposedLosses {
     Outcome<JointLossFit> joint;
 };
 
-/// Every loop taken apart, then all of them in one fit: inputs (E*, W_int, the tip's law, spectra, lenses), the laws'
-/// own numbers and the scatter of works about them move until E_loss and W_ret are what was measured. The numbers of
-/// laws are free within five of the standard errors that the ranking left them. What energies scatter by beyond it is
-/// as likely as can be.
+/// Energy budget of every loop, then one fit of all: inputs (E*, W_int, rate dependence of the tip, spectra, lenses),
+/// the parameters of the models and the scatter of works about them are adjusted to the measured E_loss and W_ret. The
+/// parameters of models may vary within five of the standard errors of the ranking. The additional scatter of energies
+/// is that of maximum likelihood.
 [[nodiscard]] DecomposedLosses decomposed_losses(const std::vector<PairLaw>& pairs);
 
 }  // namespace setae::study

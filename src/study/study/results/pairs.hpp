@@ -33,7 +33,7 @@ inline constexpr const char* energy_loss = "energy_loss";
 /// Both works of the smooth references on an elastomer that state both, their means.
 struct ReferenceWorks {
     Estimate approach, retraction;  ///< [J/m²]
-    double jumps_per_area = 0.0;  ///< what an ideal sphere's jumps lose of it [J/m²]; 0 where loss or area is not known
+    double jumps_per_area = 0.0;  ///< loss of an ideal sphere's jumps per area [J/m²]; 0 where loss or area is unknown
 };
 [[nodiscard]] std::optional<ReferenceWorks> reference_works(const StudyResult& result, const std::string& elastomer);
 

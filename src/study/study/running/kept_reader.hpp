@@ -10,8 +10,8 @@
 
 namespace setae::study {
 
-/// Reads what cereal::BinaryOutputArchive wrote, from memory. No size it reads makes it take more than the bytes that
-/// are left could fill. @throws cereal::Exception for bytes that end too early and sizes that cannot be.
+/// Reads data written by cereal::BinaryOutputArchive from memory. Allocations are limited by the number of remaining
+/// bytes. @throws cereal::Exception for bytes that end too early and impossible sizes.
 class KeptReader : public cereal::InputArchive<KeptReader, cereal::AllowEmptyClassElision> {
 public:
     explicit KeptReader(std::string_view bytes) : InputArchive(this), left_(bytes) {}
@@ -61,7 +61,7 @@ void load(KeptReader& reader, cereal::BinaryData<T>& data) {
     reader.loadBinary(data.data, data.size);
 }
 
-/// Makes an array as large as its rows and columns say and fills it.
+/// Makes an array of the stored size and fills it.
 template <class Array>
 void load_array(KeptReader& reader, Array& array) {
     using Index = typename Array::Index;

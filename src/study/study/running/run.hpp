@@ -13,7 +13,7 @@
 
 namespace setae::study {
 
-/// Under what a result is kept, and the files whose content it depends on.
+/// Key of a stored result, and the files on whose content it depends.
 struct ResultKey {
     std::string text;  ///< as of cache::KeyBuilder; empty: the result is not kept
     std::vector<std::string> files;
@@ -21,7 +21,7 @@ struct ResultKey {
     [[nodiscard]] bool empty() const { return text.empty(); }
 };
 
-/// One run of a study: what its steps ask of the store, and what they say when they are done.
+/// One run of a study: access of its steps to the store, and progress.
 class Run {
 public:
     /// Without store and progress.
@@ -30,12 +30,12 @@ public:
 
     /// SHA-256 of an input's content; empty where it is not known.
     [[nodiscard]] std::string digest(const std::string& file) const;
-    /// Steps that are still to come beside those known, each of so much work.
+    /// Adds steps to the expected ones, each with an amount of work.
     void expect(std::size_t steps, double work);
     void step_begins(const std::string& stage, const std::string& item);
     void step_done(const std::string& stage, const std::string& item, bool cached, double work);
     [[nodiscard]] bool cancelled() const { return options_.cancelled && *options_.cancelled; }
-    /// @throws Cancelled where the caller asked for it.
+    /// @throws Cancelled on request of the caller.
     void stop_if_cancelled() const;
 
     /// The result under a key; nothing where there is no key, no store or no such result.
@@ -45,8 +45,8 @@ public:
         auto bytes = options_.store->find(key.text);
         return bytes ? value_of<T>(*bytes) : std::nullopt;
     }
-    /// Nothing where a file has changed since its digest was taken: the value may be that of another content. Nor where
-    /// the run is stopped: an iteration may have ended before its result.
+    /// Not stored where a file has changed since its digest was taken, because the value may be that of another
+    /// content, and where the run is stopped, because an iteration may be incomplete.
     template <class T>
     void keep(const ResultKey& key, const T& value) const {
         if (cancelled() || key.empty() || !options_.store || !are_unchanged(key.files)) return;
@@ -68,10 +68,10 @@ private:
     double work_done_ = 0.0, work_computed_ = 0.0, work_ = 0.0;
 };
 
-/// Whether the likelihood's spectrum is wanted of so many measurements: one alone speaks for itself.
+/// Whether the likelihood's spectrum is computed for a number of measurements: not for a single one.
 [[nodiscard]] bool wants_likelihood(const SurfaceAnalysisOptions& options, std::ptrdiff_t measurements);
 
-/// Expected work of steps, in measurements: what a bar's time left rests on.
+/// Expected work of steps, in measurements, for the remaining time of a progress bar.
 inline constexpr double measurement_work = 1.0, experiment_work = 0.5;
 [[nodiscard]] double surface_work(const SurfaceAnalysisOptions& options, std::size_t measurements);
 
@@ -83,7 +83,7 @@ inline constexpr double measurement_work = 1.0, experiment_work = 0.5;
 [[nodiscard]] ResultKey edge_key(const ResultKey& of_experiment);
 [[nodiscard]] ResultKey experiment_key(const Run& run, const ExperimentInput& input,
                                        const loops::LensAndCounterBody& bodies);
-/// Of the derivatives of an experiment's numbers by some of its inputs. key: that of the experiment, or empty.
+/// Key of the derivatives of an experiment's numbers by some of its inputs. key: that of the experiment, or empty.
 [[nodiscard]] ResultKey derivatives_key(const ResultKey& of_experiment, const std::vector<UncertainInput>& inputs);
 
 }  // namespace setae::study

@@ -15,8 +15,8 @@
 #include "kept_reader.hpp"
 #include "setae/study/study_result.hpp"
 
-// Results as bytes, exactly, for the cache. Every function takes its type apart by a structured binding: a field added
-// to a type does not compile here until it is kept, too.
+// Results as bytes, exactly, for the cache. Every function decomposes its type by a structured binding: a field added
+// to a type gives a compile error here until it is stored, too.
 
 namespace Eigen {
 
@@ -58,7 +58,7 @@ void load(Archive& archive, Matrix4d& m) {
         archive(__VA_ARGS__);                    \
     }
 
-// the same of a type with a base, which no binding takes apart
+// for a type with a base, which structured bindings cannot decompose
 #define SETAE_KEEP_WITH_BASE(Type, Base, ...)                 \
     template <class Archive>                                  \
     void serialize(Archive& archive, Type& of) {              \
@@ -67,7 +67,7 @@ void load(Archive& archive, Matrix4d& m) {
 
 namespace setae {
 
-/// The base and the members of a type; its size tells of one that is missing here.
+/// The base and the members of a type; its size detects a missing one.
 template <class Type, class Base, class Archive, class... Members>
 void keep_with_base(Archive& archive, Base& base, Members&... members) {
     static_assert(sizeof(Type) == (sizeof(Base) + ... + ((sizeof(Members) + 7) / 8 * 8)), "a field is not kept");

@@ -7,7 +7,7 @@
 
 namespace setae::study {
 
-/// FOIL_PROJECTION: a side view of a foil is its silhouette; what that costs is measured in
+/// FOIL_PROJECTION: the projection of a foil is its silhouette; the effects are measured in
 /// docs/concepts/tem-projection.md. thickness: along the beam [m], > 0.
 [[nodiscard]] Alert foil_projection_alert(const std::string& subject, double thickness);
 

@@ -7,8 +7,8 @@
 
 namespace setae::study {
 
-/// The self-affine spectrum with three published moments as the spectrum of a surface; their ± as its spread.
-/// @throws InvalidArgument for moments no such spectrum has.
+/// The self-affine spectrum with three published moments as the spectrum of a surface; their standard errors as its
+/// spread. @throws InvalidArgument for moments of no such spectrum.
 void take_moments(SurfaceResult& surface, const PublishedMoments& moments, const SurfaceAnalysisOptions& options);
 
 /// A table q, C1D as the spectrum of the surface that names it.

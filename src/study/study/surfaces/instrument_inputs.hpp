@@ -8,10 +8,10 @@
 namespace setae::study {
 
 /// Names of a measurement's uncertain inputs: that of the study file, "afm tip", which surfaces may share, or one of
-/// the instrument on its surface, "tip radius of afm (10 nm), PUNCD". Empty where there is no error.
+/// the instrument on its surface, "tip radius of afm (10 nm), PUNCD". Empty without an error.
 struct InputNames {
-    std::string tip_radius;  ///< that the reliable band of the average rests on
-    std::string probe_size;  ///< of the tip or foil that the likelihood reads with
+    std::string tip_radius;  ///< input of the reliable band of the average
+    std::string probe_size;  ///< tip or foil in the likelihood
     std::string height_calibration, lateral_calibration;
 };
 [[nodiscard]] InputNames input_names(const MeasurementResult& measurement, const std::string& surface);

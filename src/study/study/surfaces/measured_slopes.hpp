@@ -5,8 +5,8 @@
 
 namespace setae::study {
 
-/// How the slopes of a surface's maps are distributed; A_true/A_app by that where the fit found a stretch, or where
-/// more than half of the area of maps has the alert NON_GAUSSIAN or ANISOTROPIC. The alert MEASURED_SLOPES says so.
+/// Distribution of the slopes of a surface's maps; A_true/A_app from it where the fit found a stretch, or where more
+/// than half of the area of maps has the warning NON_GAUSSIAN or ANISOTROPIC. The warning MEASURED_SLOPES states it.
 void use_measured_slopes(SurfaceResult& surface);
 
 }  // namespace setae::study

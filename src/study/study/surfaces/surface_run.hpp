@@ -7,7 +7,7 @@
 
 namespace setae::study {
 
-/// Everything about one surface as a step of a run: what the store holds is not computed again.
+/// All results of one surface as a step of a run: results in the store are not computed again.
 /// @throws Cancelled where the run is.
 [[nodiscard]] SurfaceWithMap analyse_surface(const SurfaceInput& input, const SurfaceAnalysisOptions& options, Run& run,
                                              parallel::Threads threads, const Wanted& wanted = {});

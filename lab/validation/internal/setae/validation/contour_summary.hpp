@@ -9,11 +9,11 @@
 
 namespace setae::validation {
 
-/// A number over the runs of a kind; NaN where no run has it, the standard error also where one has.
+/// A number over the runs of a kind; NaN where no run has it, the standard error also where only one run has it.
 struct OverRuns {
     int count = 0;
     double mean = 0.0, standard_error = 0.0;
-    double worst = 0.0;  ///< furthest from what it should be
+    double worst = 0.0;  ///< largest deviation from the expected value
     int worst_run = 0;
 };
 
@@ -28,19 +28,19 @@ struct ContourRow {
     int overhangs = 0, overhangs_found = 0, overhangs_false = 0;
 };
 
-/// One row a kind, in the order of their first appearance.
+/// One row per kind, in the order of their first appearance.
 [[nodiscard]] std::vector<ContourRow> contour_summary(const std::vector<ContourTrial>& trials);
 
-/// What a trace must reach, and whether it does.
+/// A criterion for traces, and whether it is met.
 struct ContourVerdict {
     std::string kind, criterion;  ///< "rms error below 0.5 px in every run"
     bool passed = false;
     std::string found;  ///< "0.41 px on average, 0.47 px in run 12"
 };
 
-/// Of judged kinds: no picture refused; vacuum told from the sample; rms error below 0.5 px in every run; overhangs all
-/// found and none false; where the profile is judged, Rq within 2 % in every run and C1D within 10 % in each half
-/// decade on average.
+/// For judged kinds: no picture refused; vacuum distinguished from the sample; rms error below 0.5 px in every run;
+/// overhangs all found and none false; where the profile is judged, Rq within 2 % in every run and C1D within 10 % in
+/// each half decade on average.
 [[nodiscard]] std::vector<ContourVerdict> contour_verdicts(const std::vector<ContourRow>& rows);
 
 /// Rows as aligned text, then their spectra, then verdicts: those that failed, and how many passed.

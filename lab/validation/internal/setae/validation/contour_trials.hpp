@@ -14,12 +14,12 @@
 
 namespace setae::validation {
 
-/// What is rendered and traced: a kind of picture.
+/// A kind of rendered and traced picture.
 struct ContourKind {
     std::string name;                     ///< "SNR 2 + fringe"
     simulation::RoughCurveOptions curve;  ///< size and key are those of the trial
     simulation::MicrographOptions picture;
-    bool transposed = false;  ///< the curve runs down the picture, the sample to its right
+    bool transposed = false;  ///< the curve runs downwards, with the sample to its right
     bool judged = true;       ///< else it shows a limit
 };
 
@@ -31,11 +31,11 @@ struct ContourKind {
 struct ContourTrialOptions {
     int runs = 20;
     std::uint64_t first_seed = 1;
-    long size = 1000;                ///< of a picture's side [px], >= 200
-    std::vector<std::string> kinds;  ///< by name; empty: all
-    std::string
-        pictures;  ///< folder for every picture with truth and trace drawn in, and the truth's points; empty: none
-    /// What traces a picture; throws UndefinedDataError where it refuses one.
+    long size = 1000;                ///< side of a picture [px], >= 200
+    std::vector<std::string> kinds;  ///< kinds by name; empty: all
+    std::string pictures;  ///< folder for every picture with true curve and trace drawn in, and for the points of the
+                           ///< true curve; empty: not written
+    /// Function that traces a picture; throws UndefinedDataError where it refuses one.
     std::function<imaging::ContourTrace(const imaging::FramePixels&)> tracer = [](const imaging::FramePixels& pixels) {
         return imaging::trace_contour(pixels);
     };
@@ -47,7 +47,7 @@ struct ContourTrialOptions {
 inline constexpr std::array<double, 5> spectrum_band_ends{1000.0, 316.2, 100.0, 31.62, 10.0};
 inline constexpr double shortest_compared_wave = 6.0;
 
-/// A trace beside the curve that was rendered. Lengths in pixels; NaN where there is nothing to compare.
+/// Comparison of a trace with the rendered curve. Lengths in pixels; NaN without a comparison.
 struct ContourTrial {
     int run = 0;
     std::string kind;
@@ -58,13 +58,14 @@ struct ContourTrial {
     double completeness = 0.0;     ///< share of the curve's length within the picture that has a trace within 3 px
     double rms_error =
         0.0;  ///< root mean square distance along the normal, the larger of trace to curve and curve to trace
-    double largest_error = 0.0;  ///< of both ways
-    double offset = 0.0;         ///< mean of the trace's signed distance, positive where it lies in vacuum
+    double largest_error = 0.0;  ///< largest of both directions of comparison
+    double offset = 0.0;         ///< mean of the trace's signed distance, positive in the vacuum
     double within_two_errors =
         0.0;  ///< share of the trace's points closer to the curve than two of their standard errors
-    double rms_height_ratio = 0.0;           ///< Rq of the levelled trace over that of the curve
-    std::array<double, 5> spectrum_ratio{};  ///< C1D of the trace over the curve's: mean over tenths of a decade with
-                                             ///< waves of the curve, ten times above the floor
+    double rms_height_ratio = 0.0;  ///< Rq of the levelled trace over that of the curve
+    /// C1D of the trace divided by that of the curve: mean over tenths of a decade with waves of the curve, ten times
+    /// above the floor
+    std::array<double, 5> spectrum_ratio{};
     double floor_ratio = 0.0;  ///< C1D of the trace's errors between waves of 200 and 50 px, over the noise density
                                ///< that it states; NaN where that is below 1e-4 px³
     double smoothing_length = 0.0, edge_width = 0.0;  ///< as the trace states them

@@ -23,50 +23,51 @@ struct LawRecoveryOptions {
     std::function<void(int done)> progress;  ///< called after each data set, one call at a time
 };
 
-/// One data set with one law in it, and what its study makes of it.
+/// One data set with a known retraction model, and the result of its study.
 struct LawRecovery {
-    std::string planted, found;  ///< names of laws; `found` is what the ranking takes
+    std::string planted, found;  ///< names of models; `found` is the model that is ranked best
     std::uint64_t seed = 0;
-    bool possible = false;  ///< another was found, and the planted one is not excluded
-    double parameter_planted = std::numeric_limits<double>::quiet_NaN();  ///< W_x [J/m²], of laws that have it
-    double parameter = std::numeric_limits<double>::quiet_NaN();          ///< of the planted law, as it was fitted
+    bool possible = false;  ///< another model is ranked best, and the true one is not excluded
+    /// W_x [J/m²], for models with this parameter
+    double parameter_planted = std::numeric_limits<double>::quiet_NaN();
+    double parameter = std::numeric_limits<double>::quiet_NaN();  ///< fitted parameter of the true model
     double parameter_standard_error = std::numeric_limits<double>::quiet_NaN();
-    double surface_left_out = 0.0;  ///< rms deviation of what was found on surfaces that it has not seen [J/m²]
+    double surface_left_out = 0.0;  ///< leave-one-surface-out error (rms) of the model that is ranked best [J/m²]
 
     [[nodiscard]] bool is_found() const { return found == planted; }
 };
 
 struct LawRecoveries {
-    std::vector<LawRecovery> recoveries;  ///< in the order of laws, then of runs
+    std::vector<LawRecovery> recoveries;  ///< in the order of models, then of runs
     std::vector<FailedRun> failed;
 };
 
-/// Laws that recipes can plant: reversible, pinning, conformal_loss, opening_work, alone, times a crack tip's factor,
-/// and times that of its speed.
+/// Retraction models that recipes can simulate: reversible, pinning, conformal_loss, opening_work, without a tip
+/// factor, times a crack tip's factor, and times that of its speed.
 [[nodiscard]] std::vector<hysteresis::RetractionModel> plantable_laws();
 /// Those that are named, all for "all". @throws InvalidArgument for another name, with the nearest one.
 [[nodiscard]] std::vector<hysteresis::RetractionModel> plantable_laws(const std::vector<std::string>& names);
 
-/// The recipe with one law of W_ret in its loops. A crack tip has the recipe's tip factors, 1.5, 1.4, 1.3, … where it
-/// has none, or the recipe's laws of speed, v0 = 1, 2, 4, … µm/s and n = 0.6 where it has none; opening takes the
-/// recipe's work, twice W_int where it has none.
+/// The recipe with one retraction model in its loops. A crack tip has the recipe's tip factors, else 1.5, 1.4, 1.3, …,
+/// or the recipe's rate dependence, else v0 = 1, 2, 4, … µm/s and n = 0.6; opening has the recipe's work, else twice
+/// W_int.
 /// @throws InvalidArgument for a recipe without loops, or a crack tip without a smooth reference.
 [[nodiscard]] simulation::Recipe with_law(simulation::Recipe recipe, const hysteresis::RetractionModel& law);
 
-/// Makes the recipe's data set once a law and run, studies it from its files, and looks which law the study finds. Same
-/// result for any number of threads; data sets that fail stand in the result.
+/// Makes the recipe's data set once per model and run, analyses the study from its files, and compares the model found.
+/// Equal result for any number of threads; failed data sets are listed in the result.
 /// @throws what reading the recipe and with_law() throw; InvalidArgument for fewer than one run.
 [[nodiscard]] LawRecoveries law_recoveries(const std::string& recipe,
                                            const std::vector<hysteresis::RetractionModel>& laws,
                                            const LawRecoveryOptions& options);
 
-/// Of one law over its runs.
+/// Summary of one model over its runs.
 struct LawSummary {
     std::string planted;
     int runs = 0, found = 0, possible = 0, excluded = 0;
     double parameter_planted = 0.0, parameter = 0.0, parameter_standard_error = 0.0;  ///< means [J/m²]; NaN without one
     double surface_left_out = 0.0;                                                    ///< mean [J/m²]
-    std::string most_taken;  ///< of others that were found; empty where none was
+    std::string most_taken;  ///< most frequent of the other models found; empty without one
 };
 [[nodiscard]] std::vector<LawSummary> summary(const std::vector<LawRecovery>& recoveries);
 

@@ -12,10 +12,10 @@
 
 namespace setae::validation {
 
-/// One way in which a record differs from an ideal one, such as "drift_30": drift of the force by 30 % of the pull-off.
+/// One deviation of a record from an ideal one, such as "drift_30": drift of the force by 30 % of the pull-off.
 struct RecordKind {
     std::string name;
-    std::string group;    ///< what it is a level of: kinds of one group are not combined
+    std::string group;    ///< group of the kind: kinds of one group are not combined
     std::string meaning;  ///< for users
     /// Codes of warnings that name the cause where the record cannot be analysed as it is; a refusal whose message has
     /// the text after "refused:" counts like them.
@@ -26,14 +26,14 @@ struct RecordKind {
 /// displacements of the largest penetration.
 [[nodiscard]] const std::vector<RecordKind>& record_kinds();
 
-/// What is found of one quantity by one route, beside what was put in.
+/// Result of one quantity by one route, and its true value.
 struct RecordRoute {
     std::string name;  ///< "E*", "W", "W_ret", "W_pull_off", "W_last_points", "E_loss"
     double known = 0.0;
     Estimate found;
 };
 
-/// One simulated record and what was made of it.
+/// One simulated record and its results.
 struct RecordTrial {
     std::vector<std::string> kinds;  ///< one, or two combined
     std::uint64_t seed = 0;
@@ -45,7 +45,7 @@ struct RecordTrial {
 
 struct RecordTrialOptions {
     std::vector<std::string> kinds;  ///< names; empty: all
-    bool pairs = false;              ///< every two kinds of different groups together, in place of each by itself
+    bool pairs = false;              ///< all pairs of kinds of different groups, instead of each kind separately
     int runs = 20;                   ///< records of each kind, or of each pair
     std::uint64_t first_seed = 1;
     parallel::Threads threads;
@@ -58,7 +58,7 @@ struct RecordTrialOptions {
 /// @throws InvalidArgument for an unknown kind, with the names there are.
 [[nodiscard]] std::vector<RecordTrial> record_trials(const RecordTrialOptions& options);
 
-/// How many trials record_trials() makes.
+/// Number of trials of record_trials().
 [[nodiscard]] int number_of_trials(const RecordTrialOptions& options);
 
 /// All trials of one route.
@@ -82,7 +82,7 @@ struct RecordSummary {
     std::map<std::string, int> warnings;  ///< by code
 };
 
-/// One summary a kind or pair, in the order of their first trial. together: all trials in one summary, named so.
+/// One summary per kind or pair, in the order of their first trial. together: all trials in one summary of that name.
 [[nodiscard]] std::vector<RecordSummary> summary(const std::vector<RecordTrial>& trials);
 [[nodiscard]] RecordSummary summary(const std::vector<RecordTrial>& trials, const std::string& together);
 

@@ -18,7 +18,7 @@ struct SummaryRow {
     double scatter = 0.0;        ///< standard deviation of the deviations
     double worst = 0.0;          ///< deviation of the largest size
     double stated = 0.0;         ///< mean of the standard deviations the intervals state
-    double coverage = 0.0;       ///< share of 95 % intervals that hold the planted value
+    double coverage = 0.0;       ///< share of 95 % intervals that cover the true value
     Interval coverage_interval;  ///< Wilson's, 95 %, of as many independent comparisons as scatter alike between runs
 };
 

@@ -12,7 +12,7 @@
 
 namespace setae::adhesion {
 
-/// Which surface and elastomer a residual is of.
+/// Surface and elastomer of a residual.
 struct PairLabels {
     std::string surface, elastomer;
 };

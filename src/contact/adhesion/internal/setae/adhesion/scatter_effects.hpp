@@ -9,12 +9,12 @@
 
 namespace setae::adhesion {
 
-/// Effects of pairs, surfaces and elastomers, drawn as they are asked for: those of one group are one number.
+/// Effects of pairs, surfaces and elastomers, drawn on request: each group has one number.
 class ScatterEffects {
 public:
     ScatterEffects(const ModelScatter& scatter, numerics::RandomKey key) : scatter_(scatter), key_(key) {}
 
-    /// Of a pair, its surface and its elastomer together.
+    /// Sum of the effects of a pair, its surface and its elastomer.
     [[nodiscard]] double of(const std::string& surface, const std::string& elastomer) {
         const double pair = scatter_.pair * one(surface + '\n' + elastomer);
         const double of_surface = scatter_.surface * one("s" + surface);

@@ -33,7 +33,7 @@ struct CurveAt {
     [[nodiscard]] Real force_slope(double e, double g) const { return 3.0 * e * square - 1.5 * g * root; }
     [[nodiscard]] Real force_bend(double e, double g) const { return 6.0 * e * x - 0.75 * g * inverse_root(); }
 
-    /// Of depths, p stands for (2/3) g/e.
+    /// For depths, p is (2/3) g/e.
     [[nodiscard]] Real depth(double p) const { return square - p * root; }
     [[nodiscard]] Real depth_slope(double p) const { return 2.0 * x - 0.5 * p * inverse_root(); }
     [[nodiscard]] Real depth_bend(double p) const { return 2.0 + 0.25 * p * inverse_root() / x; }
@@ -47,7 +47,7 @@ private:
     }
 };
 
-/// A value with its derivatives by the curve's shape and by what it is a function of.
+/// A value with its derivatives by the curve's shape and by its argument.
 struct CurveValue {
     double value = 0.0;
     double by_shape = 0.0;
@@ -63,7 +63,7 @@ struct CurveValue {
 [[nodiscard]] CurveValue radius_at(double force, double shape);
 [[nodiscard]] CurveValue depth_at(double force, double shape);
 
-/// The same along a branch, without the derivative by force.
+/// Values along a branch, without the derivative by force.
 struct CurveValues {
     Array1D value;
     Array1D by_shape;
@@ -75,8 +75,8 @@ struct CurveValues {
 [[nodiscard]] double modulus_of_length(double length, double force_scale, double sphere_radius);
 [[nodiscard]] double work_of_shape(double shape, double force_scale, double sphere_radius);
 
-/// F/E* [m²] against the penetration δ [m] from first touch, on the stable branch; where the contact would have parted
-/// the force stays. With s = √a, s⁴/R − λs = δ and F/E* = 4s⁶/(3R) − 2λs³: the shape is λ = √(2πW/E*), signed.
+/// F/E* [m²] against the penetration δ [m] from first contact, on the stable branch; beyond separation the force is
+/// constant. With s = √a, s⁴/R − λs = δ and F/E* = 4s⁶/(3R) − 2λs³: the shape is λ = √(2πW/E*), signed.
 class DepthCurve {
 public:
     DepthCurve(double shape, double sphere_radius);

@@ -9,11 +9,11 @@
 
 namespace setae::half_space {
 
-/// The numbers of a cell in equilibrium with names, symbols and units, in the order in which they are told; area,
-/// perimeter and patches are those of the points at gap 0.
+/// The quantities of a cell in equilibrium with names, symbols and units, in the order of the output; area, perimeter
+/// and patches are those of the points at gap 0.
 [[nodiscard]] std::vector<Quantity> adhesive_quantities(const AdhesiveCell& cell, const AdhesiveState& state);
 
-/// The numbers of a loop: works, loss, greatest tension, energies per area of the cell.
+/// The quantities of a loop: works, loss, greatest tension, energies per area of the cell.
 [[nodiscard]] std::vector<Quantity> loop_quantities(const AdhesiveLoop& loop);
 
 /// The state, and the loop, in a sentence or two for a reader.

@@ -9,7 +9,7 @@
 
 namespace setae::half_space {
 
-/// The numbers of a contact with names, symbols and units, in the order in which they are told.
+/// The quantities of a contact with names, symbols and units, in the order of the output.
 /// contact_stiffness: see there [Pa/m].
 [[nodiscard]] std::vector<Quantity> contact_quantities(const HardWall& problem, const HardWallContact& contact,
                                                        double contact_stiffness);

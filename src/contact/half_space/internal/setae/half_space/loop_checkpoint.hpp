@@ -8,8 +8,8 @@
 
 namespace setae::half_space {
 
-/// What a loop is of: cell and options that decide its steps. Only the same loop goes on from a checkpoint.
-/// heights [m] and everything that the cell was made of.
+/// Identity of a loop: cell and options that determine its steps. Only the same loop continues from a checkpoint.
+/// heights [m] and all inputs of the cell.
 [[nodiscard]] std::string loop_key(const ArrayView2D& heights, const Grid& grid, const Body& body,
                                    const Interaction& interaction, const LoopOptions& options);
 

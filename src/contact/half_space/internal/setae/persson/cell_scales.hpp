@@ -7,13 +7,13 @@
 
 namespace setae::persson {
 
-/// The scales of a periodic cell, which holds waves of certain lengths and directions alone:
+/// The scales of a periodic cell, which contains only waves of certain lengths and directions:
 ///
 ///   V(q) = Σ k² C_iso/A,   U(q) = ½ Σ k C_iso/A   over the modes up to q
 ///
-/// A: area of the cell. scales_of() has the integrals that they tend to in a large one. Waves of a length come all at
-/// once: between their V and that of the waves before V and U rise together, in steps of a per cent, at one q.
-/// @throws InvalidArgument for a grid or a body outside its domain; UndefinedDataError where no mode has power.
+/// A: area of the cell. scales_of() gives the integrals for a large cell. All waves of one length are added together:
+/// between their V and that of the waves before V and U increase together, in steps of a per cent, at one q. @throws
+/// InvalidArgument for a grid or a body outside its domain; UndefinedDataError where no mode has power.
 [[nodiscard]] Scales scales_of_cell(const spectra::SpectralDensity& C_iso, const half_space::Grid& grid,
                                     const half_space::Body& body);
 

@@ -5,7 +5,7 @@
 
 namespace setae::persson {
 
-/// How contact is lost as waves are added that part where they pull harder than they can stick.
+/// Loss of contact as waves are added that separate where their tension exceeds the adhesive limit.
 struct StressDiffusion {
     Array1D area_fraction;  ///< at each scale
     Array1D pressure;       ///< [Pa], from −σ_a on, at the last scale; empty where contact is full or lost

@@ -22,7 +22,7 @@ enum class ChannelFault {
 class ChannelFaultError : public UndefinedDataError {
 public:
     explicit ChannelFaultError(ChannelFault fault);
-    /// The same in other words, such as those that name the file and what to type.
+    /// The error with another message, such as one with the file and the remedy.
     ChannelFaultError(ChannelFault fault, const std::string& what) : UndefinedDataError(what), fault_(fault) {}
     [[nodiscard]] ChannelFault fault() const { return fault_; }
 

@@ -5,14 +5,14 @@
 
 namespace setae::loops {
 
-/// Where a smooth JKR sphere jumps in a machine of stiffness k, and what the jumps cost.
+/// Jumps of a smooth JKR sphere in a machine of stiffness k, and their energy losses.
 ///
-/// With a = a_c v², a_c that of the pull-off under fixed grips, and κ = 4E*a_c/(3k), the stage stands at
+/// With a = a_c v², a_c that of the pull-off under fixed grips, and κ = 4E*a_c/(3k), the position of the stage is
 ///
 ///   m = δ + F/k = (a_c²/R) [v⁴ − 4v + κ (v⁶ − 6v³)]
 ///
-/// Contact springs into being at m = 0 and follows this curve down to where dm/dv = 0. Jumps at constant m cost the
-/// difference of contact energy and of the spring's, F²/(2k).
+/// Contact forms at m = 0 and follows this curve down to dm/dv = 0. Jumps at constant m dissipate the difference of
+/// contact energy and of the spring's, F²/(2k).
 struct SpringJumps {
     contact::jkr::State after_jump_in;
     contact::jkr::State before_jump_out;

@@ -14,7 +14,7 @@
 
 namespace setae::answers {
 
-/// What `setae adhesion` is told of a soft solid and its partner; see docs/concepts/theory.md.
+/// Request of `setae adhesion`: a soft solid and its partner; see docs/concepts/theory.md.
 struct AdhesionRequest {
     std::string youngs_modulus, work, surface_energy;
     double poisson_ratio = 0.5;
@@ -26,8 +26,8 @@ struct AdhesionRequest {
     [[nodiscard]] study::Study study(const study::SurfaceAnalysisOptions& analysis) const;
 };
 
-/// W_app of a soft solid on a surface: the recommended answer beside the other theories, (7), (S13) and (2) of [D19]
-/// with what they rest on and, where a sphere was named, its loop.
+/// W_app of a soft solid on a surface: the recommended result, the other theories, the balances of [D19] (Eqs. 7, S13
+/// and 2) with their inputs and, with a sphere, its loop.
 struct Adhesion {
     study::StudyResult result;  ///< one surface, one elastomer, one pair
     std::vector<Quantity> quantities;

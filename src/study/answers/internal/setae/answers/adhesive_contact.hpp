@@ -32,7 +32,7 @@ struct AdhesiveContactAnswer {
                                                      const InteractionRequest& attraction,
                                                      parallel::Threads threads = {});
 
-/// Quantities by name, what is known of their accuracy, the attraction, "file", "processing" and "alerts".
+/// Quantities by name, their accuracy, the attraction, "file", "processing" and "alerts".
 [[nodiscard]] output::Json to_json(const AdhesiveContactAnswer& answer,
                                    const std::vector<processing::StepRecord>& processing);
 

@@ -14,25 +14,25 @@
 
 namespace setae::answers {
 
-/// What `setae contact sweep` is told beside the surface; see docs/concepts/adhesive-cells.md.
+/// Request of `setae contact sweep` without the surface; see docs/concepts/adhesive-cells.md.
 struct SweepRequest : BodyRequest, InteractionRequest {
     std::string stage_stiffness;      ///< empty: the mean gap is prescribed
-    std::string to_gap, to_pressure;  ///< what is reached first counts; both empty: full contact
-    double largest_move = 1.0;        ///< of any gap in a step, over the range
+    std::string to_gap, to_pressure;  ///< the first to be reached is used; both empty: full contact
+    double largest_move = 1.0;        ///< largest change of any gap per step, divided by the range
     std::string restart;              ///< file from which a stopped sweep continues
     bool maps = false;                ///< whether states are kept point by point; not with a restart file
 
-    /// @throws InvalidArgument for what is missing or malformed, before heights are read.
+    /// @throws InvalidArgument for missing or malformed values, before heights are read.
     void require_complete() const;
     [[nodiscard]] half_space::LoopOptions options(const half_space::Grid& grid) const;
-    /// Removes the restart file, once what came out is safe.
+    /// Removes the restart file, after the result is saved.
     void finish() const;
 };
 
-/// Where a sweep stands.
+/// Progress of a sweep.
 struct SweepProgress {
     bool approaching = true;
-    double share = 0.0;  ///< of the way there and back, 0 … 1
+    double share = 0.0;  ///< share of the way there and back, 0 … 1
 };
 
 /// A loop from far into contact and back.
@@ -54,7 +54,7 @@ struct SweepAnswer {
                                          const SweepRequest& request, parallel::Threads threads = {},
                                          const std::function<bool(const SweepProgress&)>& progress = {});
 
-/// Quantities by name, "status", "steps" with a list for each column, "maps" where they are kept, the attraction,
+/// Quantities by name, "status", "steps" with a list for each column, "maps" where they are stored, the attraction,
 /// "file", "processing" and "alerts".
 [[nodiscard]] output::Json to_json(const SweepAnswer& answer, const std::vector<processing::StepRecord>& processing);
 

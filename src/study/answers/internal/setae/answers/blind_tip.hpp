@@ -14,7 +14,7 @@
 
 namespace setae::answers {
 
-/// What `setae tip` is asked of a map.
+/// Request of `setae tip` for a map.
 struct BlindTipRequest {
     std::string threshold;
     Index points = 21;
@@ -24,7 +24,7 @@ struct BlindTipRequest {
     [[nodiscard]] topography::BlindTipOptions options(parallel::Threads threads = {}) const;
 };
 
-/// The bluntest tip that could have made a map, and what that says of the surface.
+/// The bluntest tip that is compatible with a map, and the resulting certainty of the surface.
 struct BlindTipAnswer {
     std::string file;
     topography::BlindTip blind;

@@ -17,7 +17,8 @@
 
 namespace setae::answers {
 
-/// Persson's theory beside solved contacts of surfaces with the very spectrum, as `setae contact compare` is told.
+/// Request of `setae contact compare`: Persson's theory compared with solved contacts of surfaces with the same
+/// spectrum.
 struct ComparisonRequest {
     PerssonRequest theory;  ///< without adhesion
     std::string pixels = "512";
@@ -30,26 +31,26 @@ struct ComparisonRequest {
     void require_complete() const;
 };
 
-/// What was compared. Every surface repeats itself and has the band's waves in the grid's modes, each of them as strong
-/// as the spectrum says: the surfaces differ by the places of their waves alone.
+/// Result of the comparison. Every surface is periodic and has the band's waves in the grid's modes, with the power of
+/// the spectrum: the surfaces differ only by the phases of their waves.
 struct ContactComparison {
-    persson::Scales scales;  ///< of the cell: the theory is of the very waves that are solved
+    persson::Scales scales;  ///< scales of the cell: the theory uses the same waves as the solution
     half_space::Grid grid;
     Band band;  ///< [1/m]
-    /// pressure [Pa]; then of area_fraction (with the perimeter's correction), mean_gap [m], contact_stiffness [Pa/m]
-    /// and stored_energy [J/m2] each the mean over surfaces, "…_standard_error" of it, and "…_persson"
+    /// pressure [Pa]; then for area_fraction (with the perimeter's correction), mean_gap [m], contact_stiffness [Pa/m]
+    /// and stored_energy [J/m2] each the mean over surfaces, its "…_standard_error", and "…_persson"
     Table load;
     half_space::Body body;
     double energy_factor = 0.0;
     int surfaces = 0;
     std::uint64_t seed = 0;
-    double rms_height = 0.0, rms_slope = 0.0;  ///< of the spectrum within its band [m], [1]
-    synthesis::ExpectedRoughness made;         ///< of every surface
+    double rms_height = 0.0, rms_slope = 0.0;  ///< rms height and slope of the spectrum within its band [m], [1]
+    synthesis::ExpectedRoughness made;         ///< roughness of every surface
     double largest_duality_gap = 0.0;
     std::vector<Alert> alerts;
 };
 
-/// surface: that did not fail.  progress: contacts solved, and of how many; may throw to stop.
+/// surface: without failure.  progress: number of contacts solved, and their total; may throw to stop.
 /// @throws as ComparisonRequest and persson::load_table(); InvalidArgument for pixels too coarse for the shortest wave
 /// (four of them are needed) and a cell shorter than the longest.
 [[nodiscard]] ContactComparison compare_contact(const study::SurfaceResult& surface, const ComparisonRequest& request,

@@ -16,7 +16,7 @@
 
 namespace setae::answers {
 
-/// What `setae contact front` is told beside the surface; see docs/concepts/crack-front.md.
+/// Request of `setae contact front` without the surface; see docs/concepts/crack-front.md.
 struct FrontRequest {
     std::string radius, contact_modulus, work_of_adhesion;
     std::string to_force, to_displacement;  ///< one of them
@@ -28,7 +28,7 @@ struct FrontRequest {
     int steps = 500;
     std::string duration;  ///< empty: no edge is kept
 
-    /// @throws InvalidArgument for what is missing, malformed or contradicts itself, before heights are read.
+    /// @throws InvalidArgument for missing, malformed or contradictory values, before heights are read.
     void require_complete() const;
     [[nodiscard]] contact::AdhesiveContact contact() const;
     [[nodiscard]] crack_front::FrontOptions options() const;
@@ -56,7 +56,7 @@ struct FrontAnswer {
     double shortest_wavelength = 0.0;  ///< [m]
     std::vector<FrontRun> runs;
     Table steps;  ///< crack_front::loop_table() of the first
-    Table edge;   ///< of the first, where it is kept: contact_line::as_table() with "displacement" and "force"
+    Table edge;   ///< edge of the first surface, on request: contact_line::as_table() with "displacement" and "force"
     std::vector<Quantity> quantities;  ///< means over the surfaces, ± of their mean where there are several
     std::vector<Alert> alerts;
 };
@@ -64,15 +64,15 @@ struct FrontAnswer {
 /// Share of the way of all loops that is done; false ends them.
 using FrontProgress = std::function<bool(double share)>;
 
-/// surfaces: maps, periodic or not, alike in size; the sphere's axis is over their centres. Several run on a thread
-/// each; same bytes for any number of them.
-/// @throws InvalidArgument for what is no map, undefined heights, a contact larger than a map that is not periodic and
-/// fields that fit into no memory, with what would do.
+/// surfaces: maps, periodic or not, of equal size; the sphere's axis is over their centres. Several run on a thread
+/// each; equal bytes for any number of them.
+/// @throws InvalidArgument for other data than maps, undefined heights, a contact larger than a map that is not
+/// periodic and fields that exceed the memory, with a remedy.
 [[nodiscard]] FrontAnswer contact_front(const std::string& file, const std::vector<topography::Measurement>& surfaces,
                                         const FrontRequest& request, parallel::Threads threads = {},
                                         const FrontProgress& progress = {});
 
-/// What the loops say, in a sentence.
+/// Result of the loops in one sentence.
 [[nodiscard]] std::string front_sentence(const FrontAnswer& answer);
 
 /// Quantities by name, "standard_errors" where there are several surfaces, "runs", "steps" with a list for each column,

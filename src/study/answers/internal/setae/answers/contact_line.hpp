@@ -16,32 +16,32 @@
 
 namespace setae::answers {
 
-/// How the edge of a contact is analysed, as `setae jkr line` is told.
+/// Request of `setae jkr line`: analysis of the edge of a contact.
 struct LineRequest : RadiusRequest {
     std::optional<long> angles;
     double smallest_void = 16.0;  ///< [px²]
     std::string ring_width;
     double threshold = 3.0;
     long smallest_mode = 3, largest_mode = 0;
-    std::string sphere_radius, contact_modulus;  ///< of the release rate, which takes both
+    std::string sphere_radius, contact_modulus;  ///< for the release rate, which needs both
     std::string displacement;
 
     [[nodiscard]] imaging::LineOptions line_options(parallel::Threads threads = {}) const;
 };
 
-/// How the edge moves in one direction.
+/// Motion of the edge in one direction.
 struct LineMotion {
     contact_line::Passage passage;
     std::vector<contact_line::Cluster> jumps, arrests;                ///< largest first
-    std::optional<contact_line::PowerLawTail> speed_tail, jump_tail;  ///< of v/⟨v⟩; of areas
+    std::optional<contact_line::PowerLawTail> speed_tail, jump_tail;  ///< tails of v/⟨v⟩ and of areas
 };
 
-/// What the edge works against on the way there or back: contact_line::local_release_rate() of the frames before or
-/// after the widest contact.
+/// Energy release rate at the edge on approach or retraction: contact_line::local_release_rate() of the frames before
+/// or after the widest contact.
 struct ReleaseRate {
     Index frames = 0;
     double mean = 0.0;     ///< over frames and angles [J/m²]
-    double scatter = 0.0;  ///< root of the mean variance along the edge, less what the noise of places makes [J/m²]
+    double scatter = 0.0;  ///< square root of the mean variance along the edge, minus the contribution of noise [J/m²]
     double noise = 0.0;    ///< that [J/m²]
 
     /// U_el/AW of roughness that makes such a scatter, (scatter/mean)²/4: std(w_R)/w = 2√(U_el/AW).
@@ -54,14 +54,14 @@ struct RecordedLine {
     contact_line::ContactLine line;                        ///< [s], [m]; its error is of pixel noise
     double pixel_size = 0;                                 ///< [m]
     double centre_x = 0, centre_y = 0;                     ///< [px] of the whole frame: the mean of the frames'
-    std::vector<std::vector<imaging::ContactVoid>> voids;  ///< of every frame
+    std::vector<std::vector<imaging::ContactVoid>> voids;  ///< voids of every frame
     std::vector<std::string> left_out;                     ///< frames that are left out, each with its reason
 };
 
 /// All that is found of an edge. No roughness, or no motion in either direction, has its reason in `notes`; a tail of
 /// too few numbers is left out.
 struct LineAnswer {
-    RecordedLine recorded;  ///< of a table: without voids
+    RecordedLine recorded;  ///< edge of a table: without voids
     contact_line::LineShape shape;
     std::optional<contact_line::LineRoughness> roughness;
     std::optional<LineMotion> advancing, receding;
@@ -80,7 +80,7 @@ struct RecordedEdge {
     std::optional<Array1D> displacement;  ///< at the line's times [m], where a table has it
 };
 
-/// Of pictures, or of one table that recorded_line() reads, "….csv". @throws as reading them does.
+/// The edge from pictures, or from one table that recorded_line() reads, "….csv". @throws as reading them does.
 [[nodiscard]] RecordedEdge recorded_edge(const std::vector<std::string>& files, const LineRequest& request,
                                          parallel::Threads threads = {});
 
@@ -96,7 +96,7 @@ struct RecordedEdge {
 /// Areas of clusters [m²].
 [[nodiscard]] Array1D areas_of(const std::vector<contact_line::Cluster>& clusters);
 
-/// One row a frame: time, frame, mean_radius, area, perimeter, deviation, voids, void_area.
+/// One row per frame: time, frame, mean_radius, area, perimeter, deviation, voids, void_area.
 [[nodiscard]] Table as_table(const LineAnswer& answer);
 [[nodiscard]] output::Json to_json(const LineAnswer& answer);
 

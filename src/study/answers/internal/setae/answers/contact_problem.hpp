@@ -44,17 +44,17 @@ struct TouchingSurface {
     bool line = false;  ///< a contact 1 m long
 };
 
-/// Of a map or a line. file: for messages. @throws InvalidArgument for a profile and undefined heights.
+/// The surface of a map or a line. file: for messages. @throws InvalidArgument for a profile and undefined heights.
 [[nodiscard]] TouchingSurface touching_surface(const std::string& file, const topography::Measurement& measurement);
 
 /// {"mean_gap": 1e-9, …, "units": {"mean_gap": "m", …}}.
 [[nodiscard]] output::Json quantities_json(const std::vector<Quantity>& quantities);
 /// Adds points, size and contact_modulus.
 void add_problem(output::Json& json, const half_space::Grid& grid, const half_space::Body& body);
-/// Adds what the attraction is and how the grid resolves it.
+/// Adds the attraction and its resolution by the grid.
 void add_interaction(output::Json& json, const half_space::Interaction& interaction, const half_space::Body& body,
                      const half_space::Grid& grid);
-/// Adds the file, what was done to its heights, and alerts.
+/// Adds the file, the processing of its heights, and warnings.
 void add_input(output::Json& json, const std::string& file, const std::vector<processing::StepRecord>& processing,
                const std::vector<Alert>& alerts);
 

@@ -13,7 +13,7 @@
 
 namespace setae::answers {
 
-/// How contact radii are measured in the frames of a recording, as `setae jkr radius` is told.
+/// Request of `setae jkr radius`: measurement of contact radii in the frames of a recording.
 struct RadiusRequest : CameraPictures {
     std::string region, polarity = "automatic", reason;
     std::optional<double> micrometres_per_pixel;

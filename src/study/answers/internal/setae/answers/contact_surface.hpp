@@ -16,13 +16,13 @@
 
 namespace setae::answers {
 
-/// What lies beyond the edges of a map in a contact.
+/// Continuation of a map beyond its edges in a contact.
 enum class BeyondMap {
     itself,   ///< the map again
     nothing,  ///< nothing that touches: free edges, or a contact that ends within the map
 };
 
-/// How a measured map or line is taken into a contact.
+/// Use of a measured map or line in a contact.
 struct MeasuredSurfaceRequest {
     std::string trend;  ///< empty: study::trend_after()
     std::string edges = "automatic";
@@ -31,18 +31,17 @@ struct MeasuredSurfaceRequest {
     void require_valid() const;
 };
 
-/// The one rule by which every contact command takes measured heights.
+/// Preparation of measured heights, common to all contact commands.
 ///
-/// 1. Heights repeat themselves where `edges` or their file says so, or where they go on across the seam as they do
-///    inside (processing::seam_of). Nothing is subtracted from them unless a trend is asked for.
+/// 1. Heights are periodic where `edges` or their file states it, or where they continue across the seam as
+///    inside (processing::seam_of). Nothing is subtracted from them unless a trend is requested.
 /// 2. All others are levelled by study::trend_after(), as before a spectrum. The record names the step.
-/// 3. Where `edges` is "windowed" they go to their mean at the edges (processing::windowed) and repeat themselves then.
-/// 4. Where a map that does not repeat itself is repeated, its metadata get the alert MAP_NOT_PERIODIC with the rms
-/// height
+/// 3. For `edges` "windowed" they are reduced to their mean at the edges (processing::windowed) and are periodic then.
+/// 4. Where a map that is not periodic is repeated, its metadata get the warning MAP_NOT_PERIODIC with the rms height
 ///    step at the seam.
 ///
-/// read: heights and what was done to them by `pipeline`. recommended: the trend that their file says to remove.
-/// Profiles are returned as they are.
+/// read: heights and their processing by `pipeline`. recommended: the trend that their file recommends to remove.
+/// Profiles are returned unchanged.
 /// @throws InvalidArgument for other words, and as levelling does.
 [[nodiscard]] processing::PipelineResult into_contact(processing::PipelineResult read,
                                                       const processing::Pipeline& pipeline,
@@ -52,13 +51,13 @@ struct MeasuredSurfaceRequest {
 
 /// Whose surface touches.
 struct ContactSurfaceRequest {
-    MeasuredSurfaceRequest measured;  ///< of a map or a line that is read
-    MadeSurfaceRequest made;          ///< of a surface that is made from a spectrum or a study
+    MeasuredSurfaceRequest measured;  ///< for a map or a line that is read
+    MadeSurfaceRequest made;          ///< for a surface that is generated from a spectrum or a study
 };
 
-/// The surface that touches: made from a spectrum, or read; then processed, and taken into the contact.
-/// @throws InvalidArgument for a request of a made surface beside a map, and as made_surface(), into_contact(), reading
-/// and processing do.
+/// The surface in contact: generated from a spectrum, or read; then processed, and prepared for the contact.
+/// @throws InvalidArgument for a request of a generated surface in addition to a map, and as made_surface(),
+/// into_contact(), reading and processing do.
 [[nodiscard]] processing::PipelineResult contact_surface(const std::string& path, const FileRequest& file,
                                                          const processing::Pipeline& pipeline,
                                                          const ContactSurfaceRequest& request, BeyondMap beyond,

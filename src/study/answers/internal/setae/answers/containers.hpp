@@ -12,7 +12,7 @@
 
 namespace setae::answers {
 
-/// What a container is made of, as `setae container write` is told. Values that files leave open hold for all, "um", or
+/// Request of `setae container write`: contents of a container. Metadata missing in files are given for all, "um", or
 /// for one, "FILE=um".
 struct ContainerRequest {
     std::vector<std::string> files;  ///< measured ones become one surface, containers keep theirs
@@ -27,10 +27,10 @@ struct ContainerRequest {
 struct WrittenContainer {
     std::string output;
     formats::ContainerDraft draft;
-    std::vector<std::string> failures;  ///< of files that could not be read
+    std::vector<std::string> failures;  ///< failures of files that could not be read
 
     [[nodiscard]] std::size_t measurements() const;
-    /// Whether everything that was named is in it and can be read.
+    /// Whether all named contents are included and can be read.
     [[nodiscard]] bool complete() const;
 };
 

@@ -17,13 +17,13 @@
 
 namespace setae::answers {
 
-/// What the heights of a channel say, or why they could not be read.
+/// Statistics of the heights of a channel, or the reason for which they could not be read.
 struct HeightSummary {
     bool read = false;
     Index undefined_count = 0, points = 0;
     double mean = undefined, standard_deviation = undefined, least = undefined, greatest = undefined;
     std::string error;
-    std::vector<Alert> alerts = {};  ///< what was made of them
+    std::vector<Alert> alerts = {};  ///< warnings
 
     [[nodiscard]] double undefined_share() const {
         return read ? static_cast<double>(undefined_count) / static_cast<double>(points) : undefined;
@@ -43,12 +43,12 @@ struct ListedChannel {
 /// A file as `setae info` lists it.
 struct ListedFile {
     study::FileContent content;
-    std::vector<ListedChannel> channels;  ///< of topographies and containers, those that are shown
+    std::vector<ListedChannel> channels;  ///< for topographies and containers, the channels shown
     std::uint64_t bytes = 0;
-    bool too_large = false;  ///< for its heights to be read without being asked to
+    bool too_large = false;  ///< whether heights are too large to be read without a request
 };
 
-/// What files are asked.
+/// Request of contents of files.
 struct ContentsRequest {
     std::vector<std::string> paths;  ///< files, or folders of them
     study::FileQuestions questions;
@@ -56,10 +56,10 @@ struct ContentsRequest {
     bool heights = false, no_heights = false;
 };
 
-/// What was found, and what is wrong with it.
+/// Contents and problems.
 struct Contents {
     std::vector<ListedFile> files;
-    std::vector<study::UnreadablePath> failed;  ///< files that nothing can be said of
+    std::vector<study::UnreadablePath> failed;  ///< files without a result
     std::vector<std::string> own;               ///< files of folders that setae wrote: figures, tables, reports
 };
 

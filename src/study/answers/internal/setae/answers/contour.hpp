@@ -18,7 +18,7 @@ namespace setae::answers {
 /// Size of a pixel, "0.05 nm" or "0.05 nm x 0.1 nm". @throws InvalidArgument.
 [[nodiscard]] imaging::PixelSize pixel_size_of(const std::string& text);
 
-/// How the contour in a micrograph is traced, as `setae contour` is told.
+/// Request of `setae contour`: tracing of the contour in a micrograph.
 struct ContourRequest {
     std::string vacuum = "automatic", shape = "envelope";
     std::string pixel, scale_bar, calibration, foil_thickness;

@@ -12,27 +12,27 @@
 
 namespace setae::answers {
 
-/// The measurements of a file as they are, nothing removed: of a container every one, of other files the channel asked
-/// for or else the first that holds heights.
-/// @throws what reading throws; InvalidArgument where no channel holds heights.
+/// The measurements of a file without any processing: for a container all, for other files the requested channel or
+/// else the first with heights.
+/// @throws what reading throws; InvalidArgument where no channel contains heights.
 [[nodiscard]] std::vector<topography::Measurement> measurements_of(const std::string& path, const FileRequest& options);
 
-/// What `setae check` is told beside the files.
+/// Request of `setae check` without the files.
 struct DiagnosisRequest {
     std::string tip_radius;
 };
 
-/// What is looked at: a file, and what gives its measurements.
+/// A file to be checked, with the origin of its measurements.
 struct Suspect {
     std::string file;
     std::function<std::vector<topography::Measurement>()> measurements;
 };
 
-/// What is wrong with measurements, each alone, then compared with each other.
+/// Problems of measurements, of each separately and in comparison with each other.
 struct Diagnosis {
     std::vector<std::string> faultless;  ///< labels of those that nothing was found in
     std::vector<diagnostics::Finding> findings;
-    std::vector<std::string> failures;  ///< of files that could not be looked at
+    std::vector<std::string> failures;  ///< failures of files that could not be checked
 };
 
 /// request: of all suspects.  every_measurement: the first failure is thrown.

@@ -12,7 +12,7 @@
 
 namespace setae::answers {
 
-/// What `setae jkr fit` is told of force curves: force and displacement alone, contact found where the force leaves the
+/// Request of `setae jkr fit` for force curves: only force and displacement, contact where the force leaves the
 /// baseline.
 struct CurveRequest {
     bool curve = false;
@@ -21,9 +21,9 @@ struct CurveRequest {
     std::string model = "hertz", range, contact_point = "fit";
     bool keep_baseline_slope = false;
 
-    /// Whether a file is treated as one: asked for, or a force curve by its format.
+    /// Whether a file is treated as a force curve: on request, or by its format.
     [[nodiscard]] bool concerns(const std::string& file) const;
-    /// Whether all of several force curves in a file are wanted.
+    /// Whether all of several force curves in a file are requested.
     [[nodiscard]] bool concerns_map(const std::string& file, const LoopFiles& loops) const;
     /// @throws InvalidArgument for a malformed text.
     [[nodiscard]] loops::ForceCurveFitOptions options() const;
@@ -32,11 +32,11 @@ struct CurveRequest {
     [[nodiscard]] loops::LensAndCounterBody bodies(const LoopBodies& given, const Table& of_curve) const;
 };
 
-/// Every segment of a curve with its fit, and what they say together. @throws what reading and fitting throw.
+/// Every segment of a curve with its fit, and their common result. @throws what reading and fitting throw.
 [[nodiscard]] loops::ForceCurveAnalysis fit_curve(const std::string& file, const LoopFiles& loops,
                                                   const LoopBodies& bodies, const CurveRequest& curve);
 
-/// Every curve of a file of several.
+/// Every curve of a file with several.
 [[nodiscard]] study::ForceMap fit_map(const std::string& file, const LoopFiles& loops, const LoopBodies& bodies,
                                       const CurveRequest& curve, parallel::Threads threads = {});
 

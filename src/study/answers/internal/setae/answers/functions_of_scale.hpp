@@ -16,13 +16,13 @@
 
 namespace setae::answers {
 
-/// Which function of a distance: of `setae sdrp`, `setae acf`, `setae vbw`.
+/// Function of a distance: of `setae sdrp`, `setae acf`, `setae vbw`.
 enum class ScaleFunction { differences, autocorrelation, variable_bandwidth };
 
 /// "10nm,100nm" [m]. @throws InvalidArgument.
 [[nodiscard]] std::vector<double> distances_of(const std::string& text);
 
-/// What these verbs are asked.
+/// Request of these commands.
 struct ScaleRequest {
     study::SurfaceInput surface;
     std::uint64_t largest_map = study::SurfaceAnalysisOptions{}.largest_map;
@@ -35,10 +35,10 @@ struct ScaleRequest {
 /// A function of a distance, of each measurement and combined from several.
 struct FunctionsOfScale {
     std::vector<scales::FunctionOfScale> functions;    ///< none where every measurement failed
-    std::optional<scales::CombinedFunction> combined;  ///< of several, or where bins are asked for
+    std::optional<scales::CombinedFunction> combined;  ///< for several measurements, or where bins are requested
     Table table;                                       ///< the one that is shown
     std::vector<Alert> alerts;
-    std::vector<std::string> failures;  ///< of measurements
+    std::vector<std::string> failures;  ///< failures of measurements
 };
 
 /// @throws InvalidArgument for a table of a spectrum; what the functions throw where every measurement is wanted.
@@ -57,7 +57,7 @@ struct setae::fields::Asked<setae::answers::ScaleRequest> {
     static constexpr std::array<std::string_view, 7> statistics{"rms",      "variance", "mean",   "skewness",
                                                                 "kurtosis", "minimum",  "maximum"};
     static constexpr std::array<std::string_view, 3> directions{"x", "y", "both"};
-    /// Of all functions.
+    /// For all functions.
     static constexpr std::array options{
         option<&R::all>("all", "unreliable distances, too: those that sampling, tip or resolution distort"),
         option<&R::binned>("binned", "one measurement is shown in the bins of combined measurements, too"),
@@ -81,7 +81,7 @@ struct setae::fields::Asked<setae::answers::ScaleRequest> {
         option<&R::statistic>("statistic", "statistic of the derivative").one_of(statistics).default_shown(),
         option<&R::along>("along", "direction of the differences").one_of(directions).default_shown(),
     };
-    /// Of autocorrelation and variable bandwidth.
+    /// For autocorrelation and variable bandwidth.
     static constexpr std::array of_area{
         option<&R::area>("area", "maps as areas, over all directions or by planes, instead of along scan lines"),
     };

@@ -12,7 +12,7 @@
 
 namespace setae::answers {
 
-/// What `setae contact solve` is told beside the surface; see docs/concepts/half-space.md.
+/// Request of `setae contact solve` without the surface; see docs/concepts/half-space.md.
 struct HardWallRequest : BodyRequest {
     std::string pressure, displacement, mean_gap;  ///< one of them
     std::string stage_stiffness;                   ///< with adhesion only
@@ -22,7 +22,7 @@ struct HardWallRequest : BodyRequest {
 
     /// @throws InvalidArgument where not one control is given, or a malformed one.
     [[nodiscard]] half_space::Control control() const;
-    /// @throws as body() and control(): what is missing, before heights are read.
+    /// @throws as body() and control(): missing values, before heights are read.
     void require_complete() const;
 };
 
@@ -36,13 +36,13 @@ struct HardWallAnswer {
     std::vector<Alert> alerts;
 };
 
-/// Of a map or, as a contact 1 m long, of a line. @throws InvalidArgument for a profile, undefined heights, as
-/// HardWallRequest and half_space::solve().
+/// The contact of a map or, as a contact of 1 m length, of a line. @throws InvalidArgument for a profile, undefined
+/// heights, as HardWallRequest and half_space::solve().
 [[nodiscard]] HardWallAnswer hard_wall(const std::string& file, const topography::Measurement& measurement,
                                        const HardWallRequest& request, parallel::Threads threads = {},
                                        const std::function<void(const half_space::SolveProgress&)>& progress = {});
 
-/// Quantities by name, what is known of their accuracy, "file", "processing" and "alerts".
+/// Quantities by name, their accuracy, "file", "processing" and "alerts".
 [[nodiscard]] output::Json to_json(const HardWallAnswer& answer, const std::vector<processing::StepRecord>& processing);
 
 }  // namespace setae::answers

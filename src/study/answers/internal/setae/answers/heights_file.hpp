@@ -13,8 +13,8 @@ namespace setae::answers {
 /// @throws InvalidArgument for another ending and for what the format cannot hold; FileError.
 void write_heights(const std::string& path, const topography::Measurement& measurement);
 
-/// @throws InvalidArgument where write_heights would for the path's ending, before heights are dear to make.
-/// others: what else the verb writes, for the message.
+/// @throws InvalidArgument where write_heights would for the path's ending, before heights are computed. others:
+/// further outputs of the command, for the message.
 void require_heights_ending(const std::string& path, const std::string& others = {});
 
 /// ".x3p, … or .csv", for messages.

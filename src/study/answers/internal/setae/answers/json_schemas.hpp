@@ -12,16 +12,16 @@ namespace setae::answers {
 /// of study.json.
 [[nodiscard]] std::vector<std::string> commands_with_schema();
 
-/// JSON Schema (draft 2020-12) of what `setae COMMAND --json` prints: every name with its meaning, its unit where that
-/// never changes, and whether it is always there. Names may be added by later versions, so that a schema does not
-/// forbid others.
+/// JSON Schema (draft 2020-12) of the output of `setae COMMAND --json`: every name with its meaning, its unit where
+/// that is constant, and whether it is always present. Later versions may add names, so a schema does not forbid
+/// others.
 /// @throws InvalidArgument for a command without one.
 [[nodiscard]] output::Json json_schema(const std::string& command);
 
 /// "contact_solve.schema.json".
 [[nodiscard]] std::string schema_file(const std::string& command);
 
-/// Schemas by name of what several commands print, such as "quantity".
+/// Schemas by name that several commands share, such as "quantity".
 [[nodiscard]] output::Json shared_json_parts();
 
 /// A page on all names: one table per command, and one table of shared types.

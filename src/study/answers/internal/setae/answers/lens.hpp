@@ -13,7 +13,7 @@
 
 namespace setae::answers {
 
-/// What `setae jkr lens` is told of a lens's section.
+/// Request of `setae jkr lens`: section of a lens.
 struct LensRequest {
     std::string x, z, from, to, pixel;
 };
@@ -26,10 +26,10 @@ struct Lens {
     std::string no_conic;  ///< why
     std::vector<Alert> alerts;
     Index points = 0;
-    double first = 0.0, last = 0.0;  ///< of the range along x [m]
+    double first = 0.0, last = 0.0;  ///< range along x [m]
 };
 
-/// Of a table of two lengths, a profilometer's trace, or a picture of the lens's side.
+/// The lens from a table of two lengths, a profilometer's trace, or a picture of its silhouette.
 /// @throws FormatError for a table without two lengths; as the readers and loops::fit_circle().
 [[nodiscard]] Lens lens_of(const std::string& file, const LensRequest& request);
 

@@ -9,7 +9,7 @@
 
 namespace setae::answers {
 
-/// An edge beside another of the same contact, such as a recording beside the simulation it was rendered from.
+/// Comparison of two edges of the same contact, such as a recording and the simulation from which it was rendered.
 struct LineComparison {
     LineAnswer other;
     Index frames = 0;                  ///< whose times the other has, too
@@ -19,11 +19,11 @@ struct LineComparison {
 
 [[nodiscard]] LineComparison beside(const LineAnswer& answer, RecordedEdge other, const LineRequest& request);
 
-/// What both say, side by side; the names head their columns.
+/// Results of both edges in two columns, headed by their names.
 [[nodiscard]] tables::TidyTable comparison_table(const LineAnswer& answer, const LineComparison& comparison,
                                                  const std::string& name, const std::string& other_name);
 
-/// to_json() of the answer with the other's as "beside", "edge_difference" and "shared_frames".
+/// to_json() of the answer, with the second edge as "beside", "edge_difference" and "shared_frames".
 [[nodiscard]] output::Json to_json(const LineAnswer& answer, const LineComparison& comparison);
 
 }  // namespace setae::answers

@@ -20,13 +20,13 @@ namespace setae::answers {
 struct LoopFiles : CameraPictures {
     std::vector<std::string> files, columns;
     std::string map, camera, camera_map, clock_offset, spring_constant, sensitivity;
-    std::string mapping_folder;  ///< of mappings that go by their names
+    std::string mapping_folder;  ///< folder of mappings that are given by name
     std::optional<long> curve_number;
 
-    /// What is chosen of columns. @throws InvalidArgument for one that is no ROLE=COLUMN.
+    /// Chosen columns. @throws InvalidArgument for a text other than ROLE=COLUMN.
     [[nodiscard]] tables::ChosenColumns chosen() const;
-    /// The files, those of folders in alphabetical order and without what setae wrote of results. @throws
-    /// InvalidArgument where there is none.
+    /// The files, those of folders in alphabetical order and without outputs of setae. @throws InvalidArgument without
+    /// a file.
     [[nodiscard]] std::vector<std::string> expanded() const;
     [[nodiscard]] study::LoopSource source(const std::string& file) const;
     /// The file of the mapping that was named, by its path or by the name it has in the folder; nothing where none was.
@@ -36,19 +36,18 @@ struct LoopFiles : CameraPictures {
     [[nodiscard]] study::OpenedLoop open(const std::string& file) const;
 };
 
-/// What was pressed on what.
+/// Bodies of a loop.
 struct LoopBodies {
     std::string radius, lens_height, layer_thickness, counter_modulus;
     std::optional<double> poisson_ratio, counter_poisson_ratio;
 
-    /// What is said here, else what the loop's metadata say. @throws InvalidArgument where nobody says the sphere's
-    /// radius.
+    /// Values given here, else those in the loop's metadata. @throws InvalidArgument without a radius of the sphere.
     [[nodiscard]] study::StatedBodies bodies(const Table& loop) const;
     /// The same for tips that have no radius.
     [[nodiscard]] study::StatedBodies without_radius(const Table& loop) const;
 };
 
-/// How a loop is analysed.
+/// Settings of the analysis of a loop.
 struct LoopSettings {
     std::string machine_stiffness, rigid_contact, contact_point = "auto", displacement_drift;
     std::string drift = "auto", force_zero;
@@ -58,13 +57,13 @@ struct LoopSettings {
     long samples_dropped = 3;
     bool unweighted = false, modulus_free = false, no_drift = false, whole_retraction = false;
 
-    /// What is said here; the machine's stiffness else from the loop's metadata.
+    /// Values given here; the machine stiffness else from the loop's metadata.
     /// @throws as reading and analysing the rigid contact.
     [[nodiscard]] loops::AnalysisOptions options(const Table& loop) const;
     [[nodiscard]] loops::DriftModel drift_model() const;
 };
 
-/// What is fitted to a loop beside JKR's own routes.
+/// Models that are fitted to a loop in addition to JKR.
 struct LoopModelsRequest {
     std::vector<std::string> models, shared;
     std::string branch = "loading", errors = "orthogonal_distance";
@@ -88,15 +87,15 @@ struct AnalysedLoop {
 /// @throws what reading and analysing throw.
 [[nodiscard]] AnalysedLoop analysed_loop(const std::string& file, const LoopFiles& files, const LoopBodies& bodies,
                                          const LoopSettings& settings);
-/// The same of a loop already open.
+/// The analysis of a loop that is already open.
 [[nodiscard]] AnalysedLoop analysed_loop(study::OpenedLoop opened, const std::string& file, const LoopBodies& bodies,
                                          const LoopSettings& settings);
 
 [[nodiscard]] study::LoopModels models_of(const AnalysedLoop& loop, const study::LoopModelOptions& models);
 
-/// What `setae jkr fit` says of one loop: its analysis, "file", and "models" where some were asked for.
+/// Output of `setae jkr fit` for one loop: its analysis, "file", and "models" on request.
 [[nodiscard]] output::Json fit_json(const AnalysedLoop& loop, const study::LoopModelOptions& models = {});
-/// What `setae jkr energy` says of it.
+/// Output of `setae jkr energy` for one loop.
 [[nodiscard]] output::Json energy_json(const AnalysedLoop& loop);
 
 }  // namespace setae::answers
@@ -104,7 +103,7 @@ struct AnalysedLoop {
 template <>
 struct setae::fields::Asked<setae::answers::LoopFiles> {
     using R = answers::LoopFiles;
-    /// Of every command that reads loops.
+    /// For every command that reads loops.
     static constexpr std::array mapping{
         option<&R::map>("mapping", "mapping (TOML) that names the columns of a foreign table: a file or a known name")
             .such_as("eoh")

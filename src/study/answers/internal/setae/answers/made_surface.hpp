@@ -15,43 +15,43 @@
 
 namespace setae::answers {
 
-inline constexpr double pixels_per_wave = 4.0;  ///< of the shortest wave of a surface that is made
+inline constexpr double pixels_per_wave = 4.0;  ///< pixels per shortest wavelength of a generated surface
 
-/// Points "512" or "1024x512" and extent of a surface that is made; extent empty: twice the band's longest wave.
-/// @throws InvalidArgument for malformed texts, fewer than 2 x 2 points, and so many that a contact of them fits
-/// nowhere.
+/// Points "512" or "1024x512" and extent of a generated surface; empty extent: twice the band's longest wavelength.
+/// @throws InvalidArgument for malformed texts, fewer than 2 x 2 points, and numbers of points that exceed the memory
+/// of a contact.
 [[nodiscard]] synthesis::SurfaceGrid surface_grid(const std::string& pixels, const std::string& cell, const Band& band);
 
 /// The longer side of its pixels [m].
 [[nodiscard]] double longest_pixel(const synthesis::SurfaceGrid& grid);
 
-/// C_iso of a surface as power laws between nodes, a node on each end of its band and none beyond. Of one measurement,
-/// whose modes scatter as much as they hold, from their means over bins.
+/// C_iso of a surface as power laws between nodes, with a node on each end of its band and none beyond. For one
+/// measurement, whose modes have a relative scatter of 1, from their means over bins.
 /// @throws UndefinedDataError for fewer than two values.
 [[nodiscard]] spectra::Spectrum isotropic_spectrum(const study::SurfaceResult& surface);
 
-/// C_iso of such a curve inside its band, 0 outside.
+/// C_iso of this curve inside its band, 0 outside.
 [[nodiscard]] spectra::SpectralDensity density_of(const spectra::Spectrum& curve);
 
-/// What a surface that is made from a spectrum is told.
+/// Request of a surface that is generated from a spectrum.
 struct MadeSurfaceRequest {
     std::string pixels;
     std::string cell;     ///< empty: twice the longest wave
-    std::string surface;  ///< of a study that has several
+    std::string surface;  ///< for a study with several surfaces
     std::uint64_t seed = 1;
 
-    /// Whether anything is told that a map has by itself.
+    /// Whether any value is given that a map already has.
     [[nodiscard]] bool given() const { return !pixels.empty() || !cell.empty() || !surface.empty(); }
 };
 
-/// Whether a file is a study or the table of a spectrum: what a surface can be made from, and no map.
+/// Whether a file is a study or the table of a spectrum, from which a surface can be generated, and not a map.
 [[nodiscard]] bool is_of_spectrum(const std::string& path, const FileRequest& file);
 
-/// A periodic map with the spectrum of a table, or of a surface of a study as that is analysed (likelihood or average).
+/// A periodic map with the spectrum of a table, or of a surface of a study by its analysis (likelihood or average).
 ///
-/// Its waves are those of the spectrum that the grid holds, down to four pixels, each as strong as the spectrum says;
-/// the record says which they are, what they have of h_rms and h', and the share of U_el.
-/// @throws InvalidArgument for a grid that holds none of them, as study::read_study() and study::analyse_surface().
+/// Its waves are those of the spectrum within the grid, down to four pixels, each with the power of the spectrum; the
+/// record states them, their shares of h_rms and h', and the share of U_el.
+/// @throws InvalidArgument for a grid without such waves, as study::read_study() and study::analyse_surface().
 [[nodiscard]] processing::PipelineResult made_surface(const std::string& path, const FileRequest& file,
                                                       const MadeSurfaceRequest& request,
                                                       parallel::Threads threads = {});

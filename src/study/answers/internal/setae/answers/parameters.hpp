@@ -11,7 +11,7 @@
 
 namespace setae::answers {
 
-/// What `setae params` is asked.
+/// Request of `setae params`.
 struct ParametersRequest {
     study::SurfaceInput surface;
     study::SurfaceAnalysisOptions analysis;
@@ -21,22 +21,22 @@ struct ParametersRequest {
 /// Parameters that belong together: of one measurement's heights, or of the surface's spectrum.
 struct ParameterGroup {
     std::string file, name;
-    std::string purpose;  ///< what these numbers are for
+    std::string purpose;  ///< purpose of these numbers
     std::vector<Quantity> quantities;
     std::optional<std::size_t> channel = {};  ///< that was taken where the file has several
 };
 
-/// Parameters of a surface: those of each measurement's heights, then those of its spectrum by the conversion asked
-/// for, then by the other one. Without groups where the surface failed.
+/// Parameters of a surface: those of each measurement's heights, then those of its spectrum by the requested
+/// conversion, then by the other one. Without groups where the surface failed.
 struct Parameters {
     study::SurfaceResult surface;
     std::vector<ParameterGroup> groups;
     /// The numbers to quote: rms height, slope, curvature and true area of the waves inside the reliable band.
     std::vector<Quantity> headline;
-    std::string levelling;  ///< what was removed from the heights before, by measurement; empty of a given spectrum
+    std::string levelling;  ///< trend removed from the heights before, by measurement; empty for a given spectrum
 };
 
-/// The headline in words: the numbers with their ±, the waves they hold, what was removed and the measurements behind.
+/// The headline in words: the numbers with their standard errors, their waves, the removed trend and the measurements.
 [[nodiscard]] std::string headline_text(const Parameters& parameters);
 
 /// @throws what reading throws where every measurement is wanted.

@@ -19,7 +19,7 @@
 
 namespace setae::answers {
 
-/// What `setae lab conform` is told; see docs/concepts/conformity.md.
+/// Request of `setae lab conform`; see docs/concepts/conformity.md.
 struct PatchSurveyRequest {
     std::vector<double> energy_shares{0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.7, 1.0, 1.2};
     std::vector<Index> points{256};
@@ -39,17 +39,18 @@ struct PatchSurveyRequest {
 /// A pair of a study whose spectrum patches have.
 struct PatchPair {
     std::string surface, elastomer;
-    double work = 0.0;            ///< W = W_int r − γ1 (r − 1), what conforming gains [J/m²]
-    double energy_in_band = 0.0;  ///< share of U_el that the surface stores in the patch's band; all of it is put there
+    double work = 0.0;  ///< W = W_int r − γ1 (r − 1), energy gained in full contact [J/m²]
+    /// share of U_el of the surface in the band of the patch, in which all of U_el is placed
+    double energy_in_band = 0.0;
     std::optional<Estimate> measured;  ///< W_app [J/m²]
-    study::ContactAnswers answers;     ///< of all theories but the simulated cell, which the row is
+    study::ContactAnswers answers;     ///< results of all theories except the simulated cell, which is the row
 };
 
 struct PatchSurveyAnswer {
     std::vector<patches::SurveyRow> rows;
-    std::vector<PatchPair> pairs;  ///< one a row; empty where no study was told
+    std::vector<PatchPair> pairs;  ///< one per row; empty without a study
     bool loops = false;
-    std::vector<std::string> skipped;  ///< pairs of the study of which nothing can be said, and why
+    std::vector<std::string> skipped;  ///< pairs of the study without a result, with the reason
 };
 
 using PatchProgress = std::function<void(std::size_t done, std::size_t of)>;
@@ -63,13 +64,14 @@ using PatchProgress = std::function<void(std::size_t done, std::size_t of)>;
 [[nodiscard]] PatchSurveyAnswer patch_survey(const study::StudyResult& study, const PatchSurveyRequest& request,
                                              parallel::Threads threads = {}, const PatchProgress& progress = {});
 
-/// Up to what share patches close by themselves, and how far (7) is off where they do not.
+/// Energy share up to which patches come into full contact spontaneously, and error of the full-contact balance (Eq. 7)
+/// beyond.
 [[nodiscard]] std::string sentence(const PatchSurveyAnswer& answer);
 
-/// A row for each design: what it is, what its patches did.
+/// One row per design: its parameters and the results of its patches.
 [[nodiscard]] tables::TidyTable patch_survey_table(const PatchSurveyAnswer& answer);
 
-/// The same as wide as a terminal: of a study what its pairs' contact gains.
+/// The table at the width of a terminal: for a study, the energy gained in the contact of its pairs.
 [[nodiscard]] tables::TidyTable patch_screen_table(const PatchSurveyAnswer& answer);
 
 /// "answer", "rows" and "skipped".

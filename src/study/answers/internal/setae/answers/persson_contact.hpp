@@ -17,7 +17,7 @@
 
 namespace setae::answers {
 
-/// What Persson's theory is told beside the surface, as `setae contact persson`; see docs/concepts/persson.md.
+/// Request of `setae contact persson` without the surface; see docs/concepts/persson.md.
 struct PerssonRequest : BodyRequest {
     std::string pressure;
     double energy_factor = persson::usual_energy_factor;
@@ -34,14 +34,14 @@ struct PerssonContact {
     Table load;
     std::optional<Table> along_scales;
     double contact_modulus = 0.0, energy_factor = 0.0;  ///< E* [Pa]
-    std::vector<Alert> alerts;                          ///< of the surface
+    std::vector<Alert> alerts;                          ///< warnings of the surface
 
     /// The one that is shown.
     [[nodiscard]] const Table& table() const { return along_scales ? *along_scales : load; }
 };
 
-/// A surface as far as theory needs it: its spectrum, without the replicas behind standard errors.
-/// every_measurement: the first failure of one is thrown. @throws as study::analyse_surface().
+/// A surface for Persson's theory: its spectrum, without the replicas for standard errors. every_measurement: the first
+/// failure of one is thrown. @throws as study::analyse_surface().
 [[nodiscard]] study::SurfaceResult surface_for_theory(const study::SurfaceInput& input,
                                                       study::SurfaceAnalysisOptions analysis,
                                                       parallel::Threads threads = {}, bool every_measurement = false);

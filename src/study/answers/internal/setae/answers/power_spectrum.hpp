@@ -12,7 +12,7 @@
 
 namespace setae::answers {
 
-/// What `setae psd` is asked.
+/// Request of `setae psd`.
 struct PowerSpectrumRequest {
     study::SurfaceInput surface;
     study::SurfaceAnalysisOptions analysis;
@@ -21,18 +21,18 @@ struct PowerSpectrumRequest {
     bool every_measurement = false;  ///< the first failure of one is thrown, in place of a spectrum without it
 };
 
-/// The spectrum of a surface: C1D of the one measurement, mode by mode, or of all in the bins of the combined grid.
+/// The spectrum of a surface: C1D of a single measurement, mode by mode, or of all in the bins of the combined grid.
 ///
-/// Columns: wavevector [1/m], C1D [m³], standard_error [m³], count; and what else was asked for. Without columns where
-/// the surface failed.
+/// Columns: wavevector [1/m], C1D [m³], standard_error [m³], count; and further columns on request. Without columns
+/// where the surface failed.
 struct PowerSpectrum {
     study::SurfaceResult surface;
     Table table;
     std::optional<spectra::SelfAffineFit> fit;
 };
 
-/// @throws InvalidArgument for what a table of a spectrum cannot answer; what the fit throws; what reading throws where
-/// every measurement is wanted.
+/// @throws InvalidArgument for requests that a table of a spectrum cannot fulfil; what the fit throws; what reading
+/// throws where every measurement is requested.
 [[nodiscard]] PowerSpectrum power_spectrum(const PowerSpectrumRequest& request, parallel::Threads threads = {});
 
 /// Columns by name, "units", "conventions", "band", "measurements", "alerts" and "fit".

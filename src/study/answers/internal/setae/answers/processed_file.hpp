@@ -18,7 +18,7 @@ struct ProcessedFile {
     processing::PipelineResult result;
 };
 
-/// The channel wanted, or the first of heights, put through a pipeline. @throws what reading and the steps throw.
+/// The requested channel, or the first with heights, processed by a pipeline. @throws what reading and the steps throw.
 [[nodiscard]] ProcessedFile processed_file(const std::string& file, const formats::ReadOptions& options,
                                            const formats::ChannelChoice& channel, const processing::Pipeline& pipeline,
                                            parallel::Threads threads = {});

@@ -14,7 +14,7 @@
 
 namespace setae::answers {
 
-/// What `setae jkr summary` is asked: tables with a row a fit, and how rows become replicates.
+/// Request of `setae jkr summary`: tables with one row per fit, and the definition of replicates.
 struct ReplicateRequest {
     std::vector<std::string> files;
     std::string quantity = "W", value, error, unit, method, branch, elastomer;
@@ -26,7 +26,7 @@ struct ReplicateRequest {
     [[nodiscard]] study::ReplicateColumns columns() const;
 };
 
-/// Replicates and what they say together.
+/// Replicates and their statistics.
 struct ReplicateSummary {
     study::ReplicateTables tables;
     statistics::MixedModel model;

@@ -5,7 +5,7 @@
 
 namespace setae::answers {
 
-/// Now, ISO 8601 in UTC: "2026-11-21T18:40:20Z"; SOURCE_DATE_EPOCH stands for now where it is set.
+/// Present time, ISO 8601 in UTC: "2026-11-21T18:40:20Z"; or SOURCE_DATE_EPOCH where it is set.
 /// Source: https://reproducible-builds.org/specs/source-date-epoch/.
 [[nodiscard]] std::string time_of_run();
 

@@ -24,15 +24,15 @@ struct SelfAffineRequest {
     bool no_rolloff = false, short_cutoff = false;
 };
 
-/// A self-affine surface fitted to the spectra of all measurements, each where neither window nor sampling bends it.
-/// @throws InvalidArgument for a malformed range; what the fit throws.
+/// A self-affine surface fitted to the spectra of all measurements, each in the range without effects of window and
+/// sampling. @throws InvalidArgument for a malformed range; what the fit throws.
 [[nodiscard]] spectra::SelfAffineFit fitted(const study::SurfaceResult& surface, const SelfAffineRequest& request);
 
 /// Its parameters that were fitted.
 [[nodiscard]] std::vector<Quantity> parameters_of(const spectra::SelfAffineFit& fit);
 
-/// Columns C1D_model, C1D_model_standard_error and extrapolated (1 outside the range of the fit) beside the wavevectors
-/// of a table, and the parameters in its header.
+/// Columns C1D_model, C1D_model_standard_error and extrapolated (1 outside the range of the fit) at the wavevectors of
+/// a table, and the parameters in its header.
 void add_model(Table& table, const spectra::SelfAffineFit& fit);
 
 [[nodiscard]] output::Json to_json(const spectra::SelfAffineFit& fit);

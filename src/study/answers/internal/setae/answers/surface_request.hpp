@@ -18,13 +18,13 @@
 #include "setae/study/surface_analysis.hpp"
 #include "setae/topography/detrend.hpp"
 
-/// What a user asks, in texts as they are typed, and what is answered. Empty texts leave a thing open.
+/// Requests of users as typed texts, and their results. Empty texts are not given.
 namespace setae::answers {
 
 /// "1 mm x 1 mm" or "2 mm" [m]. @throws InvalidArgument for more than two lengths, and as parse_quantity().
 [[nodiscard]] std::vector<double> lengths_of(const std::string& text);
 
-/// What files may leave open.
+/// Metadata that files may not contain.
 struct FileRequest {
     std::string size, unit, as;
     formats::ChannelChoice channel;
@@ -51,7 +51,7 @@ struct ProcessingRequest {
     [[nodiscard]] processing::Pipeline pipeline() const;
 };
 
-/// How the files of one surface are read and prepared.
+/// Reading and preparation of the files of one surface.
 struct MeasurementRequest {
     FileRequest file;
     ProcessingRequest processing;
@@ -61,7 +61,7 @@ struct MeasurementRequest {
     [[nodiscard]] study::MeasurementInput input(const std::string& path) const;
 };
 
-/// How a surface is analysed.
+/// Analysis of a surface.
 struct AnalysisRequest {
     std::string longest, shortest, window, contours, conversion;
     double memory = 2.0;
@@ -81,7 +81,7 @@ struct SurfaceRequest : MeasurementRequest, AnalysisRequest {
     [[nodiscard]] study::SurfaceInput surface() const;
 };
 
-/// All alerts of a surface and its measurements.
+/// All warnings of a surface and its measurements.
 [[nodiscard]] std::vector<Alert> alerts_of(const study::SurfaceResult& surface);
 
 /// Layouts of text files.
@@ -175,7 +175,7 @@ struct setae::fields::Asked<setae::answers::AnalysisRequest> {
     using R = answers::AnalysisRequest;
     static constexpr std::array<std::string_view, 2> contours{"sinc_corrected", "segments"};
     static constexpr std::array<std::string_view, 2> conversions{"exact", "eq11"};
-    /// Of every analysis of heights.
+    /// For every analysis of heights.
     static constexpr std::array memory{
         option<&R::memory>("memory", "memory for heights in GiB; larger maps are read in bands of scan lines")
             .within(domain::positive)

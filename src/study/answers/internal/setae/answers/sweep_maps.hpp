@@ -16,9 +16,8 @@ struct SweepMaps {
     Array2D pressures, gaps;
 };
 
-/// Keeps the states of a sweep that a reader wants to see, as far as it comes through them: the first that is pressed
-/// on approach, the last before it turns, the first that is drawn on separation, and the one with the greatest tension
-/// there.
+/// Stores selected states of a sweep while it runs: the first under pressure on approach, the last before it turns, the
+/// first under tension on separation, and the one with the greatest tension there.
 class NotableStates {
 public:
     /// The sweep's next step, and the cell as it is then.

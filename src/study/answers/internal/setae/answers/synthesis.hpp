@@ -22,22 +22,22 @@ namespace setae::answers {
 /// Lengths [m] along x and y of "5 um x 2 um", or of "5 um" for both. @throws InvalidArgument.
 [[nodiscard]] std::array<double, 2> extents(const std::string& text);
 
-/// What is to be made: spectrum, grid, and the window written where that is not the whole surface.
+/// Plan of a synthesis: spectrum, grid, and the window written where that is not the whole surface.
 struct SynthesisPlan {
-    spectra::SpectralDensity density;  ///< C_iso of a surface, C1D of a line
-    synthesis::SurfaceGrid grid;       ///< of a line: nx and size_x
+    spectra::SpectralDensity density;  ///< C_iso for a surface, C1D for a line
+    synthesis::SurfaceGrid grid;       ///< for a line: nx and size_x
     synthesis::SurfaceOptions options;
     bool line = false;
-    synthesis::HeightTransform heights;          ///< of their distribution; empty: Gaussian
-    std::optional<std::array<Index, 2>> window;  ///< points of it, from the surface's first point on
-    std::vector<Alert> alerts;                   ///< of the table its spectrum is from
+    synthesis::HeightTransform heights;          ///< distribution of heights; empty: Gaussian
+    std::optional<std::array<Index, 2>> window;  ///< points of the window, from the surface's first point on
+    std::vector<Alert> alerts;                   ///< warnings of the table of its spectrum
 
-    /// What the spectrum gives on the grid.
+    /// Roughness of the spectrum on the grid.
     [[nodiscard]] synthesis::ExpectedRoughness expected() const;
     [[nodiscard]] topography::Measurement make() const;
 };
 
-/// What surface or line is made, as `setae synthesize` is told.
+/// Request of `setae synthesize`: surface or line to be generated.
 struct SynthesisRequest {
     std::optional<double> hurst;
     std::string rolloff, short_cutoff, long_cutoff, rms_height, rms_slope, plateau, spectrum;

@@ -17,13 +17,13 @@
 
 namespace setae::answers {
 
-/// What `setae params --standard` is asked: which parameters, behind which filters, written how.
+/// Request of `setae params --standard`: parameters, filters, and format.
 struct TextureRequest {
     std::string standard, s_filter, l_filter, section_length, kind, averages, mean_line, between, format,
         material_height, only;
     std::optional<double> material_ratio;
 
-    /// Whether a standard's parameters are asked for.
+    /// Whether a standard's parameters are requested.
     /// @throws InvalidArgument where only options of them are given.
     [[nodiscard]] bool asked() const;
 
@@ -47,11 +47,11 @@ struct MeasuredTexture {
     std::vector<texture::TextureParameter> parameters;
 };
 
-/// Parameters of all measurements of a surface, and what is wrong with them.
+/// Parameters of all measurements of a surface, and their problems.
 struct TextureAnswer {
     std::vector<MeasuredTexture> list;
     std::vector<Alert> alerts;
-    std::vector<std::string> failures;  ///< of measurements that could not be read
+    std::vector<std::string> failures;  ///< failures of measurements that could not be read
 };
 
 /// every_measurement: the first failure is thrown. @throws what reading and the parameters throw then.

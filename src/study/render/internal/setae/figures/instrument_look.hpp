@@ -5,7 +5,7 @@
 
 namespace setae::figures {
 
-/// What tells an instrument from others in every figure.
+/// Appearance of an instrument in every figure.
 struct InstrumentLook {
     int colour = 0;  ///< index into the palette
     int symbol = 0;  ///< symbol and dash

@@ -15,8 +15,8 @@ struct Span {
     Place place = Place::line;
 };
 
-/// The markup of Axis::quantity taken apart: between asterisks italic, _ and ^ lower and raise the word or {group}
-/// after them; a backslash takes the next letter as it is.
+/// The parsed markup of Axis::quantity: between asterisks italic, _ and ^ lower and raise the word or {group} after
+/// them; a backslash escapes the next letter.
 [[nodiscard]] std::vector<Span> spans_of(std::string_view quantity);
 
 /// A quantity without markup, as files of numbers name it: "rms slope h'_rms" of "rms slope *h*'_{rms}".

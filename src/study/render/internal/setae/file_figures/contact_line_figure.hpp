@@ -10,7 +10,7 @@
 
 namespace setae::file_figures {
 
-/// What is drawn of an edge; empty where it could not be told.
+/// Data of the figure of an edge; empty where they could not be determined.
 struct ContactLineData {
     contact_line::ContactLine line;
     contact_line::LineRoughness roughness;      ///< no modes: not drawn
@@ -18,8 +18,8 @@ struct ContactLineData {
     Array1D receding_jumps, advancing_jumps;    ///< areas [m²]
 };
 
-/// The edge in at most twelve frames; its spectrum with the law fitted; the share of the edge's cells faster than v;
-/// the share of jumps larger than an area.
+/// The edge in at most twelve frames; its spectrum with the fitted power law; the share of the edge's cells faster than
+/// v; the share of jumps larger than an area.
 ///
 /// file: of the recording, for the title.
 [[nodiscard]] StudyFigure contact_line_figure(const ContactLineData& data, const std::string& file, const Look& look);

@@ -11,7 +11,7 @@ namespace setae::file_figures {
 
 /// Heights before and after processing, from their mean: maps with colour bars, undefined points white, lines over x.
 ///
-/// Maps are drawn with at most 256 cells a side, each the mean of its defined pixels.
+/// Maps are drawn with at most 256 cells per side, each the mean of its defined pixels.
 [[nodiscard]] StudyFigure level_figure(const topography::Measurement& before, const processing::PipelineResult& after,
                                        const Look& look);
 

@@ -10,10 +10,10 @@ namespace setae::file_figures {
 using study_figures::FigureWidth;
 using study_figures::StudyFigure;
 
-/// How the figure of a command is wanted.
+/// Format of the figure of a command.
 struct Look {
     FigureWidth width = FigureWidth::single_column;
-    std::string command;  ///< what makes it again, for the data's header
+    std::string command;  ///< command that makes it again, for the data's header
 
     [[nodiscard]] bool wide() const { return width == FigureWidth::double_column; }
 };

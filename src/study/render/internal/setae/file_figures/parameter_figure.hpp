@@ -6,8 +6,8 @@
 
 namespace setae::file_figures {
 
-/// Which waves carry the parameters of a surface: the shares of h_rms², h'_rms², h''_rms² and U_el that its waves
-/// longer than λ reach, over λ.
+/// Contributions of waves to the parameters of a surface: the shares of h_rms², h'_rms², h''_rms² and U_el of waves
+/// longer than λ, against λ.
 [[nodiscard]] StudyFigure parameter_figure(const study::SurfaceResult& surface, const Look& look);
 
 }  // namespace setae::file_figures

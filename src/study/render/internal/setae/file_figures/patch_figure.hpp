@@ -8,7 +8,7 @@
 
 namespace setae::file_figures {
 
-/// What contact of patches gains, and their area in contact, against the share of energy; balance (7) beside it.
+/// Gained energy and contact area of patches against the energy share, with the full-contact balance (Eq. 7).
 [[nodiscard]] StudyFigure patch_figure(const std::vector<patches::SurveyRow>& rows, const Look& look);
 
 }  // namespace setae::file_figures

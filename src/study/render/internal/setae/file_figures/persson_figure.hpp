@@ -6,8 +6,8 @@
 
 namespace setae::file_figures {
 
-/// Area in contact and mean gap, as Persson's theory has them: against pressure for a table of persson::load_table(),
-/// against the waves counted for one of persson::scale_table(); with adhesion its area beside that without.
+/// Area in contact and mean gap by Persson's theory: against pressure for a table of persson::load_table(), against the
+/// waves taken into account for one of persson::scale_table(); with adhesion its area in addition to that without.
 ///
 /// file: of the surface, for the title.
 [[nodiscard]] StudyFigure persson_figure(const Table& table, const std::string& file, const Look& look);

@@ -8,8 +8,7 @@
 
 namespace setae::file_figures {
 
-/// F(δ) and a(F) of a pair as predicted, over the records of it in the study; dashed where W_ret is a standard error
-/// off.
+/// Predicted F(δ) and a(F) of a pair, with its records in the study; dashed where W_ret differs by a standard error.
 [[nodiscard]] StudyFigure predicted_loop_figure(const study::PairHysteresis& pair, const study::StudyResult& result,
                                                 const Look& look);
 

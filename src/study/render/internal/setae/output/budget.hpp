@@ -9,7 +9,7 @@
 
 namespace setae::output {
 
-/// A number that is quoted, with what its ± is made of.
+/// A reported number, with the contributions to its standard error.
 struct QuotedBudget {
     std::string quantity;            ///< "work_of_adhesion", "predicted_work_of_adhesion", "predicted_energy_loss"
     std::string symbol;              ///< "W_int", "W_app (7)", "E_loss (10)"
@@ -19,7 +19,7 @@ struct QuotedBudget {
     std::vector<BudgetRow> rows;  ///< the largest first; the noise of all measured values is one row
 };
 
-/// Of W_int, then of every pair's predictions; those without ± are left out.
+/// Budgets of W_int, then of every pair's predictions; those without standard errors are left out.
 [[nodiscard]] std::vector<QuotedBudget> budgets_of(const study::Conclusions& conclusions);
 
 /// "The scatter of W_app between elastomers contributes 62 % of the variance of W_int. Halving it would reduce the

@@ -9,11 +9,11 @@
 
 namespace setae::output {
 
-/// How far Persson's theory is from solved contacts, in a sentence; then both at the first, the middle and the last
-/// pressure; in lines of at most so many characters.
+/// Difference of Persson's theory from solved contacts, in a sentence; then both at the first, the middle and the last
+/// pressure; in lines of a given width.
 ///
-/// load: pressure and, of area_fraction, mean_gap, contact_stiffness and stored_energy, each, "…_standard_error" and
-/// "…_persson".  band: of the spectrum [1/m].  surfaces: behind every mean.
+/// load: pressure and, for area_fraction, mean_gap, contact_stiffness and stored_energy, each, "…_standard_error" and
+/// "…_persson".  band: of the spectrum [1/m].  surfaces: number of surfaces of every mean.
 [[nodiscard]] std::string comparison_answer(const Table& load, const Band& band, int surfaces, std::size_t columns);
 
 }  // namespace setae::output

@@ -15,11 +15,11 @@ namespace setae::output {
 /// area_fraction.
 [[nodiscard]] Json to_json(const study::ContactAnswers& answers);
 
-/// A row per theory: W_app [mJ/m²], area in contact [%], what it assumes; the recommended one first and marked.
+/// One row per theory: W_app [mJ/m²], area in contact [%], assumptions; the recommended one first and marked.
 [[nodiscard]] tables::TidyTable theory_table(const study::ContactAnswers& answers);
 
-/// A row per model of the retraction of a sphere: W_ret [mJ/m²], pull-off force and loss, and what the model gives for
-/// a smooth sphere beside JKR's pull-off.
+/// One row per retraction model of a sphere: W_ret [mJ/m²], pull-off force and loss, and the pull-off force of the
+/// model for a smooth sphere with that of JKR.
 [[nodiscard]] tables::TidyTable retraction_table(const adhesion::PredictedLoop& loop);
 
 }  // namespace setae::output

@@ -9,20 +9,20 @@
 
 namespace setae::output {
 
-/// A trace as JSON: what makes it again to the last bit, and what it gave.
+/// A trace as JSON: settings that reproduce it to the last bit, and its results.
 ///
 ///   {"format": "setae trace", "version": 1, "image": {file, sha256, width, height, format, image}, "calibration": {…},
 ///    "options": {vacuum, smoothing_length, denoise, min_length, hidden, hide_annotations, shape, foil_thickness},
 ///    "anchors": [[[x, y], …], …], "segments": [{…}], "alerts": […], "setae": version}
 ///
-/// Places in pixels, the centre of the first one (0, 0), x to the right, y downwards; lengths in options in pixels,
+/// Positions in pixels, the centre of the first one (0, 0), x to the right, y downwards; lengths in options in pixels,
 /// foil_thickness and all of the calibration in metres.
 [[nodiscard]] Json to_json(const study::TracedPicture& picture, const study::ContourOptions& options);
 
-/// What a trace's file or a file of anchors alone says.
+/// Content of a trace's file or of a file with anchors only.
 struct StoredTrace {
     std::vector<std::vector<imaging::Anchor>> anchors;
-    std::optional<std::string> digest;             ///< of the picture; nothing in a file of anchors alone
+    std::optional<std::string> digest;             ///< digest of the picture; empty for a file with anchors only
     std::optional<study::ContourOptions> options;  ///< with anchors and the calibration as a shared one
 };
 

@@ -11,15 +11,15 @@
 
 namespace setae::output {
 
-/// Adds every described field of a result to an object, in order. A number is itself, one with a unit {"value",
-/// "unit"}, one with an error as to_json(Quantity) has it; what is missing as its row says.
+/// Adds every described field of a result to an object, in order. A number is a JSON number, one with a unit {"value",
+/// "unit"}, one with an error as in to_json(Quantity); missing values as stated by their row.
 void add_fields(Json& json, const void* result, const fields::Description& description);
 template <fields::HasRows T>
 void add_fields(Json& json, const T& result) {
     add_fields(json, &result, fields::Described<T>::description);
 }
 
-/// An object of these fields alone.
+/// An object of only these fields.
 [[nodiscard]] Json described(const void* result, const fields::Description& description);
 template <fields::HasRows T>
 [[nodiscard]] Json described(const T& result) {

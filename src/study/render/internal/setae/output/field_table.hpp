@@ -10,8 +10,8 @@
 
 namespace setae::output {
 
-/// For files: the heading with the field's unit, "W_app [J/m2]", and "W_app standard_error [J/m2]" behind it where
-/// fields have errors.
+/// For files: the heading with the field's unit, "W_app [J/m2]", followed by "W_app standard_error [J/m2]" where fields
+/// have errors.
 void put_headings(tables::TidyTable& table, std::span<const fields::Column> view);
 
 /// Cells below these headings.

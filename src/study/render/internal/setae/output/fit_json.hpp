@@ -28,7 +28,7 @@ namespace setae::output {
 /// "threshold".
 [[nodiscard]] Json to_json(const loops::ProfileLikelihood& profile);
 
-/// "fits", "comparison", "profile_likelihood", "crack_speed", "failures", each where it was asked for.
+/// "fits", "comparison", "profile_likelihood", "crack_speed", "failures", each on request.
 [[nodiscard]] Json to_json(const study::LoopModels& models);
 
 /// "by_start", "by_end", "slope", "ellipse_slope".

@@ -10,14 +10,14 @@
 
 namespace setae::output {
 
-/// One row a curve: number, place, pixel, E*, E, W, pull-off force and energy loss with their standard errors in SI,
-/// and the reasons of what is missing.
+/// One row per curve: number, position, pixel, E*, E, W, pull-off force and energy loss with their standard errors in
+/// SI, and the reasons of missing values.
 [[nodiscard]] tables::TidyTable curves_table(const study::ForceMap& map);
 
 /// One row a quantity, in the units of the field: of how many curves, quantiles.
 [[nodiscard]] tables::TidyTable spread_table(const study::ForceMap& map);
 
-/// Quantities of a curve as to_json(Quantity) has them, null and the reason beside it where one is missing.
+/// Quantities of a curve as in to_json(Quantity), null with the reason where one is missing.
 [[nodiscard]] Json to_json(const loops::ForceCurveSummary& summary);
 
 /// "file", "format", "grid", "curves".

@@ -13,13 +13,13 @@
 namespace setae::output {
 
 /// "answer", "measured_pairs", "conforming_pairs", "rankings" (conforming_pairs, all_pairs, loop_areas: models best
-/// first), "deciding_pair", "trials" where they were made, "pairs".
+/// first), "deciding_pair", "trials" on request, "pairs".
 [[nodiscard]] Json to_json(const study::Hysteresis& hysteresis);
 
 /// "87.9 ± 4.4 mJ/m²": the parameter of a model that has one, as fitted.
 [[nodiscard]] std::string fitted_number(const hysteresis::ModelScore& score);
 
-/// Which model fits W_ret best, how well, which models cannot be excluded and which pair distinguishes them.
+/// Best model of W_ret, its errors, models that cannot be excluded and the pair that distinguishes them.
 [[nodiscard]] std::vector<std::string> hysteresis_sentences(const study::Hysteresis& hysteresis);
 /// These sentences in lines of at most so many characters.
 [[nodiscard]] std::string hysteresis_answer(const study::Hysteresis& hysteresis, std::size_t width);

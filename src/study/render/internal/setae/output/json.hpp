@@ -41,7 +41,7 @@ using Json = nlohmann::ordered_json;
 [[nodiscard]] Json to_json(const Quantity& quantity);
 [[nodiscard]] Json to_json(const std::vector<Alert>& alerts);
 
-/// {"step", "numbers", "alerts"} for each step of a pipeline that was done.
+/// {"step", "numbers", "alerts"} for each applied step of a pipeline.
 [[nodiscard]] Json to_json(const std::vector<processing::StepRecord>& records);
 
 /// As a file holds it: objects indented by two, a list of numbers or texts on one line, a line feed at the end; bytes
@@ -57,26 +57,26 @@ using Json = nlohmann::ordered_json;
 /// Without a standard error > 0 or an interval it is printed as a plain value.
 [[nodiscard]] Quantity quantity(std::string name, std::string symbol, const Estimate& estimate, std::string unit);
 
-/// All of one loop: "loading", "unloading", "retraction", "pull_off", "loop", "cycles", "alerts"; null with "…_reason"
-/// beside it where a part is missing.
+/// All results of one loop: "loading", "unloading", "retraction", "pull_off", "loop", "cycles", "alerts"; null with
+/// "…_reason" where a part is missing.
 [[nodiscard]] Json to_json(const loops::LoopAnalysis& analysis);
 
-/// Its energies alone: "loop", "ledger", "cycles", "further_contacts", "alerts".
+/// Only its energies: "loop", "ledger", "cycles", "further_contacts", "alerts".
 [[nodiscard]] Json energies_json(const loops::LoopAnalysis& analysis);
 
-/// A surface as the study's JSON has it under its name: parameters by the spectrum used, "spectra", "likelihood",
-/// "measurements", "alerts"; or "error".
+/// A surface as in the study's JSON: parameters by the spectrum used, "spectra", "likelihood", "measurements",
+/// "alerts"; or "error".
 [[nodiscard]] Json to_json(const study::SurfaceResult& surface, const study::SurfaceAnalysisOptions& options);
 
-/// All of a study: "fits", "surfaces", "elastomers", "pairs", "experiments", "references", "cutoff_scan", "reported",
-/// "alerts", "provenance"; "by_average" where likelihoods are used. No clock time, so that the same input gives the
-/// same bytes.
+/// All results of a study: "fits", "surfaces", "elastomers", "pairs", "experiments", "references", "cutoff_scan",
+/// "reported", "alerts", "provenance"; "by_average" where likelihoods are used. No clock time, so that equal input
+/// gives equal bytes.
 [[nodiscard]] Json to_json(const study::StudyResult& result);
 /// The same as text, in pieces, so that thousands of measurements, surfaces and experiments need not be in memory
 /// twice.
 void write_json(const study::StudyResult& result, const std::function<void(std::string_view)>& write);
-/// The same with null for columns of more than 16 numbers, and only the first entries of longer lists: surfaces, a
-/// surface's measurements, pairs, alerts, inputs; of experiments still fewer.
+/// The JSON with null for columns of more than 16 numbers, and only the first entries of longer lists: surfaces, a
+/// surface's measurements, pairs, warnings, inputs; fewer for experiments.
 [[nodiscard]] Json json_without_curves(const study::StudyResult& result, std::size_t max_entries,
                                        std::size_t max_experiments);
 

@@ -9,7 +9,7 @@
 
 namespace setae::output {
 
-/// What a loop was measured on, as far as known; texts of the tidy tables.
+/// Bodies of a loop, as far as known; texts of the tidy tables.
 struct LoopLabels {
     std::string file, surface, elastomer, lens, spot;
 };
@@ -20,10 +20,11 @@ struct LoopLabels {
 /// A table of fits without rows: one row for each loop, contact, cycle, branch and method.
 [[nodiscard]] tables::TidyTable fits_table();
 
-/// Adds every fit of a loop; one that could not be made has its reason in the last column.
+/// Adds every fit of a loop; a failed one has its reason in the last column.
 void add_fits(tables::TidyTable& table, const LoopLabels& labels, const loops::LoopAnalysis& analysis);
 
-/// A table of energies without rows: one row for each contact of a loop, with its ledger, and one for each cycle.
+/// A table of energies without rows: one row for each contact of a loop, with its energy budget, and one for each
+/// cycle.
 [[nodiscard]] tables::TidyTable energies_table();
 void add_energies(tables::TidyTable& table, const LoopLabels& labels, const loops::LoopAnalysis& analysis);
 

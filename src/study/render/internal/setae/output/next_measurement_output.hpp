@@ -10,7 +10,7 @@
 
 namespace setae::output {
 
-/// One row a measurement, in their order: what is left of the ± of `target` with it [mJ/m²].
+/// One row per measurement, in order: standard error of `target` with it [mJ/m²].
 [[nodiscard]] tables::TidyTable next_table(const std::string& target,
                                            const std::vector<adhesion::NextMeasurement>& measurements);
 /// The same in SI.

@@ -9,9 +9,9 @@
 
 namespace setae::output {
 
-/// What a spectrum does to a body that is pressed on it, in sentences: the band, h' and the pressure that closes it,
-/// then a sentence for each of at most three pressures, the first, the middle and the last of persson::load_table(); in
-/// lines of at most so many characters.
+/// Contact of a body with a surface of the given spectrum, in sentences: the band, h' and the pressure for full
+/// contact, then a sentence for each of at most three pressures, the first, the middle and the last of
+/// persson::load_table(); in lines of a given width.
 [[nodiscard]] std::string persson_answer(const Table& load, const persson::Scales& scales, double contact_modulus,
                                          std::size_t width);
 

@@ -9,9 +9,9 @@
 
 namespace setae::output {
 
-/// Quantities for a reader, one a row, in lines of at most so many characters: name, symbol, value ± standard error and
-/// 95 % interval. Wavelengths and n stand in the title where all that have them share them, else in columns; the title
-/// says where intervals come from, too.
+/// Quantities for a reader, one per row, in lines of a given width: name, symbol, value ± standard error and 95 %
+/// interval. Wavelengths and n are in the title where all quantities share them, else in columns; the title also states
+/// the origin of intervals.
 [[nodiscard]] std::string quantity_table(const std::string& title, const std::vector<Quantity>& list,
                                          std::size_t width = 100);
 

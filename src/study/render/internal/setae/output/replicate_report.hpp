@@ -15,7 +15,7 @@ namespace setae::output {
 
 /// One row a replicate, excluded ones with their reason.
 [[nodiscard]] tables::TidyTable replicate_table(const statistics::ReplicateData& data);
-/// One row a surface: mean, interval, prediction interval, heterogeneity, the mean with the excluded rows.
+/// One row per surface: mean, interval, prediction interval, heterogeneity, the mean with the excluded rows.
 [[nodiscard]] tables::TidyTable replicate_mean_table(const statistics::ReplicateData& data,
                                                      const statistics::MixedModel& model);
 

@@ -14,9 +14,9 @@ struct Screen {
     std::size_t lines = 40;
 };
 
-/// What a terminal shows of a study: the verdict with its most important reservations, then one row per surface, pair
-/// and balance, then alerts by kind, the worst first. No more lines than the screen has, less `reserved` for what
-/// follows; what is left out is in the files, rows and alerts are counted.
+/// Output of a study on a terminal: the verdict with its most important reservations, then one row per surface, pair
+/// and balance, then warnings by kind, the worst first. Limited to the lines of the screen minus `reserved`; omitted
+/// rows and warnings are counted and are in the files.
 [[nodiscard]] std::string screen(const study::StudyResult& result, const Screen& size = {}, std::size_t reserved = 0);
 
 /// Every table, in the units of the field, with the verdict first and all alerts last.

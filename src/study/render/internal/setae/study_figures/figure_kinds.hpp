@@ -8,10 +8,10 @@ namespace setae::study_figures {
 
 /// A kind of figure that studies have, as a page shows it.
 struct FigureKind {
-    std::string identifier;  ///< as StudyFigure's; NAME stands for the surface's or the loop's
+    std::string identifier;  ///< as in StudyFigure; NAME is that of the surface or the loop
     std::string title;
-    std::string shows;  ///< what is drawn
-    std::string from;   ///< what it needs
+    std::string shows;  ///< content
+    std::string from;   ///< required data
 };
 
 /// All of them, in the order study_figures() has them.

@@ -7,20 +7,20 @@
 namespace setae::study_figures {
 
 struct ForestPlotOptions {
-    std::string quantity = "value";  ///< of the axis, typeset as figures::Axis::quantity
-    std::string unit;  ///< of the axis, as setae spells units; empty: that of the data with the prefix that suits the
-                       ///< largest value
+    std::string quantity = "value";  ///< quantity of the axis, typeset as figures::Axis::quantity
+    /// unit of the axis, in the notation of setae; empty: that of the data with a prefix for the largest value
+    std::string unit;
     double factor = 1.0;  ///< where the unit is given: values are multiplied by it
     double width_mm = 120.0;
-    double interval_level = 0.95;  ///< of the rows' error bars
+    double interval_level = 0.95;  ///< level of the rows' error bars
 };
 
 /// Every replicate with its error bar, grouped by surface and outermost group, above the mean of its surface.
 ///
-/// Rows stand in the order of the surfaces, their groups and the data; excluded ones hollow, with the reason beside
+/// Rows are in the order of the surfaces, their groups and the data; excluded ones hollow, with the reason next to
 /// them. Bars of rows: normal interval of their own standard error, none where it is unknown.  Means: diamonds with
 /// their interval, the thin bar is the prediction interval; a hollow diamond is the mean with the excluded rows.
-/// Height: 4.2 mm a line, within 40 … 500 mm. model: of these data.
+/// Height: 4.2 mm per line, within 40 … 500 mm. model: of these data.
 /// @throws InvalidArgument where the model is not that of the data.
 [[nodiscard]] figures::Figure forest_plot(const statistics::ReplicateData& data, const statistics::MixedModel& model,
                                           const ForestPlotOptions& options = {});

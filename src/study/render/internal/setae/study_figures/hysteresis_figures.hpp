@@ -6,11 +6,11 @@
 
 namespace setae::study_figures {
 
-/// Measured against predicted W_ret of all pairs that have one: symbol by surface, colour by elastomer, hollow where
-/// the bodies do not come into full contact of themselves.
+/// Measured against predicted W_ret of all pairs that have one: symbol by surface, colour by elastomer, hollow without
+/// spontaneous full contact.
 [[nodiscard]] StudyFigure hysteresis_figure(const study::Hysteresis& hysteresis, FigureWidth width);
 
-/// What a loop loses, part by part, and what was measured of it.
+/// Energy loss of a loop, by contributions, and its measured value.
 struct LossBar {
     std::string label;
     const hysteresis::EnergyShares& shares;
@@ -21,7 +21,7 @@ struct LossBar {
 /// Bars one above the other, the first on top; that of the bulk only where one relaxes.
 [[nodiscard]] figures::Panel losses_panel(const std::vector<LossBar>& bars);
 
-/// Where the joules of measured loops went, else of the predicted ones: bars, one a pair.
+/// Energy budgets of measured loops, else of the predicted ones: one bar per pair.
 [[nodiscard]] StudyFigure loss_shares_figure(const study::Hysteresis& hysteresis, FigureWidth width);
 
 }  // namespace setae::study_figures

@@ -22,7 +22,7 @@ struct DrawnLoop {
 /// The figures of one loop: "loop" (force, contact radius and energy release rate, with the fits) and "residuals" (of
 /// every fit).
 ///
-/// command: what makes them again, for the files' headers.
+/// command: command that makes them again, for the files' headers.
 [[nodiscard]] std::vector<StudyFigure> loop_figures(const DrawnLoop& loop, const std::string& command,
                                                     FigureWidth width = FigureWidth::double_column);
 
@@ -37,7 +37,7 @@ struct NamedScan {
 [[nodiscard]] StudyFigure range_figure(const std::vector<NamedScan>& scans, const std::string& command,
                                        FigureWidth width = FigureWidth::double_column);
 
-/// Where the energy of a loop goes, sample by sample, and against the contact area: "energy".
+/// Energy budget of a loop, sample by sample, and against the contact area: "energy".
 [[nodiscard]] StudyFigure course_figure(const DrawnLoop& loop, const loops::EnergyCourse& course,
                                         const std::string& command);
 
@@ -46,10 +46,11 @@ struct NamedLoss {
     std::string name;
     Estimate loss;            ///< [J]
     double true_area = 0.0;   ///< r π a_max² [m²]
-    double ideal_loss = 0.0;  ///< of a smooth sphere in this machine [J]
+    double ideal_loss = 0.0;  ///< loss of a smooth sphere in this machine [J]
 };
 
-/// E_loss against true area at the largest preload, with the line through the origin (10), of all loops: "losses".
+/// E_loss against true area at the largest preload, with the line through the origin (true-area loss, Eq. 10), for all
+/// loops: "losses".
 [[nodiscard]] StudyFigure loss_figure(const std::vector<NamedLoss>& losses, const std::string& command);
 
 }  // namespace setae::study_figures

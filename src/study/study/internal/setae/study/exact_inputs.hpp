@@ -8,7 +8,8 @@
 
 namespace setae::study {
 
-/// A kind of input that a study gives no ± for, and whose: nothing that rests on it knows how wrong it may be.
+/// A kind of input without a standard error in a study, with its items: the uncertainty of dependent results is
+/// incomplete.
 struct ExactInputs {
     std::string what;                ///< "sphere radius", "calibration of heights and lengths"
     std::vector<std::string> names;  ///< elastomers or instruments; empty where it is of all loops
@@ -17,7 +18,7 @@ struct ExactInputs {
 /// In the order in which they move W_int most, as a rule: surface energy and modulus of elastomers, sphere radius,
 /// calibrations of instruments and of loops, tips.
 [[nodiscard]] std::vector<ExactInputs> exact_inputs(const Study& study);
-/// The same without what containers gave a ± for.
+/// The exact inputs without those for which containers give a standard error.
 [[nodiscard]] std::vector<ExactInputs> exact_inputs(const StudyResult& result);
 
 }  // namespace setae::study

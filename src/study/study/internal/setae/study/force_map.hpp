@@ -14,10 +14,10 @@
 
 namespace setae::study {
 
-/// A curve of a map: where it was taken and what it says, or why it says nothing.
+/// A curve of a map: its position and results, or the reason for which it has none.
 struct MappedCurve {
     long number = 0;                            ///< as the file counts it
-    double x = undefined, y = undefined;        ///< [m]; NaN where the file does not say
+    double x = undefined, y = undefined;        ///< [m]; NaN where the file does not state it
     std::optional<std::array<Index, 2>> pixel;  ///< column from the left, row from the top, on the map's grid
     loops::Outcome<loops::ForceCurveSummary> summary;
 };
@@ -29,17 +29,17 @@ struct ForceMap {
     std::vector<MappedCurve> curves;  ///< in the order of their numbers
 };
 
-/// Fits every force curve of a file on the threads given; each is read, fitted and forgotten. A damaged curve has its
-/// reason and the others go on.
+/// Fits every force curve of a file on the given threads; each is read, fitted and released. A damaged curve has its
+/// reason and the others continue.
 /// @throws FileError, FormatError as open_force_curves(); FormatError for a constant that neither the file nor
-/// `constants` say; InvalidArgument for bodies and options that fit no tip; UndefinedDataError where no curve says
-/// anything.
+/// `constants` state; InvalidArgument for bodies and options that fit no tip; UndefinedDataError where no curve has a
+/// result.
 [[nodiscard]] ForceMap fit_force_map(const std::string& file, const tables::ForceCurveOptions& constants,
                                      const loops::LensAndCounterBody& bodies,
                                      const loops::ForceCurveFitOptions& options, parallel::Threads threads);
 
-/// E*, E, W, pull-off force and energy loss on the map's grid, rows from the top, NaN where no curve tells them; of
-/// several curves in a pixel the last counts.
+/// E*, E, W, pull-off force and energy loss on the map's grid, rows from the top, NaN where no curve gives them; of
+/// several curves in a pixel the last is used.
 /// @throws UndefinedDataError without a grid.
 [[nodiscard]] std::vector<formats::QuantityMap> quantities_on_grid(const ForceMap& map);
 

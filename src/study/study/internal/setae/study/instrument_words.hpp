@@ -7,7 +7,7 @@
 
 namespace setae::study {
 
-/// Words of a name in lower case, without the numbers behind them: "rougher", "afm" of "rougher_AFM12.spm".
+/// Words of a name in lower case, without the numbers after them: "rougher", "afm" of "rougher_AFM12.spm".
 [[nodiscard]] std::vector<std::string> words_in_name(std::string_view name);
 
 /// The instrument as a study calls it that a word names, such as "optical" of "confocal"; empty for any other word.

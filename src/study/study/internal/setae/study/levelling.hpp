@@ -9,17 +9,17 @@
 
 namespace setae::study {
 
-/// What may say how heights are levelled, the strongest first.
+/// Sources of the levelling of heights, the strongest first.
 struct LevellingAsked {
-    std::optional<topography::Trend> given;        ///< by the user
-    std::optional<topography::Trend> recommended;  ///< by the file
+    std::optional<topography::Trend> given;        ///< given by the user
+    std::optional<topography::Trend> recommended;  ///< recommended by the file
     std::string instrument;                        ///< "stylus", "afm", "tem", "optical"; empty where unknown
 };
 
-/// What is subtracted from measured heights after a pipeline.
+/// Trend that is subtracted from measured heights after a pipeline.
 ///
-/// The trend that was given; without it nothing after a pipeline that levels (a step level_… other than level_mean),
-/// else the file's, else a parabola of a stylus and a tilt of everything else. Source: [D19], supplement: stylus
+/// The given trend; without it none after a pipeline that levels (a step level_… other than level_mean), else that of
+/// the file, else a parabola for a stylus and a tilt for all other instruments. Source: [D19], supplement: stylus
 /// parabola, AFM and TEM tilt.
 [[nodiscard]] topography::Trend trend_after(const processing::Pipeline& pipeline, const LevellingAsked& asked);
 

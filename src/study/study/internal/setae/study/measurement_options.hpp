@@ -6,7 +6,7 @@
 
 namespace setae::study {
 
-/// What a study says of a file of heights that the file leaves open.
+/// Metadata that a study gives for a file of heights without them.
 [[nodiscard]] formats::ReadOptions read_options(const MeasurementInput& input);
 
 }  // namespace setae::study

@@ -18,11 +18,11 @@ namespace setae::study {
 ///       cutoff: 8 um                    step = "gaussian_filter"
 ///       enabled: false                  cutoff = "8 um"
 ///                                       enabled = false
-/// A step may also stand as one text, "despike threshold=5". Lengths and angles have their unit; a region is a text or
-/// a list of texts, one for each shape. A file that a step names is relative to the pipeline's folder; in the result to
-/// the working one.
+/// A step may also be given as one text, "despike threshold=5". Lengths and angles have their unit; a region is a text
+/// or a list of texts, one for each shape. A file that a step names is relative to the pipeline's folder; in the result
+/// to the working one.
 /// @throws FileError; FormatError with the line for text that is neither, an unknown step, parameter or key (with the
-/// nearest one), a value that is none; InvalidArgument for another ending.
+/// nearest one), an invalid value; InvalidArgument for another ending.
 [[nodiscard]] processing::Pipeline read_pipeline(const std::string& path);
 
 /// A pipeline as the text of such files; read back it is the same pipeline.
@@ -34,8 +34,8 @@ namespace setae::study {
 /// @throws InvalidArgument for another ending; FileError.
 void write_pipeline(const std::string& path, const processing::Pipeline& pipeline);
 
-/// What gives steps the heights of the files they name: of the channel of that name, or the first one of heights.
-/// The loader throws what reading throws, and InvalidArgument for a channel that is not there.
+/// Returns a loader of heights for steps that name files: of the channel of that name, or the first one with heights.
+/// The loader throws what reading throws, and InvalidArgument for a missing channel.
 [[nodiscard]] processing::LoadMeasurement measurement_loader(formats::ReadOptions options = {});
 
 /// The steps of a pipeline that are on, each as one line, and a pipeline of such lines. @throws InvalidArgument as

@@ -9,7 +9,7 @@
 
 namespace setae::study {
 
-/// Which rows are left out: those whose columns hold these texts; "file" also matches a path's last part, "line" the
+/// Rows to be left out: those whose columns contain these texts; "file" also matches a path's last part, "line" the
 /// line's number.
 struct ExclusionRule {
     std::map<std::string, std::string> conditions;  ///< column to text, one at least
@@ -25,15 +25,16 @@ struct ExclusionRule {
 /// @throws FileError; FormatError with the line of an exclusion without reason or condition.
 [[nodiscard]] std::vector<ExclusionRule> read_exclusions(const std::string& path);
 
-/// How rows of tables become replicates.
+/// Definition of replicates by rows of tables.
 struct ReplicateColumns {
-    std::vector<std::string> group_by;      ///< outermost first; empty: those of surface, lens, spot that there are
-    std::string quantity = "W";             ///< W, E*, E_loss, F_po, or a column's name
-    std::string value_column;               ///< overrides what `quantity` finds
-    std::string error_column;               ///< likewise, of the standard error
-    std::string unit;                       ///< where the header has none
-    std::string method, branch, elastomer;  ///< rows wanted, where the tables have such columns; no method, or
-                                            ///< "primary": those with "yes" in a column "primary"
+    std::vector<std::string> group_by;  ///< outermost first; empty: those of surface, lens, spot that there are
+    std::string quantity = "W";         ///< W, E*, E_loss, F_po, or a column's name
+    std::string value_column;           ///< in place of the column of `quantity`
+    std::string error_column;           ///< in place of its column of the standard error
+    std::string unit;                   ///< where the header has none
+    /// selected rows, where the tables have such columns; no method, or "primary": those with "yes" in a column
+    /// "primary"
+    std::string method, branch, elastomer;
 };
 
 /// A row that could not be used, with its place "path:line".
@@ -47,14 +48,14 @@ struct ReplicateTables {
     std::vector<BadRow> bad_rows;
 };
 
-/// Reads one quantity of tidy CSV tables: one row a fit, names with units in the header, "W [mJ/m2]"; separators are
-/// commas, semicolons or tabs; those `setae jkr fit --tidy` and `setae jkr energy --tidy` write among them. Of a table
-/// with contacts and their cycles the contacts count. Standard errors stand in a column "NAME standard_error",
+/// Reads one quantity of tidy CSV tables: one row per fit, names with units in the header, "W [mJ/m2]"; separators are
+/// commas, semicolons or tabs; including those of `setae jkr fit --tidy` and `setae jkr energy --tidy`. In a table with
+/// contacts and their cycles the contacts are used. Standard errors are in a column "NAME standard_error",
 /// "NAME_standard_error", "NAME_se", "NAME stderr" or "standard_error NAME"; without one they are unknown. Rows without
-/// a number or a label are bad rows, the others are taken.
-/// @throws FileError; FormatError for a table without the columns asked for or without units; InvalidArgument where
-/// several methods or branches are left to choose from, for an exclusion that no row meets, a row met by two;
-/// UndefinedDataError where no row is left.
+/// a number or a label are bad rows, the others are used.
+/// @throws FileError; FormatError for a table without the requested columns or without units; InvalidArgument where
+/// several methods or branches remain, for an exclusion that no row meets, a row met by two; UndefinedDataError where
+/// no row is left.
 [[nodiscard]] ReplicateTables read_replicates(const std::vector<std::string>& paths, const ReplicateColumns& columns,
                                               const std::vector<ExclusionRule>& exclusions);
 

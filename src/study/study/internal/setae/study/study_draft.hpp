@@ -11,20 +11,20 @@ namespace setae::study {
 
 /// A study's file in the making.
 struct StudyDraft {
-    std::string text;  ///< TOML that read_study() takes as it stands
+    std::string text;  ///< TOML that read_study() reads without changes
     std::size_t surfaces = 0, measurements = 0, loops = 0, micrographs = 0;
     std::vector<UnreadablePath> left_out;  ///< files that are nothing a study names
     std::vector<std::string> own;          ///< files of the folders that setae wrote: figures, tables, reports
 };
 
-/// Drafts the study of files and folders: surfaces from what measured them, grouped by folder, with what the files say
-/// of instrument and tip, and for all they don't say a commented line `# KEY = "?"`. Loops become experiments in
-/// comments, as elastomers and the rough solid need what no file says; micrographs stand with the command that makes
+/// Drafts the study of files and folders: surfaces from their measurements, grouped by folder, with instrument and tip
+/// from the files, and for all missing values a commented line `# KEY = "?"`. Loops become experiments in comments, as
+/// elastomers and the rough solid need values that no file contains; micrographs are listed with the command that makes
 /// profiles of them. Folders named after an instrument belong to the folder around them. Results of studies are left
-/// out. Paths are relative to the folder of `study_file`, which need not exist. A loop whose columns no rule knows gets
-/// the mapping of `mapping_folder` that reads it.
+/// out. Paths are relative to the folder of `study_file`, which need not exist. A loop with unknown columns gets the
+/// mapping of `mapping_folder` that reads it.
 ///
-/// The same files give the same text.
+/// Equal files give equal text.
 [[nodiscard]] StudyDraft draft_study(const std::vector<std::string>& paths, const std::string& study_file,
                                      const std::string& mapping_folder = {});
 

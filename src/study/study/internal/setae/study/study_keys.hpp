@@ -11,13 +11,13 @@ struct KeyDescription {
     std::string key;
     std::string type;      ///< such as "quantity ± error", or the words it takes
     std::string unit;      ///< SI, of quantities: any unit of that dimension may be written
-    std::string standard;  ///< default; "required"; empty where its absence says all
+    std::string standard;  ///< default; "required"; empty where the meaning states the effect of a missing key
     std::string meaning;
 };
 
 /// The keys of one table.
 struct KeyTable {
-    std::string name;  ///< as it stands in the file, such as "[surfaces.NAME]"
+    std::string name;  ///< name in the file, such as "[surfaces.NAME]"
     std::string meaning;
     std::vector<KeyDescription> keys;
 };
