@@ -54,7 +54,7 @@ void add_inputs(StudyLines& lines, const Recipe& recipe) {
     const auto inputs = named_inputs(recipe);
     if (inputs.empty()) return;
     lines.add("\n[inputs]");
-    for (const auto& input : inputs) lines.add("{} = \"{}\"", bytes::toml_quoted(input.input), told_text(input));
+    for (const auto& input : inputs) lines.add("{} = \"{}\"", bytes::toml_quoted(input.input), stated_text(input));
 }
 
 /// A measurement as an entry of its surface's list.
@@ -75,18 +75,18 @@ std::string measurement_text(const MeasurementFile& m) {
 }
 
 /// Whether the study has no loop to take the modulus from, or is told of it all the same.
-bool modulus_is_told(const ElastomerRecipe& elastomer, const std::vector<PlantedLoop>& loops) {
+bool modulus_is_stated(const ElastomerRecipe& elastomer, const std::vector<KnownLoop>& loops) {
     return elastomer.tell_modulus ||
-           std::none_of(loops.begin(), loops.end(), [](const PlantedLoop& loop) { return loop.measured; });
+           std::none_of(loops.begin(), loops.end(), [](const KnownLoop& loop) { return loop.measured; });
 }
 
 void add_elastomer(StudyLines& lines, const Recipe& recipe, const ElastomerRecipe& elastomer,
-                   const std::vector<PlantedLoop>& loops) {
+                   const std::vector<KnownLoop>& loops) {
     const auto& [modulus, energy, radius] =
         std::tie(elastomer.youngs_modulus, elastomer.surface_energy, elastomer.sphere_radius);
     lines.add("\n[elastomers.{}]", bytes::toml_quoted(elastomer.name));
-    if (modulus_is_told(elastomer, loops)) {
-        if (modulus.told.uncertain()) lines.add("youngs_modulus = \"{}\"", told_text(modulus));
+    if (modulus_is_stated(elastomer, loops)) {
+        if (modulus.told.uncertain()) lines.add("youngs_modulus = \"{}\"", stated_text(modulus));
         else lines.add("youngs_modulus = \"{} Pa\"", modulus.value);
     }
     lines.add("poisson_ratio = {}", elastomer.poisson_ratio);
@@ -94,7 +94,7 @@ void add_elastomer(StudyLines& lines, const Recipe& recipe, const ElastomerRecip
         lines.add("surface_energy = \"{} ± {} J/m2\"", energy.told.value, energy.told.standard_error);
     else lines.add("surface_energy = {}", bytes::toml_quoted(energy.input));
     if (!radius.input.empty()) lines.add("sphere_radius = {}", bytes::toml_quoted(radius.input));
-    else if (radius.told.uncertain()) lines.add("sphere_radius = \"{}\"", told_text(radius));
+    else if (radius.told.uncertain()) lines.add("sphere_radius = \"{}\"", stated_text(radius));
     else lines.add("sphere_radius = \"{} m\"", radius.value);
     if (!elastomer.body.relaxation.empty()) {
         std::vector<std::string> terms;
@@ -103,7 +103,7 @@ void add_elastomer(StudyLines& lines, const Recipe& recipe, const ElastomerRecip
         lines.add("relaxation = [{}]", fmt::join(terms, ", "));
     }
     if (std::any_of(loops.begin(), loops.end(),
-                    [&](const PlantedLoop& loop) { return !loop.measured && loop.elastomer == elastomer.name; }))
+                    [&](const KnownLoop& loop) { return !loop.measured && loop.elastomer == elastomer.name; }))
         lines.add("preload = \"{} N\"", recipe.loops->protocol.maximum_force);
 }
 
@@ -168,12 +168,12 @@ std::string loop_text(const loops::Loop& loop) {
     return text;
 }
 
-std::string truth_text(const Recipe& recipe, const std::vector<SurfaceTruth>& surfaces,
-                       const std::vector<PlantedLoop>& loops) {
+std::string true_values_text(const Recipe& recipe, const std::vector<TrueSurfaceValues>& surfaces,
+                             const std::vector<KnownLoop>& loops) {
     Json truth{{"seed", recipe.seed},        {"work_of_adhesion", recipe.work_of_adhesion},
                {"surfaces", Json::object()}, {"elastomers", Json::object()},
                {"pairs", Json::array()},     {"references", Json::array()}};
-    if (recipe.loops && recipe.loops->law == RetractionLaw::loss) truth["loss_factor"] = recipe.loops->loss_factor;
+    if (recipe.loops && recipe.loops->law == RetractionChoice::loss) truth["loss_factor"] = recipe.loops->loss_factor;
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
         const auto& parameters = surfaces[i].parameters;
         truth["surfaces"][recipe.surfaces[i].surface.name] = {
@@ -205,7 +205,7 @@ std::string truth_text(const Recipe& recipe, const std::vector<SurfaceTruth>& su
 }
 
 std::string study_text(const Recipe& recipe, const std::vector<std::vector<MeasurementFile>>& measurements,
-                       const std::vector<PlantedLoop>& loops) {
+                       const std::vector<KnownLoop>& loops) {
     StudyLines lines;
     lines.add("# Written by `setae lab make`; truth.json says what it should find.");
     lines.add("title = {}", bytes::toml_quoted(recipe.title));

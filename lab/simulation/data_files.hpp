@@ -20,8 +20,8 @@ namespace setae::simulation {
 [[nodiscard]] std::string loop_text(const loops::Loop& loop);
 
 /// truth.json: true values, SI.
-[[nodiscard]] std::string truth_text(const Recipe& recipe, const std::vector<SurfaceTruth>& surfaces,
-                                     const std::vector<PlantedLoop>& loops);
+[[nodiscard]] std::string true_values_text(const Recipe& recipe, const std::vector<TrueSurfaceValues>& surfaces,
+                                           const std::vector<KnownLoop>& loops);
 
 /// A measurement file of a surface.
 struct MeasurementFile {
@@ -37,6 +37,6 @@ struct MeasurementFile {
 /// study.toml: an analysis of the data set with only the inputs that an experiment has.
 [[nodiscard]] std::string study_text(const Recipe& recipe,
                                      const std::vector<std::vector<MeasurementFile>>& measurements,
-                                     const std::vector<PlantedLoop>& loops);
+                                     const std::vector<KnownLoop>& loops);
 
 }  // namespace setae::simulation

@@ -38,7 +38,7 @@ constexpr double cost_of_strip = 1e9;
 template <class Protocol>
 std::string tip_text(const Protocol& protocol, const std::optional<StatedQuantity>& shared) {
     if (protocol.tip_radius == 0.0) return "";
-    return shared ? mention(*shared) : told_text({protocol.tip_radius, protocol.tip_radius_standard_error}, "m");
+    return shared ? mention(*shared) : stated_text({protocol.tip_radius, protocol.tip_radius_standard_error}, "m");
 }
 
 /// How a measurement of an instrument is listed, without its file.
@@ -93,7 +93,7 @@ public:
         measurements_.push_back(std::move(files));
     }
 
-    void add_truth(SurfaceTruth truth, std::size_t index) {
+    void add_true_curve(TrueSurfaceValues truth, std::size_t index) {
         truths_.push_back(std::move(truth));
         const auto& curve = truths_.back().C1D;
         if (curve.wavevector.size() == 0) return;
@@ -101,7 +101,7 @@ public:
         tables::write_csv(path(name), {{{"wavevector", "1/m", curve.wavevector}, {"C1D", "m3", curve.density}}, {}});
     }
 
-    void add_loops(std::vector<PlantedLoop> loops) {
+    void add_loops(std::vector<KnownLoop> loops) {
         loops_ = std::move(loops);
         if (!loops_.empty()) create("loops");
         for (std::size_t i = 0; i < loops_.size(); ++i) {
@@ -121,7 +121,7 @@ public:
     std::vector<std::string> finish(parallel::Threads threads) {
         std::stable_sort(jobs_.begin(), jobs_.end(), [](const Job& a, const Job& b) { return a.cost > b.cost; });
         parallel::for_each_index(jobs_.size(), threads, [this](std::size_t i) { jobs_[i].run(); });
-        write(listed("truth.json"), truth_text(recipe_, truths_, loops_));
+        write(listed("truth.json"), true_values_text(recipe_, truths_, loops_));
         write(listed("study.toml"), study_text(recipe_, measurements_, loops_));
         return files_;
     }
@@ -175,8 +175,8 @@ private:
     std::vector<std::string> files_;
     std::vector<Job> jobs_;
     std::vector<std::vector<MeasurementFile>> measurements_;
-    std::vector<SurfaceTruth> truths_;
-    std::vector<PlantedLoop> loops_;
+    std::vector<TrueSurfaceValues> truths_;
+    std::vector<KnownLoop> loops_;
 };
 
 }  // namespace
@@ -184,14 +184,14 @@ private:
 std::vector<std::string> make(const Recipe& recipe, const std::string& folder, parallel::Threads threads) {
     if (recipe.surfaces.empty())
         throw InvalidArgument("a recipe without surfaces has nothing to make; declare [surfaces.NAME]");
-    std::vector<SurfaceTruth> truths(recipe.surfaces.size());
+    std::vector<TrueSurfaceValues> truths(recipe.surfaces.size());
     parallel::for_each_index(truths.size(), threads,
-                             [&](std::size_t i) { truths[i] = surface_truth(recipe.surfaces[i].surface); });
+                             [&](std::size_t i) { truths[i] = true_surface_values(recipe.surfaces[i].surface); });
     DataSet data(recipe, folder);
-    data.add_loops(planted_loops(recipe, truths));  // first: what contradicts itself is found before anything is made
+    data.add_loops(known_loops(recipe, truths));  // first: what contradicts itself is found before anything is made
     for (std::size_t i = 0; i < recipe.surfaces.size(); ++i) {
         data.add_surface(i);
-        data.add_truth(std::move(truths[i]), i);
+        data.add_true_curve(std::move(truths[i]), i);
     }
     return data.finish(threads);
 }

@@ -75,16 +75,16 @@ LoopRecipe read_loops(TomlReader& reader) {
     take(reader, "displacement_noise", dimension::length, artefacts.displacement_noise);
     take(reader, "radius_noise", dimension::length, artefacts.radius_noise);
     loops.law = reader
-                    .choice<RetractionLaw>("retraction", {{"loss", RetractionLaw::loss},
-                                                          {"pinning", RetractionLaw::pinning},
-                                                          {"opening", RetractionLaw::opening},
-                                                          {"reversible", RetractionLaw::reversible}})
+                    .choice<RetractionChoice>("retraction", {{"loss", RetractionChoice::loss},
+                                                             {"pinning", RetractionChoice::pinning},
+                                                             {"opening", RetractionChoice::opening},
+                                                             {"reversible", RetractionChoice::reversible}})
                     .value_or(loops.law);
     loops.contact =
-        reader.choice<PlantedContact>("contact", {{"full", PlantedContact::full}, {"patches", PlantedContact::patches}})
+        reader.choice<KnownContact>("contact", {{"full", KnownContact::full}, {"patches", KnownContact::patches}})
             .value_or(loops.contact);
     take(reader, "opening_work", dimension::surface_energy, loops.opening_work);
-    if (loops.law == RetractionLaw::opening && !(loops.opening_work > 0.0))
+    if (loops.law == RetractionChoice::opening && !(loops.opening_work > 0.0))
         reader.fail("retraction", "opening needs opening_work, such as \"80 mJ/m2\"");
     loops.loss_factor = number_or(reader, "loss_factor", loops.loss_factor);
     reader.table("work_scatter", [&](TomlReader inner) {
@@ -94,8 +94,8 @@ LoopRecipe read_loops(TomlReader& reader) {
         inner.finish();
     });
     loops.nonconforming = reader
-                              .choice<NonconformingPairs>("nonconforming", {{"refuse", NonconformingPairs::refuse},
-                                                                            {"skip", NonconformingPairs::skip}})
+                              .choice<PairsWithoutContact>("nonconforming", {{"refuse", PairsWithoutContact::refuse},
+                                                                             {"skip", PairsWithoutContact::skip}})
                               .value_or(loops.nonconforming);
     loops.reference_work = reader.quantity("reference_work", dimension::surface_energy);
     loops.reference_speed = reader.quantity("reference_speed", positive(speed));

@@ -40,16 +40,16 @@ StatedQuantity StatedDraws::drawn(StatedQuantity quantity, const std::string& pl
     const auto& first = at->second;
     if (!fresh && !alike(first.quantity.told, quantity.told))
         reader.fail(key, fmt::format("'{}' is {} here and {} at {}; expected one value, or another name", scope,
-                                     told_text(quantity), told_text(first.quantity), first.place));
+                                     stated_text(quantity), stated_text(first.quantity), first.place));
     const auto stream = numerics::substream({.seed = seed_}, stated_streams);
     quantity.value = drawn_about(quantity.told, numerics::substream(stream, name_hash(scope)));
     if (quantity.told.uncertain() && !(quantity.value > 0.0))
-        reader.fail(key, fmt::format("{} was drawn as {}, which must be above 0; give a smaller ±", told_text(quantity),
-                                     quantity.value));
+        reader.fail(key, fmt::format("{} was drawn as {}, which must be above 0; give a smaller ±",
+                                     stated_text(quantity), quantity.value));
     return quantity;
 }
 
-std::string told_text(const Estimate& told, const std::string& unit) {
+std::string stated_text(const Estimate& told, const std::string& unit) {
     const std::string behind = unit.empty() ? "" : " " + unit;
     if (!told.uncertain()) return fmt::format("{:.9g}{}", told.value, behind);
     if (const auto& range = told.interval) return fmt::format("{:.9g} to {:.9g}{}", range->lower, range->upper, behind);

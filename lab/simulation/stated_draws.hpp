@@ -40,13 +40,13 @@ private:
 };
 
 /// Text of a quantity in the study, SI: "0.025 ± 0.001 J/m2", "0.0012 to 0.0013 m".
-[[nodiscard]] std::string told_text(const Estimate& told, const std::string& unit);
-[[nodiscard]] inline std::string told_text(const StatedQuantity& quantity) {
-    return told_text(quantity.told, quantity.unit);
+[[nodiscard]] std::string stated_text(const Estimate& told, const std::string& unit);
+[[nodiscard]] inline std::string stated_text(const StatedQuantity& quantity) {
+    return stated_text(quantity.told, quantity.unit);
 }
 /// The same as a key of the study has it: its name, where it has one.
 [[nodiscard]] inline std::string mention(const StatedQuantity& quantity) {
-    return quantity.input.empty() ? told_text(quantity) : quantity.input;
+    return quantity.input.empty() ? stated_text(quantity) : quantity.input;
 }
 
 }  // namespace setae::simulation

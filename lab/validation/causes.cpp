@@ -27,16 +27,16 @@ using spectra::MeasuredSpectrum;
 using spectra::SpectralDensity;
 
 /// The planted surface as densities that may be asked anywhere.
-struct PlantedDensities {
+struct TrueDensities {
     SpectralDensity C_iso, C1D;
     double shortest = 0.0;           ///< q_s [1/m]
     double median_wavelength = 0.0;  ///< half of ∫ q C_iso dq lies below it [m]
 };
 
-PlantedDensities densities_of(const simulation::KnownSurface& surface) {
+TrueDensities densities_of(const simulation::KnownSurface& surface) {
     const Band band = surface.band();
-    PlantedDensities planted{surface.C_iso, spectra::profile_density(surface.C_iso, {0.01 * band.lower, band.upper}),
-                             band.upper, 0.0};
+    TrueDensities planted{surface.C_iso, spectra::profile_density(surface.C_iso, {0.01 * band.lower, band.upper}),
+                          band.upper, 0.0};
     const double total = spectra::moment(surface.C_iso, 0.0, {1e-3 * band.lower, band.upper});
     const auto below_half = [&](double log_q) {
         return spectra::moment(surface.C_iso, 0.0, {1e-3 * band.lower, std::exp(log_q)}) < 0.5 * total;
@@ -50,7 +50,7 @@ PlantedDensities densities_of(const simulation::KnownSurface& surface) {
 /// Tips simulated on one surface, by radius.
 class Tips {
 public:
-    explicit Tips(const PlantedDensities& planted) : planted_(planted) {}
+    explicit Tips(const TrueDensities& planted) : planted_(planted) {}
 
     const spectral_fit::TipResponse& of(double radius) {
         const auto found = responses_.find(radius);
@@ -68,13 +68,13 @@ public:
     }
 
 private:
-    const PlantedDensities& planted_;
+    const TrueDensities& planted_;
     std::map<double, spectral_fit::TipResponse> responses_;
 };
 
 /// E[P_k]/C1D(q_k) of detrending and window alone, waves up to Nyquist.
 Array1D trend_and_window_factor(const ArrayView1D& wavevectors, double pixel_size, int trend_degree,
-                                const PlantedDensities& planted) {
+                                const TrueDensities& planted) {
     const spectral_fit::ScanShape shape{2 * wavevectors.size(), trend_degree};
     const double length = pixel_size * static_cast<double>(shape.points);
     const auto first =
@@ -104,7 +104,7 @@ Array1D trend_and_window_factor(const ArrayView1D& wavevectors, double pixel_siz
     return factor;
 }
 
-Array1D aliasing_factor(const ArrayView1D& wavevectors, double pixel_size, const PlantedDensities& planted) {
+Array1D aliasing_factor(const ArrayView1D& wavevectors, double pixel_size, const TrueDensities& planted) {
     constexpr int aliases = 60;
     return wavevectors.unaryExpr([&](double q) {
         double sum = 0.0;
@@ -115,7 +115,7 @@ Array1D aliasing_factor(const ArrayView1D& wavevectors, double pixel_size, const
 
 /// What a measurement is expected to read under some causes: its spectrum with another C1D.
 MeasuredSpectrum expected_spectrum(const study::MeasurementResult& measured, const topography::Measurement& data,
-                                   const Causes& causes, const PlantedDensities& planted, Tips& tips) {
+                                   const Causes& causes, const TrueDensities& planted, Tips& tips) {
     MeasuredSpectrum spectrum = measured.spectrum;
     const ArrayView1D q = spectrum.wavevector;
     Array1D C1D = q.unaryExpr([&](double x) { return planted.C1D(std::min(x, 0.999 * planted.shortest)); });
@@ -146,7 +146,7 @@ struct MeasuredSurface {
 };
 
 roughness::SpectralParameters mean_reading(const MeasuredSurface& surface, const Causes& causes,
-                                           const PlantedDensities& planted, Tips& tips) {
+                                           const TrueDensities& planted, Tips& tips) {
     std::vector<MeasuredSpectrum> spectra;
     for (std::size_t i = 0; i < surface.data.size(); ++i)
         spectra.push_back(expected_spectrum(surface.result->measurements[i], surface.data[i], causes, planted, tips));
@@ -156,7 +156,7 @@ roughness::SpectralParameters mean_reading(const MeasuredSurface& surface, const
 
 /// W_int as these readings would have it, from the planted W_app of one elastomer and from the planted loss.
 void add_work(std::vector<Comparison>& rows, const Comparison& like, const roughness::SpectralParameters& found,
-              const simulation::SurfaceTruth& truth, double work) {
+              const simulation::TrueSurfaceValues& truth, double work) {
     constexpr double contact_modulus = 1e6, surface_energy = 0.025;
     const double ratio = roughness::gaussian_area_ratio(found.rms_slope), planted = truth.area_ratio;
     const double approach = work * planted - surface_energy * (planted - 1.0) -
@@ -188,7 +188,7 @@ std::vector<Comparison> readings_of(int run, const simulation::Recipe& recipe, c
     const auto result = study::run_study(study, {parallel::Threads{1}});
     for (std::size_t i = 0; i < recipe.surfaces.size(); ++i) {
         const auto& known = recipe.surfaces[i].surface;
-        const auto truth = simulation::surface_truth(known);
+        const auto truth = simulation::true_surface_values(known);
         const auto planted = densities_of(known);
         const auto surface = measured(study, result, i);
         Tips tips(planted);

@@ -16,17 +16,18 @@ using study::SpectrumResult;
 using study::StudyResult;
 
 /// What a spectrum can find: where it begins above the roll-off, the planted waves from there on.
-simulation::SurfaceTruth truth_within(const simulation::KnownSurface& known, const simulation::SurfaceTruth& whole,
-                                      const SpectrumResult& spectrum) {
+simulation::TrueSurfaceValues true_values_within(const simulation::KnownSurface& known,
+                                                 const simulation::TrueSurfaceValues& whole,
+                                                 const SpectrumResult& spectrum) {
     const double lowest = spectrum.curve.band.lower;
     if (!known.gaussian() || lowest <= known.band().lower) return whole;
-    return simulation::surface_truth(known, {lowest, known.band().upper});
+    return simulation::true_surface_values(known, {lowest, known.band().upper});
 }
 
 /// Calls visit(surface's result, what is planted in it, truth) for every surface of the study that did not fail.
-void for_each_surface(const simulation::Recipe& recipe, const Planted& planted, const StudyResult& study,
+void for_each_surface(const simulation::Recipe& recipe, const TrueValues& planted, const StudyResult& study,
                       const std::function<void(const study::SurfaceResult&, const simulation::KnownSurface&,
-                                               const simulation::SurfaceTruth&)>& visit) {
+                                               const simulation::TrueSurfaceValues&)>& visit) {
     for (std::size_t i = 0; i < recipe.surfaces.size(); ++i) {
         const auto& surface = study.surface(recipe.surfaces[i].surface.name);
         if (!surface.failed()) visit(surface, recipe.surfaces[i].surface, planted.surfaces[i]);
@@ -39,7 +40,7 @@ void add(std::vector<Comparison>& rows, Comparison row) {
 }
 
 void add_spectrum(std::vector<Comparison>& rows, int run, const std::string& surface, const std::string& method,
-                  const SpectrumResult& spectrum, const simulation::SurfaceTruth& truth) {
+                  const SpectrumResult& spectrum, const simulation::TrueSurfaceValues& truth) {
     for (const auto& quantity : surface_quantities()) {
         if (!std::isfinite(quantity.value(spectrum.parameters))) continue;
         add(rows, {run, surface, quantity.name, method, quantity.unit, Deviation::relative,
@@ -72,8 +73,8 @@ void add_work_of_adhesion(std::vector<Comparison>& rows, int run, double planted
 }
 
 /// Calls visit(planted loop, what the study says of the pair) for every pair of the study that has one.
-void for_each_pair(const Planted& planted, const study::Conclusions& study,
-                   const std::function<void(const simulation::PlantedLoop&, const study::PairResult&)>& visit) {
+void for_each_pair(const TrueValues& planted, const study::Conclusions& study,
+                   const std::function<void(const simulation::KnownLoop&, const study::PairResult&)>& visit) {
     for (const auto& loop : planted.loops) {
         const auto pair = std::find_if(study.pairs.begin(), study.pairs.end(), [&](const auto& p) {
             return p.surface == loop.surface && p.elastomer == loop.elastomer;
@@ -82,13 +83,13 @@ void for_each_pair(const Planted& planted, const study::Conclusions& study,
     }
 }
 
-std::string pair_name(const simulation::PlantedLoop& loop) {
+std::string pair_name(const simulation::KnownLoop& loop) {
     return (loop.surface.empty() ? "reference" : loop.surface) + " × " + loop.elastomer;
 }
 
-void add_predictions(std::vector<Comparison>& rows, int run, const Planted& planted, const std::string& method,
+void add_predictions(std::vector<Comparison>& rows, int run, const TrueValues& planted, const std::string& method,
                      const study::Conclusions& study) {
-    for_each_pair(planted, study, [&](const simulation::PlantedLoop& loop, const study::PairResult& pair) {
+    for_each_pair(planted, study, [&](const simulation::KnownLoop& loop, const study::PairResult& pair) {
         if (pair.modified)
             add(rows, {run, pair_name(loop), loop.measured ? "predicted_work" : "new_pair_work", method, "J/m2",
                        Deviation::absolute, loop.specimen.work_approach, pair.modified->estimate});
@@ -99,9 +100,9 @@ void add_predictions(std::vector<Comparison>& rows, int run, const Planted& plan
 }
 
 /// W_app of each pair by (7) as fitted to the pairs of the other surfaces, of the other elastomers.
-void add_left_out(std::vector<Comparison>& rows, int run, const Planted& planted, const std::string& method,
+void add_left_out(std::vector<Comparison>& rows, int run, const TrueValues& planted, const std::string& method,
                   const study::Conclusions& study) {
-    for_each_pair(planted, study, [&](const simulation::PlantedLoop& loop, const study::PairResult&) {
+    for_each_pair(planted, study, [&](const simulation::KnownLoop& loop, const study::PairResult&) {
         for (const auto& left : study.left_out)
             if (left.surface == loop.surface && left.elastomer == loop.elastomer)
                 add(rows, {run, pair_name(loop), left.surface_left_out ? "next_surface_work" : "next_elastomer_work",
@@ -110,8 +111,8 @@ void add_left_out(std::vector<Comparison>& rows, int run, const Planted& planted
 }
 
 /// What the study makes of all loops on a pair, and of all on an elastomer, with every input.
-void add_measured(std::vector<Comparison>& rows, int run, const Planted& planted, const StudyResult& study) {
-    for_each_pair(planted, study, [&](const simulation::PlantedLoop& loop, const study::PairResult& pair) {
+void add_measured(std::vector<Comparison>& rows, int run, const TrueValues& planted, const StudyResult& study) {
+    for_each_pair(planted, study, [&](const simulation::KnownLoop& loop, const study::PairResult& pair) {
         if (const auto found = pair.traced_approach())
             add(rows, {run, pair_name(loop), "work_approach", "pairs", "J/m2", Deviation::relative,
                        loop.specimen.work_approach, found->estimate()});
@@ -122,14 +123,14 @@ void add_measured(std::vector<Comparison>& rows, int run, const Planted& planted
     for (const auto& elastomer : study.elastomers) {
         const auto& name = elastomer.input.name;
         const auto loop = std::find_if(planted.loops.begin(), planted.loops.end(),
-                                       [&](const auto& planted_loop) { return planted_loop.elastomer == name; });
+                                       [&](const auto& known_loop) { return known_loop.elastomer == name; });
         if (loop != planted.loops.end() && elastomer.contact_modulus.value > 0.0)
             add(rows, {run, name, "contact_modulus", "elastomers", "Pa", Deviation::relative,
                        loop->specimen.contact_modulus, elastomer.contact_modulus});
     }
 }
 
-void add_loop(std::vector<Comparison>& rows, int run, const simulation::PlantedLoop& loop, const StudyResult& study) {
+void add_loop(std::vector<Comparison>& rows, int run, const simulation::KnownLoop& loop, const StudyResult& study) {
     if (!loop.measured) return;
     const auto& file = loop.file;
     const auto found = std::find_if(study.experiments.begin(), study.experiments.end(),
@@ -168,22 +169,23 @@ bool Comparison::covered() const {
     return interval && interval->lower <= planted && planted <= interval->upper;
 }
 
-Planted planted_in(const simulation::Recipe& recipe) {
-    Planted planted;
-    for (const auto& rough : recipe.surfaces) planted.surfaces.push_back(simulation::surface_truth(rough.surface));
-    planted.loops = simulation::planted_loops(recipe);
+TrueValues true_values_of(const simulation::Recipe& recipe) {
+    TrueValues planted;
+    for (const auto& rough : recipe.surfaces)
+        planted.surfaces.push_back(simulation::true_surface_values(rough.surface));
+    planted.loops = simulation::known_loops(recipe);
     return planted;
 }
 
-std::vector<Comparison> comparisons(int run, const simulation::Recipe& recipe, const Planted& planted,
+std::vector<Comparison> comparisons(int run, const simulation::Recipe& recipe, const TrueValues& planted,
                                     const StudyResult& study) {
     std::vector<Comparison> rows;
     for_each_surface(recipe, planted, study,
                      [&](const study::SurfaceResult& surface, const simulation::KnownSurface& known,
-                         const simulation::SurfaceTruth& truth) {
+                         const simulation::TrueSurfaceValues& truth) {
                          for (const auto& [method, spectrum] : study::spectra_of(surface))
                              add_spectrum(rows, run, surface.name, method, *spectrum,
-                                          truth_within(known, truth, *spectrum));
+                                          true_values_within(known, truth, *spectrum));
                      });
     const bool likelihood = study.by_average.has_value();
     const auto add_related = [&](const std::string& method, const study::Conclusions& related) {
@@ -198,13 +200,13 @@ std::vector<Comparison> comparisons(int run, const simulation::Recipe& recipe, c
     return rows;
 }
 
-std::vector<Comparison> comparisons_by_paper(int run, const simulation::Recipe& recipe, const Planted& planted,
+std::vector<Comparison> comparisons_by_paper(int run, const simulation::Recipe& recipe, const TrueValues& planted,
                                              const StudyResult& study) {
     std::vector<Comparison> rows;
     for_each_surface(recipe, planted, study,
                      [&](const study::SurfaceResult& surface, const simulation::KnownSurface& known,
-                         const simulation::SurfaceTruth& whole) {
-                         const auto truth = truth_within(known, whole, surface.average);
+                         const simulation::TrueSurfaceValues& whole) {
+                         const auto truth = true_values_within(known, whole, surface.average);
                          for (const auto& quantity : surface_quantities())
                              add(rows,
                                  {run, surface.name, quantity.name, "paper", quantity.unit, Deviation::relative,

@@ -44,7 +44,7 @@ Distances distances(const PixelCurve& trace, const CurveIndex& truth) {
 }
 
 /// Signed distances of the curve's points within the picture from the nearest segment of the trace.
-Array1D distances_of_truth(const imaging::ContourTrace& trace, const RenderedContour& rendered) {
+Array1D distances_of_true_curve(const imaging::ContourTrace& trace, const RenderedContour& rendered) {
     std::vector<CurveIndex> segments;
     for (const auto& segment : trace.segments)
         if (segment.x.size() >= 2) segments.emplace_back(curve_of(segment));
@@ -178,7 +178,7 @@ ContourTrial compared(const imaging::ContourTrace& trace, const RenderedContour&
     const auto& segment = trace.segments.front();
     const auto curve = curve_of(segment);
     const auto there = distances(curve, CurveIndex(rendered.truth.curve));
-    const Array1D back = distances_of_truth(trace, rendered);
+    const Array1D back = distances_of_true_curve(trace, rendered);
 
     ContourTrial trial{.segments = static_cast<int>(trace.segments.size()),
                        .smoothing_length = segment.smoothing_length,

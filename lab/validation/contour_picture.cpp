@@ -15,7 +15,7 @@ namespace setae::validation {
 namespace {
 
 constexpr int enlarged = 2;
-const cv::Scalar truth_colour(255, 144, 64), trace_colour(40, 160, 255);  // blue, green, red
+const cv::Scalar true_curve_colour(255, 144, 64), trace_colour(40, 160, 255);  // blue, green, red
 
 void draw(cv::Mat& picture, const Array1D& x, const Array1D& y, bool closed, const cv::Scalar& colour) {
     constexpr int shift = 4;  // 16ths of a pixel
@@ -47,7 +47,7 @@ void write_contour_picture(const std::string& folder, const ContourTrial& trial,
     bytes::write_whole_file(path("_bare.png"), imaging::png_of(bytes));
     cv::resize(bytes, bytes, {}, enlarged, enlarged, cv::INTER_NEAREST);
     cv::cvtColor(bytes, picture, cv::COLOR_GRAY2BGR);
-    draw(picture, truth.x, truth.y, false, truth_colour);
+    draw(picture, truth.x, truth.y, false, true_curve_colour);
     for (const auto& segment : trace.segments) draw(picture, segment.x, segment.y, segment.closed, trace_colour);
     bytes::write_whole_file(path(".png"), imaging::png_of(picture));
     std::string points = "x,y\n";

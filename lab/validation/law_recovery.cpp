@@ -23,15 +23,15 @@ using hysteresis::Law;
 using hysteresis::RetractionModel;
 using hysteresis::Tip;
 using simulation::Recipe;
-using simulation::RetractionLaw;
+using simulation::RetractionChoice;
 using tables::TidyTable;
 
-RetractionLaw planted_as(Law law) {
+RetractionChoice planted_as(Law law) {
     switch (law) {
-        case Law::pinning: return RetractionLaw::pinning;
-        case Law::conformal_loss: return RetractionLaw::loss;
-        case Law::opening_work: return RetractionLaw::opening;
-        default: return RetractionLaw::reversible;
+        case Law::pinning: return RetractionChoice::pinning;
+        case Law::conformal_loss: return RetractionChoice::loss;
+        case Law::opening_work: return RetractionChoice::opening;
+        default: return RetractionChoice::reversible;
     }
 }
 
@@ -51,20 +51,20 @@ void plant_tip(std::vector<simulation::ElastomerRecipe>& elastomers, Tip tip) {
     }
 }
 
-LawRecovery recovery_of(const study::StudyResult& result, const RetractionModel& law, const Recipe& made) {
+ModelRecovery recovery_of(const study::StudyResult& result, const RetractionModel& law, const Recipe& made) {
     if (!result.hysteresis) throw UndefinedDataError(result.hysteresis.reason);
     const auto& hysteresis = *result.hysteresis;
     const auto& ranking = hysteresis.conforming.best() ? hysteresis.conforming : hysteresis.all;
     const auto* best = ranking.best();
     if (!best)
         throw UndefinedDataError(fmt::format("{} pairs with W_app and W_ret rank no law", hysteresis.measured_pairs));
-    LawRecovery found{.planted = law.name(), .found = best->fitted.model.name(), .seed = made.seed};
+    ModelRecovery found{.planted = law.name(), .found = best->fitted.model.name(), .seed = made.seed};
     found.surface_left_out = best->surface_left_out;
     const auto likely = ranking.possible();
     found.possible =
         !found.is_found() && std::ranges::any_of(likely, [&](const auto* score) { return score->fitted.model == law; });
     if (!law.fitted()) return found;
-    found.parameter_planted = made.loops->opening_work;
+    found.true_parameter = made.loops->opening_work;
     for (const auto& score : ranking.models)
         if (score.fitted.model == law) {
             found.parameter = score.fitted.parameter.value;
@@ -73,14 +73,14 @@ LawRecovery recovery_of(const study::StudyResult& result, const RetractionModel&
     return found;
 }
 
-double mean_of(const std::vector<const LawRecovery*>& list, double LawRecovery::*number) {
+double mean_of(const std::vector<const ModelRecovery*>& list, double ModelRecovery::*number) {
     double sum = 0.0;
     for (const auto* one : list) sum += one->*number;
     return sum / static_cast<double>(list.size());
 }
 
-LawSummary summary_of(const std::vector<const LawRecovery*>& list) {
-    LawSummary row{.planted = list.front()->planted, .runs = static_cast<int>(list.size())};
+ModelSummary summary_of(const std::vector<const ModelRecovery*>& list) {
+    ModelSummary row{.planted = list.front()->planted, .runs = static_cast<int>(list.size())};
     std::map<std::string, int> others;
     for (const auto* one : list) {
         if (one->is_found()) ++row.found;
@@ -88,10 +88,10 @@ LawSummary summary_of(const std::vector<const LawRecovery*>& list) {
         if (one->possible) ++row.possible;
     }
     row.excluded = row.runs - row.found - row.possible;
-    row.parameter_planted = mean_of(list, &LawRecovery::parameter_planted);
-    row.parameter = mean_of(list, &LawRecovery::parameter);
-    row.parameter_standard_error = mean_of(list, &LawRecovery::parameter_standard_error);
-    row.surface_left_out = mean_of(list, &LawRecovery::surface_left_out);
+    row.true_parameter = mean_of(list, &ModelRecovery::true_parameter);
+    row.parameter = mean_of(list, &ModelRecovery::parameter);
+    row.parameter_standard_error = mean_of(list, &ModelRecovery::parameter_standard_error);
+    row.surface_left_out = mean_of(list, &ModelRecovery::surface_left_out);
     const auto most = std::ranges::max_element(others, {}, [](const auto& entry) { return entry.second; });
     if (most != others.end()) row.most_taken = most->first;
     return row;
@@ -99,7 +99,7 @@ LawSummary summary_of(const std::vector<const LawRecovery*>& list) {
 
 }  // namespace
 
-std::vector<RetractionModel> plantable_laws() {
+std::vector<RetractionModel> simulated_models() {
     std::vector<RetractionModel> laws;
     for (const Tip tip : {Tip::none, Tip::reference, Tip::speed})
         for (const Law law : {Law::reversible, Law::pinning, Law::conformal_loss, Law::opening_work})
@@ -107,8 +107,8 @@ std::vector<RetractionModel> plantable_laws() {
     return laws;
 }
 
-std::vector<RetractionModel> plantable_laws(const std::vector<std::string>& names) {
-    const auto all = plantable_laws();
+std::vector<RetractionModel> simulated_models(const std::vector<std::string>& names) {
+    const auto all = simulated_models();
     std::vector<std::string> known{"all"};
     for (const auto& law : all) known.push_back(law.name());
     std::vector<RetractionModel> laws;
@@ -125,7 +125,7 @@ std::vector<RetractionModel> plantable_laws(const std::vector<std::string>& name
     return laws;
 }
 
-Recipe with_law(Recipe recipe, const RetractionModel& law) {
+Recipe with_model(Recipe recipe, const RetractionModel& law) {
     if (!recipe.loops) throw InvalidArgument("the recipe has no [loops] to plant a mechanism in");
     auto& loops = *recipe.loops;
     loops.law = planted_as(law.law);
@@ -134,7 +134,7 @@ Recipe with_law(Recipe recipe, const RetractionModel& law) {
         loops.opening_work = over_intrinsic * recipe.work_of_adhesion;
     if (law.law == Law::conformal_loss) loops.loss_factor = 1.0;
     // an edge that is held on its way in leaves some pairs without any contact
-    if (law.law == Law::pinning) loops.nonconforming = simulation::NonconformingPairs::skip;
+    if (law.law == Law::pinning) loops.nonconforming = simulation::PairsWithoutContact::skip;
     if (law.tip != Tip::none && !loops.reference_work)
         throw InvalidArgument(
             fmt::format("{} needs a smooth reference; expected reference_work in the recipe's [loops]", law.name()));
@@ -142,13 +142,13 @@ Recipe with_law(Recipe recipe, const RetractionModel& law) {
     return recipe;
 }
 
-LawRecoveries law_recoveries(const std::string& recipe, const std::vector<RetractionModel>& laws,
-                             const LawRecoveryOptions& options) {
+ModelRecoveries model_recoveries(const std::string& recipe, const std::vector<RetractionModel>& laws,
+                                 const ModelRecoveryOptions& options) {
     if (options.runs < 1) throw InvalidArgument(fmt::format("{} runs; expected at least 1", options.runs));
     const auto runs = static_cast<std::size_t>(options.runs);
-    for (const auto& law : laws) (void)with_law(simulation::read_recipe(recipe), law);  // what is wrong is said once
+    for (const auto& law : laws) (void)with_model(simulation::read_recipe(recipe), law);  // what is wrong is said once
     std::filesystem::create_directories(options.folder);
-    std::vector<LawRecovery> found(laws.size() * runs);
+    std::vector<ModelRecovery> found(laws.size() * runs);
     std::vector<std::string> failures(found.size());
     std::mutex counting;
     int done = 0;
@@ -156,7 +156,7 @@ LawRecoveries law_recoveries(const std::string& recipe, const std::vector<Retrac
         const auto folder = (std::filesystem::path(options.folder) / fmt::format("data_{:04}", i)).string();
         try {
             const auto& law = laws[i / runs];
-            const auto made = with_law(simulation::read_recipe(recipe, options.first_seed + i % runs), law);
+            const auto made = with_model(simulation::read_recipe(recipe, options.first_seed + i % runs), law);
             with_data_set(made, folder, false, [&] {
                 found[i] = recovery_of(study::run_study(study_of_data_set(folder), {parallel::Threads{1}}), law, made);
             });
@@ -167,17 +167,17 @@ LawRecoveries law_recoveries(const std::string& recipe, const std::vector<Retrac
         ++done;
         if (options.progress) options.progress(done);
     });
-    LawRecoveries result;
+    ModelRecoveries result;
     for (std::size_t i = 0; i < found.size(); ++i)
         if (failures[i].empty()) result.recoveries.push_back(std::move(found[i]));
         else result.failed.push_back({options.first_seed + i % runs, std::move(failures[i])});
     return result;
 }
 
-std::vector<LawSummary> summary(const std::vector<LawRecovery>& recoveries) {
-    std::vector<LawSummary> rows;
+std::vector<ModelSummary> summary(const std::vector<ModelRecovery>& recoveries) {
+    std::vector<ModelSummary> rows;
     for (std::size_t from = 0; from < recoveries.size();) {
-        std::vector<const LawRecovery*> alike;
+        std::vector<const ModelRecovery*> alike;
         std::size_t to = from;
         for (; to < recoveries.size() && recoveries[to].planted == recoveries[from].planted; ++to)
             alike.push_back(&recoveries[to]);
@@ -187,7 +187,7 @@ std::vector<LawSummary> summary(const std::vector<LawRecovery>& recoveries) {
     return rows;
 }
 
-TidyTable law_summary_table(const std::vector<LawSummary>& rows) {
+TidyTable model_summary_table(const std::vector<ModelSummary>& rows) {
     constexpr double milli = 1e-3;
     TidyTable table{"mechanisms planted in loops, and what studies of them find [mJ/m²]",
                     {"planted", "found", "possible", "excluded", "W_x", "planted", "off", "most often in its place"},
@@ -198,20 +198,20 @@ TidyTable law_summary_table(const std::vector<LawSummary>& rows) {
         table.rows.push_back({row.planted, fmt::format("{} of {}", row.found, row.runs),
                               fmt::format("{}", row.possible), fmt::format("{}", row.excluded),
                               fitted ? uncertain_number(work, milli) : std::string(),
-                              fitted ? fmt::format("{:.4g}", row.parameter_planted / milli) : std::string(),
+                              fitted ? fmt::format("{:.4g}", row.true_parameter / milli) : std::string(),
                               fmt::format("{:.2g}", row.surface_left_out / milli), row.most_taken});
     }
     return table;
 }
 
-TidyTable law_recovery_table(const std::vector<LawRecovery>& recoveries) {
+TidyTable model_recovery_table(const std::vector<ModelRecovery>& recoveries) {
     TidyTable table{"",
                     {"planted", "seed", "found", "possible", "parameter planted [J/m2]", "parameter [J/m2]",
                      "standard_error [J/m2]", "next surface off [J/m2]"},
                     {}};
     for (const auto& one : recoveries)
         table.rows.push_back({one.planted, static_cast<double>(one.seed), one.found,
-                              std::string(one.possible ? "yes" : "no"), one.parameter_planted, one.parameter,
+                              std::string(one.possible ? "yes" : "no"), one.true_parameter, one.parameter,
                               one.parameter_standard_error, one.surface_left_out});
     return table;
 }

@@ -39,13 +39,13 @@ BranchData equilibrium(const Contact& contact, double first_radius, double last_
     return branch;
 }
 
-struct PlantedBranch {
+struct KnownBranch {
     std::string name;
     Contact contact;
     BranchData samples;
 };
 
-std::vector<PlantedBranch> planted_branches(const LoopCoverageOptions& options) {
+std::vector<KnownBranch> known_branches(const LoopCoverageOptions& options) {
     const auto& s = options.specimen;
     const Contact approach{s.radius, s.contact_modulus, s.work_approach},
         retraction{s.radius, s.contact_modulus, s.work_retraction};
@@ -92,7 +92,7 @@ struct Comparisons {
         all.push_back(
             {run, item, fmt::format("{} {} at {}", symbol, item, signal), method, unit, measure, planted, found});
     }
-    void add_fit(const PlantedBranch& branch, const std::string& method, const std::function<JkrFit()>& fit) {
+    void add_fit(const KnownBranch& branch, const std::string& method, const std::function<JkrFit()>& fit) {
         JkrFit found;
         try {
             found = fit();
@@ -106,7 +106,7 @@ struct Comparisons {
     }
 };
 
-void add_fits(Comparisons& to, const PlantedBranch& branch, const BranchData& data, const LensAndCounterBody& bodies) {
+void add_fits(Comparisons& to, const KnownBranch& branch, const BranchData& data, const LensAndCounterBody& bodies) {
     using loops::RadiusErrors;
     to.add_fit(branch, "a(F)", [&] { return fit_radius_force(data, bodies); });
     to.add_fit(branch, "a(F) both", [&] { return fit_radius_force(data, bodies, RadiusErrors::effective_variance); });
@@ -156,7 +156,7 @@ std::vector<Comparison> all_runs(const LoopCoverageOptions& options, const Run& 
 }  // namespace
 
 std::vector<Comparison> branch_coverage(const LoopCoverageOptions& options) {
-    const auto branches = planted_branches(options);
+    const auto branches = known_branches(options);
     const auto bodies = bodies_of(options.specimen);
     return all_runs(options, [&](Comparisons& to, double signal, numerics::RandomKey key) {
         for (std::size_t b = 0; b < branches.size(); ++b)
@@ -168,7 +168,7 @@ std::vector<Comparison> branch_coverage(const LoopCoverageOptions& options) {
 std::vector<Comparison> record_coverage(const LoopCoverageOptions& options) {
     const auto bodies = bodies_of(options.specimen);
     // as many samples on the way to the largest force as branch_coverage() has
-    const auto branches = planted_branches(options);
+    const auto branches = known_branches(options);
     const auto& displacement = branches.front().samples.displacement;
     simulation::LoadingProtocol protocol{
         .maximum_force = options.maximum_force, .force_rate = 10.0, .camera_rate = 10.0};

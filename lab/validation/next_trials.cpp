@@ -87,7 +87,7 @@ TracedValue value_in(const study::StudyResult& result, const std::string& target
 
 double planted_value(const Recipe& recipe, const std::string& target) {
     if (target == "W_int") return recipe.work_of_adhesion;
-    for (const auto& loop : simulation::planted_loops(recipe))
+    for (const auto& loop : simulation::known_loops(recipe))
         if (study::pair_target(loop.elastomer, loop.surface) == target) return loop.specimen.work_approach;
     return 0.0;  // two balances of one W_int
 }

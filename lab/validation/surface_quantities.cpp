@@ -12,7 +12,7 @@ using roughness::SpectralParameters;
 namespace {
 
 /// Planted parameters with the decades of the planted C1D.
-SpectralParameters planted_parameters(const simulation::SurfaceTruth& truth) {
+SpectralParameters true_parameters(const simulation::TrueSurfaceValues& truth) {
     auto parameters = truth.parameters;
     if (truth.C1D.wavevector.size() > 1) parameters.decade_C1D = roughness::decade_means(truth.C1D);
     return parameters;
@@ -34,8 +34,8 @@ std::vector<SurfaceQuantity> surface_quantities() {
     return quantities;
 }
 
-double planted_value(const SurfaceQuantity& quantity, const simulation::SurfaceTruth& truth) {
-    return quantity.name == "true_area_ratio" ? truth.area_ratio : quantity.value(planted_parameters(truth));
+double planted_value(const SurfaceQuantity& quantity, const simulation::TrueSurfaceValues& truth) {
+    return quantity.name == "true_area_ratio" ? truth.area_ratio : quantity.value(true_parameters(truth));
 }
 
 }  // namespace setae::validation

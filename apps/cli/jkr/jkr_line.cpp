@@ -97,7 +97,7 @@ std::string as_text(const answers::LineAnswer& answer) {
                         format_value(std::sqrt(answer.shape.deviation.square().mean()), "m", 3)));
     add(motion_text("retraction", answer.receding));
     add(motion_text("approach", answer.advancing));
-    add(rate_text("retraction", answer.receding_rate));
+    add(rate_text("retraction", answer.retracting_rate));
     add(rate_text("approach", answer.advancing_rate));
     std::size_t voids = 0;
     for (const auto& holes : recorded.voids) voids += holes.empty() ? 0 : 1;
@@ -133,9 +133,9 @@ Array1D speeds(const std::optional<answers::LineMotion>& motion) {
 file_figures::StudyFigure figure(const answers::LineAnswer& answer, const Arguments& arguments) {
     return file_figures::contact_line_figure({.line = answer.recorded.line,
                                               .roughness = answer.roughness.value_or(contact_line::LineRoughness{}),
-                                              .receding_speeds = speeds(answer.receding),
+                                              .retracting_speeds = speeds(answer.receding),
                                               .advancing_speeds = speeds(answer.advancing),
-                                              .receding_jumps = jump_areas(answer.receding),
+                                              .retracting_jumps = jump_areas(answer.receding),
                                               .advancing_jumps = jump_areas(answer.advancing)},
                                              arguments.frames.front(), arguments.figure.look());
 }

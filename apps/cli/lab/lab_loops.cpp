@@ -60,7 +60,7 @@ constexpr std::array asked{
     fields::option<&Coverage::signal_to_noise>("snr", "signal-to-noise ratios").default_shown(),
 };
 
-output::Json mechanism_json(const validation::LawSummary& row) {
+output::Json mechanism_json(const validation::ModelSummary& row) {
     output::Json json{
         {"planted", row.planted},
         {"runs", row.runs},
@@ -72,7 +72,7 @@ output::Json mechanism_json(const validation::LawSummary& row) {
     if (fitted) {
         const Estimate found{.value = row.parameter, .standard_error = row.parameter_standard_error};
         json["work_per_true_area"] = output::to_json(output::quantity("work_per_true_area", "W_x", found, "J/m2"));
-        json["work_per_true_area_planted"] = {{"value", row.parameter_planted}, {"unit", "J/m2"}};
+        json["work_per_true_area_planted"] = {{"value", row.true_parameter}, {"unit", "J/m2"}};
     }
     return json;
 }
@@ -82,22 +82,22 @@ ExitCode recover_mechanisms(const Arguments& arguments) {
     if (arguments.recipe.empty())
         throw InvalidArgument(
             "no recipe; expected a TOML file whose loops get the mechanisms, see docs/guides/laboratory.md");
-    const auto laws = validation::plantable_laws(arguments.mechanisms);
+    const auto laws = validation::simulated_models(arguments.mechanisms);
     const int data_sets = arguments.options.runs * static_cast<int>(laws.size());
-    const auto found = validation::law_recoveries(arguments.recipe, laws,
-                                                  {.runs = arguments.options.runs,
-                                                   .first_seed = arguments.options.first_seed,
-                                                   .folder = arguments.output,
-                                                   .threads = arguments.common.workers(),
-                                                   .progress = progress_of(data_sets)});
+    const auto found = validation::model_recoveries(arguments.recipe, laws,
+                                                    {.runs = arguments.options.runs,
+                                                     .first_seed = arguments.options.first_seed,
+                                                     .folder = arguments.output,
+                                                     .threads = arguments.common.workers(),
+                                                     .progress = progress_of(data_sets)});
     for (const auto& failed : found.failed) print_message(fmt::format("seed {}: {}", failed.seed, failed.reason));
     if (found.recoveries.empty()) return ExitCode::nothing_done;
     const auto rows = validation::summary(found.recoveries);
-    const auto table = validation::law_summary_table(rows);
+    const auto table = validation::model_summary_table(rows);
     const auto folder = std::filesystem::path(arguments.output);
     bytes::write_whole_file((folder / "mechanisms.txt").string(), tables::as_text(table));
     bytes::write_whole_file((folder / "mechanisms.csv").string(),
-                            tables::as_csv(validation::law_recovery_table(found.recoveries)));
+                            tables::as_csv(validation::model_recovery_table(found.recoveries)));
     if (arguments.common.json) {
         auto list = output::Json::array();
         for (const auto& row : rows) list.push_back(mechanism_json(row));

@@ -19,7 +19,7 @@ namespace {
 /// Which of the key's sequences draws what.
 enum ViewStream : std::uint64_t { step_stream, trace_stream, reentrant_stream };
 
-void check(const SideViewOptions& options) {
+void check(const FoilContourOptions& options) {
     if (!(options.step > 0.0) || !(options.length >= options.step) || !(options.length / options.step < 1e8))
         throw InvalidArgument(
             fmt::format("contour of {} m in steps of {} m; expected 0 < step <= length and fewer than 1e8 points",
@@ -42,7 +42,7 @@ void check(const SideViewOptions& options) {
 /// Distances of neighbouring points over their mean.
 class StepLaw {
 public:
-    explicit StepLaw(const SideViewOptions& options)
+    explicit StepLaw(const FoilContourOptions& options)
         : kind_(options.step_spread > 0.0 ? options.steps : ContourSteps::regular),
           spread_(options.step_spread),
           key_(substream(options.key, step_stream)) {
@@ -65,7 +65,7 @@ private:
     Index freedoms_ = 0;
 };
 
-Array1D positions_of(const SideViewOptions& options) {
+Array1D positions_of(const FoilContourOptions& options) {
     const StepLaw law(options);
     // a regular contour ends on its length in spite of rounding
     const double end = options.length * (1.0 + 1e-9);
@@ -130,7 +130,7 @@ Array1D interpolated(const Array1D& heights, double step, bool periodic, double 
 }
 
 /// n(x) = rms Σ_k exp(−((x − kd)/length)²) ξ_k/norm, d = length/2: correlation exp(−x²/(2 length²)) to 1e-8.
-Array1D trace_deviation(const SideViewOptions& options, const Array1D& positions) {
+Array1D trace_deviation(const FoilContourOptions& options, const Array1D& positions) {
     Array1D result = Array1D::Zero(positions.size());
     if (options.trace_noise_rms == 0.0) return result;
     constexpr Index reach = 12;  // exp(−36) beyond
@@ -149,7 +149,7 @@ Array1D trace_deviation(const SideViewOptions& options, const Array1D& positions
 }
 
 /// One stretch at a random place in each block of points; the last point of a block always stays.
-void turn_back(Array1D& positions, const SideViewOptions& options) {
+void turn_back(Array1D& positions, const FoilContourOptions& options) {
     if (options.reentrant_share == 0.0) return;
     const Index stretch = options.reentrant_points;
     const auto block = static_cast<Index>(std::llround(static_cast<double>(stretch) / options.reentrant_share));
@@ -167,7 +167,7 @@ double widest_spread(ContourSteps steps) {
     return steps == ContourSteps::gamma ? std::numbers::sqrt2 : 1.0 / std::numbers::sqrt3;
 }
 
-topography::Profile side_view_contour(const topography::HeightMap& surface, const SideViewOptions& options) {
+topography::Profile projected_contour(const topography::HeightMap& surface, const FoilContourOptions& options) {
     check(options);
     const auto line = silhouette(surface, options.thickness, options.start_y);
     topography::Profile contour;

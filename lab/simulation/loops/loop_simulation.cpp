@@ -33,11 +33,11 @@ struct Schedule {
     double largest = 0.0;     ///< motor position at the turn [m]
     Index samples = 0;
 
-    Schedule(const LoadingProtocol& protocol, double turning_position, double parting_position)
+    Schedule(const LoadingProtocol& protocol, double turning_position, double separation_position)
         : largest(turning_position) {
         turn = (protocol.start_gap + largest) / protocol.approach_speed;
         retraction = turn + protocol.hold_time;
-        end = retraction + (largest - parting_position + protocol.start_gap) / protocol.retraction_speed;
+        end = retraction + (largest - separation_position + protocol.start_gap) / protocol.retraction_speed;
         constexpr double max_samples = 1e8;
         const double count = std::floor(end * protocol.force_rate) + 1.0;
         if (!(count <= max_samples))
@@ -92,24 +92,24 @@ double interpolated(const Array1D& x, const Array1D& y, double at) {
 }
 
 /// States behind the place where the edge lets go, by position of the motor.
-class Recession {
+class EdgeRetraction {
 public:
-    Recession(const hysteresis::HystereticSphere& specimen, const LoadingProtocol& protocol,
-              const hysteresis::SphereLoop& truth, const std::optional<hysteresis::MovingEdge>& edge)
+    EdgeRetraction(const hysteresis::HystereticSphere& specimen, const LoadingProtocol& protocol,
+                   const hysteresis::SphereLoop& truth, const std::optional<hysteresis::MovingEdge>& edge)
         : machine_(protocol.machine_stiffness),
           specimen_(specimen),
           largest_(truth.turning_point.contact_radius),
-          parting_(machine_.motor(truth.parting)) {
+          parting_(machine_.motor(truth.separation)) {
         if (!edge) return;
         constexpr int steps = 20000;
-        const auto course = hysteresis::recession_course(specimen, protocol.pressing(), *edge, steps);
+        const auto course = hysteresis::edge_retraction_course(specimen, protocol.pressing(), *edge, steps);
         motor_ = course.motor.reverse();
         contact_radius_ = course.contact_radius.reverse();
         displacement_ = course.displacement.reverse();
         parting_ = motor_[0];
     }
 
-    [[nodiscard]] double parting() const { return parting_; }
+    [[nodiscard]] double separation() const { return parting_; }
 
     [[nodiscard]] State at(double position) const {
         const auto retraction = specimen_.retraction();
@@ -147,13 +147,13 @@ void add_relaxation(loops::Loop& loop, double jump_in, const hysteresis::Hystere
 SimulatedLoop simulated_loop(const hysteresis::HystereticSphere& specimen, const LoadingProtocol& protocol,
                              const LoopArtefacts& artefacts, const hysteresis::ViscousBody& body) {
     require_valid(artefacts);
-    SimulatedLoop result{.truth = loop_truth(specimen, protocol, body)};
+    SimulatedLoop result{.truth = true_loop(specimen, protocol, body)};
     const hysteresis::SphereLoop& truth = result.truth;
     const hysteresis::Machine machine(protocol.machine_stiffness);
     const auto approach = specimen.approach();
-    const Recession recession(specimen, protocol, truth, body.moving_edge(protocol.drive()));
+    const EdgeRetraction edge_retraction(specimen, protocol, truth, body.moving_edge(protocol.drive()));
     const double turn = machine.motor(truth.turning_point), unpinned = machine.motor(truth.unpinned);
-    const Schedule schedule(protocol, turn, recession.parting());
+    const Schedule schedule(protocol, turn, edge_retraction.separation());
 
     const Index n = schedule.samples;
     loops::Loop& loop = result.loop;
@@ -168,7 +168,7 @@ SimulatedLoop simulated_loop(const hysteresis::HystereticSphere& specimen, const
             state = hysteresis::equilibrium(machine.stable_radius(position, approach, largest), approach);
         else if (time > schedule.turn && position >= unpinned)
             state = machine.pinned(truth.turning_point, position, specimen.contact_modulus);
-        else if (time > schedule.turn && position >= recession.parting()) state = recession.at(position);
+        else if (time > schedule.turn && position >= edge_retraction.separation()) state = edge_retraction.at(position);
         loop.time[i] = time;
         motor[i] = position;
         loop.force[i] = state.force;

@@ -35,8 +35,8 @@ void require_valid(const LoadingProtocol& protocol) {
 
 }  // namespace
 
-hysteresis::SphereLoop loop_truth(const hysteresis::HystereticSphere& specimen, const LoadingProtocol& protocol,
-                                  const hysteresis::ViscousBody& body) {
+hysteresis::SphereLoop true_loop(const hysteresis::HystereticSphere& specimen, const LoadingProtocol& protocol,
+                                 const hysteresis::ViscousBody& body) {
     require_valid(protocol);
     return hysteresis::sphere_loop(specimen, protocol.pressing(), protocol.drive(), body);
 }

@@ -31,7 +31,7 @@ struct RoughPair {
 
 /// W_ret with which the loop loses so much an area, or why it cannot.
 void lose(RoughPair& pair, const LoopRecipe& loops, double loss_per_area) {
-    const hysteresis::SphereLoop least = loop_truth(pair.specimen, loops.protocol);
+    const hysteresis::SphereLoop least = true_loop(pair.specimen, loops.protocol);
     const double loss = loss_per_area * least.largest_contact_area();
     if (loss < least.energy_loss())
         pair.refusal = fmt::format(
@@ -44,12 +44,12 @@ void lose(RoughPair& pair, const LoopRecipe& loops, double loss_per_area) {
 }
 
 /// @throws InternalError for `loss`, which is none of theirs.
-hysteresis::Law law_of(RetractionLaw law) {
+hysteresis::Law law_of(RetractionChoice law) {
     switch (law) {
-        case RetractionLaw::pinning: return hysteresis::Law::pinning;
-        case RetractionLaw::opening: return hysteresis::Law::opening_work;
-        case RetractionLaw::reversible: return hysteresis::Law::reversible;
-        case RetractionLaw::loss: break;
+        case RetractionChoice::pinning: return hysteresis::Law::pinning;
+        case RetractionChoice::opening: return hysteresis::Law::opening_work;
+        case RetractionChoice::reversible: return hysteresis::Law::reversible;
+        case RetractionChoice::loss: break;
     }
     throw InternalError("E_loss = f W_int A_true is no law of W_ret alone");
 }
@@ -73,8 +73,8 @@ double mean_wavelength(const roughness::SpectralParameters& p) {
 
 /// The contact of a pair, W_app without scatter in it: full as (7) has it, or what simulated patches touch, gain and
 /// store.
-hysteresis::PairState contact_state(const Recipe& recipe, const SurfaceTruth& surface, const ElastomerRecipe& elastomer,
-                                    double contact_modulus) {
+hysteresis::PairState contact_state(const Recipe& recipe, const TrueSurfaceValues& surface,
+                                    const ElastomerRecipe& elastomer, double contact_modulus) {
     hysteresis::PairState state{.area_ratio = surface.area_ratio,
                                 .stored_energy = contact_modulus * surface.parameters.elastic_energy_per_modulus,
                                 .work_of_adhesion = recipe.work_of_adhesion,
@@ -82,9 +82,9 @@ hysteresis::PairState contact_state(const Recipe& recipe, const SurfaceTruth& su
                                 .work_approach = 0.0,
                                 .tip_factor = elastomer.tip_factor,
                                 .mean_wavelength = mean_wavelength(surface.parameters)};
-    const double gain = state.conforming_gain();
+    const double gain = state.full_contact_gain();
     state.work_approach = gain - state.stored_energy;
-    if (recipe.loops->contact == PlantedContact::full || !(gain > 0.0)) return state;
+    if (recipe.loops->contact == KnownContact::full || !(gain > 0.0)) return state;
     const auto contact = adhesion::unloaded_contact(state.stored_energy / gain);
     state.contact_fraction = contact.area_fraction;
     state.stored_energy = std::max(0.0, contact.area_fraction - contact.gain) * gain;
@@ -96,11 +96,11 @@ hysteresis::PairState contact_state(const Recipe& recipe, const SurfaceTruth& su
 hysteresis::EdgeLengths edge_of(const hysteresis::PairState& state, const hysteresis::HystereticSphere& specimen,
                                 double maximum_force) {
     const contact::AdhesiveContact sphere{specimen.radius, specimen.contact_modulus,
-                                          state.contact_fraction * state.conforming_gain()};
+                                          state.contact_fraction * state.full_contact_gain()};
     return hysteresis::edge_lengths(contact::jkr::contact_radius_at_force(maximum_force, sphere), sphere);
 }
 
-RoughPair rough_pair(const Recipe& recipe, const std::string& name, const SurfaceTruth& surface,
+RoughPair rough_pair(const Recipe& recipe, const std::string& name, const TrueSurfaceValues& surface,
                      const ElastomerRecipe& elastomer) {
     const LoopRecipe& loops = *recipe.loops;
     RoughPair pair{
@@ -109,10 +109,10 @@ RoughPair rough_pair(const Recipe& recipe, const std::string& name, const Surfac
     hysteresis::HystereticSphere& specimen = pair.specimen;
     using hysteresis::Tip;
     auto state = contact_state(recipe, surface, elastomer, specimen.contact_modulus);
-    if (loops.law == RetractionLaw::pinning && state.conforming_gain() > 0.0)
+    if (loops.law == RetractionChoice::pinning && state.full_contact_gain() > 0.0)
         state.edge = edge_of(state, specimen, loops.protocol_on(name).pressing().maximum_force);
     // an edge that roughness holds is held on its way in, too
-    const double pinned = loops.law == RetractionLaw::pinning && state.conforming_gain() > 0.0
+    const double pinned = loops.law == RetractionChoice::pinning && state.full_contact_gain() > 0.0
                               ? hysteresis::pinned_on_approach({hysteresis::Law::pinning, Tip::none}, state, {}, 0.0)
                               : 0.0;
     const double work = state.work_approach - pinned + departure(recipe, name, elastomer.name);
@@ -120,11 +120,11 @@ RoughPair rough_pair(const Recipe& recipe, const std::string& name, const Surfac
         pair.refusal = fmt::format(
             "{} gives W_app = {:.3g} mJ/m2, so the bodies would not conform; take a softer elastomer, a smoother "
             "surface or a larger work of adhesion",
-            loops.contact == PlantedContact::full ? "(7)" : "contact by patches", 1e3 * work);
+            loops.contact == KnownContact::full ? "(7)" : "contact by patches", 1e3 * work);
         return pair;
     }
     specimen.work_approach = specimen.work_retraction = work;
-    if (loops.law == RetractionLaw::loss) {
+    if (loops.law == RetractionChoice::loss) {
         lose(pair, loops, loops.loss_factor * recipe.work_of_adhesion * state.true_contact());
         specimen.work_retraction *= elastomer.tip_factor;
     } else {
@@ -143,9 +143,9 @@ std::string file_of(const SpecimenPair& pair, int number) {
 }
 
 /// Last, so that the noise of all others stays what it is without them. Pairs that do not conform have none.
-void add_further(std::vector<PlantedLoop>& loops, const std::vector<SpecimenPair>& pairs) {
+void add_further(std::vector<KnownLoop>& loops, const std::vector<SpecimenPair>& pairs) {
     for (const auto& pair : pairs) {
-        const auto last = std::find_if(loops.rbegin(), loops.rend(), [&](const PlantedLoop& loop) {
+        const auto last = std::find_if(loops.rbegin(), loops.rend(), [&](const KnownLoop& loop) {
             return SpecimenPair{loop.surface, loop.elastomer} == pair;
         });
         if (last == loops.rend()) continue;
@@ -157,26 +157,26 @@ void add_further(std::vector<PlantedLoop>& loops, const std::vector<SpecimenPair
 
 }  // namespace
 
-std::vector<PlantedLoop> planted_loops(const Recipe& recipe) {
+std::vector<KnownLoop> known_loops(const Recipe& recipe) {
     if (!recipe.loops) return {};
-    std::vector<SurfaceTruth> truths;
-    for (const auto& rough : recipe.surfaces) truths.push_back(surface_truth(rough.surface));
-    return planted_loops(recipe, truths);
+    std::vector<TrueSurfaceValues> truths;
+    for (const auto& rough : recipe.surfaces) truths.push_back(true_surface_values(rough.surface));
+    return known_loops(recipe, truths);
 }
 
-std::vector<PlantedLoop> planted_loops(const Recipe& recipe, const std::vector<SurfaceTruth>& truths) {
+std::vector<KnownLoop> known_loops(const Recipe& recipe, const std::vector<TrueSurfaceValues>& truths) {
     if (truths.size() != recipe.surfaces.size())
         throw InvalidArgument(
             fmt::format("truth of {} surfaces for a recipe of {}", truths.size(), recipe.surfaces.size()));
-    std::vector<PlantedLoop> loops;
+    std::vector<KnownLoop> loops;
     if (!recipe.loops) return loops;
-    const auto add = [&](PlantedLoop loop) {
-        loop.truth = loop_truth(loop.specimen, recipe.loops->protocol_on(loop.surface), loop.body);
+    const auto add = [&](KnownLoop loop) {
+        loop.truth = true_loop(loop.specimen, recipe.loops->protocol_on(loop.surface), loop.body);
         loops.push_back(std::move(loop));
     };
     for (std::size_t i = 0; i < truths.size(); ++i) {
         const SurfaceRecipe& rough = recipe.surfaces[i];
-        const SurfaceTruth& surface = truths[i];
+        const TrueSurfaceValues& surface = truths[i];
         for (const auto& elastomer : recipe.elastomers) {
             const RoughPair pair = rough_pair(recipe, rough.surface.name, surface, elastomer);
             const SpecimenPair names{rough.surface.name, elastomer.name};
@@ -188,7 +188,7 @@ std::vector<PlantedLoop> planted_loops(const Recipe& recipe, const std::vector<S
                      .specimen = pair.specimen,
                      .body = elastomer.body,
                      .measured = measured});
-            else if (recipe.loops->nonconforming == NonconformingPairs::refuse)
+            else if (recipe.loops->nonconforming == PairsWithoutContact::refuse)
                 throw InvalidArgument(
                     fmt::format("surface {} on elastomer {}: {}; or leave such pairs out: nonconforming = \"skip\"",
                                 rough.surface.name, elastomer.name, pair.refusal));

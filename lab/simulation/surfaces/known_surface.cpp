@@ -134,10 +134,10 @@ spectra::Spectrum profile_curve(const KnownSurface& surface) {
     return curve;
 }
 
-SurfaceTruth truth_of_gaussian(const KnownSurface& surface, const Band& band) {
-    SurfaceTruth truth{.source = surface.isotropic()
-                                     ? "moments of C_iso; (9)"
-                                     : "moments of the angle-averaged C_iso; mean of (9) over directions"};
+TrueSurfaceValues true_values_of_gaussian(const KnownSurface& surface, const Band& band) {
+    TrueSurfaceValues truth{.source = surface.isotropic()
+                                          ? "moments of C_iso; (9)"
+                                          : "moments of the angle-averaged C_iso; mean of (9) over directions"};
     auto& parameters = truth.parameters;
     parameters.rms_height = std::sqrt(moment(surface, 0.0, band) / (2.0 * pi));
     parameters.rms_slope = std::sqrt(moment(surface, 2.0, band) / (2.0 * pi));
@@ -148,7 +148,7 @@ SurfaceTruth truth_of_gaussian(const KnownSurface& surface, const Band& band) {
     return truth;
 }
 
-SurfaceTruth truth_of_transformed(const KnownSurface& surface) {
+TrueSurfaceValues true_values_of_transformed(const KnownSurface& surface) {
     const Band all{0.0, surface.band().upper};
     const double variance = moment(surface, 0.0, all) / (2.0 * pi),
                  slope_variance = moment(surface, 2.0, all) / (2.0 * pi);
@@ -160,7 +160,7 @@ SurfaceTruth truth_of_transformed(const KnownSurface& surface) {
         const double first = transform.slope(z), second = transform.curvature(z);
         return first * first * (v + s4 * z * z) - 2.0 * first * second * s4 * z + 2.0 * second * second * s4;
     });
-    SurfaceTruth truth{.source = "means over transformed Gaussian heights; energy from their autocorrelation"};
+    TrueSurfaceValues truth{.source = "means over transformed Gaussian heights; energy from their autocorrelation"};
     truth.parameters = {
         .rms_height = std::sqrt(variance),
         .rms_slope = std::sqrt(stretch * slope_variance),
@@ -176,20 +176,23 @@ SurfaceTruth truth_of_transformed(const KnownSurface& surface) {
 
 Band KnownSurface::band() const { return {2.0 * pi / rolloff_wavelength, 2.0 * pi / short_wavelength}; }
 
-SurfaceTruth surface_truth(const KnownSurface& surface) { return surface_truth(surface, {0.0, surface.band().upper}); }
+TrueSurfaceValues true_surface_values(const KnownSurface& surface) {
+    return true_surface_values(surface, {0.0, surface.band().upper});
+}
 
-SurfaceTruth surface_truth(const KnownSurface& surface, const Band& band) {
+TrueSurfaceValues true_surface_values(const KnownSurface& surface, const Band& band) {
     if (!(band.lower >= 0.0) || !(band.upper > band.lower))
         throw InvalidArgument(
             fmt::format("truth over a band from {} to {} 1/m; expected 0 <= lower < upper", band.lower, band.upper));
-    if (surface.gaussian()) return truth_of_gaussian(surface, {band.lower, std::min(band.upper, surface.band().upper)});
+    if (surface.gaussian())
+        return true_values_of_gaussian(surface, {band.lower, std::min(band.upper, surface.band().upper)});
     // where the spectrum is flat, transformed heights keep it flat to the square of the skewness
     if (band.upper < surface.band().upper || band.lower > surface.band().lower)
         throw InvalidArgument(fmt::format(
             "truth of transformed heights over a band from {} to {} 1/m; expected all waves shorter than the "
             "roll-off at {} 1/m",
             band.lower, band.upper, surface.band().lower));
-    SurfaceTruth truth = truth_of_transformed(surface);
+    TrueSurfaceValues truth = true_values_of_transformed(surface);
     const double missing = band.lower > 0.0 ? moment(surface, 0.0, {0.0, band.lower}) / (2.0 * pi) : 0.0;
     truth.parameters.rms_height = std::sqrt(truth.parameters.rms_height * truth.parameters.rms_height - missing);
     return truth;

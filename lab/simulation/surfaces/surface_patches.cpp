@@ -241,7 +241,7 @@ topography::Profile tem_contour(const KnownSurface& surface, const LineSpectrum&
     const RandomKey own = substream(key, index);
     const double length = protocol.lengths[index];
     const auto cut = foil(surface, C1D, protocol, length, own);
-    return side_view_contour(cut, {.thickness = protocol.foil_thickness,
+    return projected_contour(cut, {.thickness = protocol.foil_thickness,
                                    .start_x = 0.1 * length,
                                    .length = length,
                                    .step = protocol.step,

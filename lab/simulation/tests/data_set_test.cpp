@@ -68,8 +68,8 @@ KnownSurface self_affine(const spectra::SelfAffine& model, double skewness = 0.0
 constexpr spectra::SelfAffine model{
     .plateau = 1e-29, .rolloff_wavevector = 6e6, .hurst_exponent = 0.8, .short_wavevector = 1.5e10};
 
-TEST(SurfaceTruth, OfGaussianHeightsIsTheClosedForm) {
-    const SurfaceTruth truth = surface_truth(self_affine(model));
+TEST(TrueSurfaceValues, OfGaussianHeightsIsTheClosedForm) {
+    const TrueSurfaceValues truth = true_surface_values(self_affine(model));
     EXPECT_NEAR(truth.parameters.rms_height / spectra::rms_height(model), 1.0, 1e-6);
     EXPECT_NEAR(truth.parameters.rms_slope / spectra::rms_slope(model), 1.0, 1e-6);
     EXPECT_NEAR(truth.parameters.rms_curvature / spectra::rms_curvature(model), 1.0, 1e-6);
@@ -81,8 +81,9 @@ TEST(SurfaceTruth, OfGaussianHeightsIsTheClosedForm) {
         EXPECT_NEAR(truth.C1D.density[i] / exact[i], 1.0, 2e-3) << truth.C1D.wavevector[i];
 }
 
-TEST(SurfaceTruth, OfHardlySkewedHeightsIsThatOfGaussianOnes) {
-    const SurfaceTruth gaussian = surface_truth(self_affine(model)), skewed = surface_truth(self_affine(model, 1e-3));
+TEST(TrueSurfaceValues, OfHardlySkewedHeightsIsThatOfGaussianOnes) {
+    const TrueSurfaceValues gaussian = true_surface_values(self_affine(model)),
+                            skewed = true_surface_values(self_affine(model, 1e-3));
     EXPECT_NEAR(skewed.parameters.rms_slope / gaussian.parameters.rms_slope, 1.0, 1e-5);
     EXPECT_NEAR(skewed.parameters.rms_curvature / gaussian.parameters.rms_curvature, 1.0, 1e-5);
     EXPECT_NEAR(skewed.area_ratio, gaussian.area_ratio, 1e-5);
@@ -90,19 +91,19 @@ TEST(SurfaceTruth, OfHardlySkewedHeightsIsThatOfGaussianOnes) {
                 1e-3);
 }
 
-TEST(SurfaceTruth, OfLogNormalHeightsStretchesSlopesByItsVariance) {
+TEST(TrueSurfaceValues, OfLogNormalHeightsStretchesSlopesByItsVariance) {
     // g = (exp(σz − σ²/2) − 1)/√(e^σ² − 1): ⟨g'²⟩ = σ² e^σ²/(e^σ² − 1); a skewness of 0.6 has σ = 0.195550204
     constexpr double sigma2 = 0.195550204 * 0.195550204;
     const double stretch = sigma2 * std::exp(sigma2) / std::expm1(sigma2);
-    const double skewed = surface_truth(self_affine(model, 0.6)).parameters.rms_slope;
+    const double skewed = true_surface_values(self_affine(model, 0.6)).parameters.rms_slope;
     EXPECT_NEAR(std::pow(skewed / spectra::rms_slope(model), 2), stretch, 1e-5);
 }
 
-TEST(PlantedLoops, FollowBalanceSevenAndLoseWhatIsAsked) {
+TEST(KnownLoops, FollowBalanceSevenAndLoseWhatIsAsked) {
     const Recipe recipe = recipe_of(small_recipe, "planted");
-    const auto loops = planted_loops(recipe);
+    const auto loops = known_loops(recipe);
     ASSERT_EQ(loops.size(), 4u);
-    const SurfaceTruth surface = surface_truth(recipe.surfaces[0].surface);
+    const TrueSurfaceValues surface = true_surface_values(recipe.surfaces[0].surface);
     EXPECT_NEAR(surface.parameters.rms_slope, 0.5, 1e-9);
     const double r = surface.area_ratio, E = loops[0].specimen.contact_modulus;
     EXPECT_NEAR(E, 0.7e6 / 0.75, 2e-6 * E);  // diamond is 1.6e6 times stiffer
@@ -114,25 +115,25 @@ TEST(PlantedLoops, FollowBalanceSevenAndLoseWhatIsAsked) {
 }
 
 // Where little is stored both are alike; a stiff body touches in part, gains more than (7) and opens less
-TEST(PlantedLoops, TouchInPartWhereARecipeSaysSo) {
+TEST(KnownLoops, TouchInPartWhereARecipeSaysSo) {
     Recipe recipe = recipe_of(small_recipe, "partial");
     recipe.loops->reference_work.reset();
     recipe.surfaces.resize(1);
-    recipe.loops->law = RetractionLaw::opening;
+    recipe.loops->law = RetractionChoice::opening;
     recipe.loops->opening_work = 0.12;
-    const SurfaceTruth surface = surface_truth(recipe.surfaces[0].surface);
+    const TrueSurfaceValues surface = true_surface_values(recipe.surfaces[0].surface);
     const double r = surface.area_ratio, gain = 0.037 * r - 0.025 * (r - 1.0);
-    const auto planted = [&](double energy_share, PlantedContact contact) {
+    const auto planted = [&](double energy_share, KnownContact contact) {
         recipe.loops->contact = contact;
         auto& elastomer = recipe.elastomers[0];
         const double wanted = energy_share * gain / surface.parameters.elastic_energy_per_modulus;
         elastomer.youngs_modulus.value = wanted * (1.0 - std::pow(elastomer.poisson_ratio, 2));
-        return planted_loops(recipe, {surface})[0].specimen;
+        return known_loops(recipe, {surface})[0].specimen;
     };
-    const auto soft = planted(0.1, PlantedContact::full), soft_in_part = planted(0.1, PlantedContact::patches);
+    const auto soft = planted(0.1, KnownContact::full), soft_in_part = planted(0.1, KnownContact::patches);
     EXPECT_NEAR(soft_in_part.work_approach / soft.work_approach, 1.0, 1e-6);
     EXPECT_NEAR(soft_in_part.work_retraction / soft.work_retraction, 1.0, 1e-6);
-    const auto stiff = planted(0.7, PlantedContact::full), stiff_in_part = planted(0.7, PlantedContact::patches);
+    const auto stiff = planted(0.7, KnownContact::full), stiff_in_part = planted(0.7, KnownContact::patches);
     const auto contact = adhesion::unloaded_contact(0.7);
     EXPECT_NEAR(stiff.work_approach / gain, 0.3, 1e-3);
     EXPECT_NEAR(stiff_in_part.work_approach / gain, contact.gain, 1e-3);
@@ -141,7 +142,7 @@ TEST(PlantedLoops, TouchInPartWhereARecipeSaysSo) {
 }
 
 // Surfaces alike and elastomers alike, so that the whole difference is what was drawn.
-TEST(PlantedLoops, ScatterByPairSurfaceAndElastomerAsAsked) {
+TEST(KnownLoops, ScatterByPairSurfaceAndElastomerAsAsked) {
     Recipe recipe = recipe_of(small_recipe, "scattered");
     recipe.loops->reference_work.reset();
     const auto surface = recipe.surfaces[0];
@@ -153,11 +154,11 @@ TEST(PlantedLoops, ScatterByPairSurfaceAndElastomerAsAsked) {
         recipe.surfaces[static_cast<std::size_t>(i)].surface.name = "S" + std::to_string(i);
         recipe.elastomers[static_cast<std::size_t>(i)].name = "E" + std::to_string(i);
     }
-    const std::vector<SurfaceTruth> truths(count, surface_truth(surface.surface));
-    const double planned = planted_loops(recipe, truths)[0].specimen.work_approach;
+    const std::vector<TrueSurfaceValues> truths(count, true_surface_values(surface.surface));
+    const double planned = known_loops(recipe, truths)[0].specimen.work_approach;
     const auto departures = [&](const WorkScatter& scatter) {
         recipe.loops->work_scatter = scatter;
-        const auto loops = planted_loops(recipe, truths);
+        const auto loops = known_loops(recipe, truths);
         Array2D result(count, count);
         for (std::size_t k = 0; k < loops.size(); ++k) result.data()[k] = loops[k].specimen.work_approach - planned;
         return result;
@@ -177,11 +178,11 @@ TEST(PlantedLoops, ScatterByPairSurfaceAndElastomerAsAsked) {
     EXPECT_GT((departures({.pair = deviation}) - pairs).abs().minCoeff(), 0.0);
 }
 
-TEST(PlantedLoops, WhichWouldNotConformAreRefusedByName) {
+TEST(KnownLoops, WhichWouldNotConformAreRefusedByName) {
     Recipe recipe = recipe_of(small_recipe, "stiff");
     recipe.elastomers[0].youngs_modulus.value = 1e9;
     try {
-        (void)planted_loops(recipe);
+        (void)known_loops(recipe);
         FAIL();
     } catch (const InvalidArgument& error) {
         EXPECT_NE(std::string(error.what()).find("surface A on elastomer soft"), std::string::npos) << error.what();

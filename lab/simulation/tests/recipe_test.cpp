@@ -132,7 +132,7 @@ TEST(SpectraOfARecipe, HaveTheSlopeAskedForWhateverTheModel) {
         text.replace(text.find("model = \"self_affine\""), 21, model);
         text.replace(text.find("skewness = [0.2, 0.8]"), 21, "");
         const Recipe recipe = recipe_of(text);
-        const auto truth = surface_truth(recipe.surfaces[0].surface);
+        const auto truth = true_surface_values(recipe.surfaces[0].surface);
         EXPECT_NEAR(truth.parameters.rms_slope / parameter(recipe.surfaces[0], "rms_slope"), 1.0, 1e-6) << model;
     }
 }
@@ -184,11 +184,11 @@ TEST(ReadRecipe, TakesTheScatterOfWorks) {
     }
 }
 
-TEST(PlantedLoops, LeaveOutWhatDoesNotConformOnRequest) {
+TEST(KnownLoops, LeaveOutWhatDoesNotConformOnRequest) {
     const std::string stiff =
         "[elastomers.stiff]\nyoungs_modulus = \"1 GPa\"\nsurface_energy = \"25 mJ/m2\"\nsphere_radius = \"1 mm\"\n";
     const auto loops = [&](const std::string& choice) {
-        return planted_loops(recipe_of(head + surface("A") + stiff + "[loops]\n" + choice));
+        return known_loops(recipe_of(head + surface("A") + stiff + "[loops]\n" + choice));
     };
     EXPECT_THROW((void)loops(""), InvalidArgument);
     const auto kept = loops("nonconforming = \"skip\"");
@@ -206,14 +206,14 @@ TEST(RecipesOfClosure, MakeMostPairsConformWhateverTheSeed) {
         for (const std::uint64_t seed : {1u, 2u}) {
             const Recipe recipe = read_recipe(std::string("examples/closure/") + name + ".toml", seed);
             EXPECT_EQ(recipe.surfaces.size(), 4u) << name;
-            EXPECT_GE(planted_loops(recipe).size(), 12u) << name << ", seed " << seed;
+            EXPECT_GE(known_loops(recipe).size(), 12u) << name << ", seed " << seed;
         }
 }
 
 // Three of twelve pairs are for the study to predict; all of them conform, so that there is a truth to compare with.
 TEST(RecipesOfClosure, LeavePairsOfMiscalibratedInstrumentsToBePredicted) {
     for (const std::uint64_t seed : {1u, 2u, 3u, 4u, 5u, 6u}) {
-        const auto loops = planted_loops(read_recipe("examples/closure/calibrated.toml", seed));
+        const auto loops = known_loops(read_recipe("examples/closure/calibrated.toml", seed));
         EXPECT_EQ(loops.size(), 12u) << seed;
         EXPECT_EQ(std::count_if(loops.begin(), loops.end(), [](const auto& loop) { return !loop.measured; }), 3)
             << seed;

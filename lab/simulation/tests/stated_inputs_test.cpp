@@ -295,7 +295,7 @@ TEST(UnmeasuredPairs, ArePlantedAndToldApart) {
     const auto& [recipe, stated, exact] = twins();
     EXPECT_FALSE(fs::exists(stated / "loops/B_E10.csv"));
     EXPECT_TRUE(fs::exists(stated / "loops/A_E10.csv"));
-    const auto loops = planted_loops(recipe);
+    const auto loops = known_loops(recipe);
     ASSERT_EQ(loops.size(), 6u);
     EXPECT_FALSE(loops[4].measured);
     EXPECT_GT(loops[4].truth.energy_loss(), 0.0);

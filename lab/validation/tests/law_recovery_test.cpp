@@ -22,52 +22,52 @@ simulation::Recipe recipe() {
     return recipe;
 }
 
-TEST(LawRecovery, NamesWhatRecipesCanPlant) {
-    EXPECT_EQ(plantable_laws().size(), 12U);
-    const auto named = plantable_laws({"crack_tip_pinning", "opening_work"});
+TEST(ModelRecovery, NamesWhatRecipesCanPlant) {
+    EXPECT_EQ(simulated_models().size(), 12U);
+    const auto named = simulated_models({"crack_tip_pinning", "opening_work"});
     ASSERT_EQ(named.size(), 2U);
     EXPECT_EQ(named[0], (RetractionModel{Law::pinning, hysteresis::Tip::reference}));
     EXPECT_EQ(named[1], (RetractionModel{Law::opening_work, hysteresis::Tip::none}));
-    EXPECT_EQ(plantable_laws({"all"}), plantable_laws());
-    EXPECT_THROW((void)plantable_laws({"opening"}), InvalidArgument);
+    EXPECT_EQ(simulated_models({"all"}), simulated_models());
+    EXPECT_THROW((void)simulated_models({"opening"}), InvalidArgument);
 }
 
-TEST(LawRecovery, PlantsTheSpeedOfAnEdge) {
+TEST(ModelRecovery, PlantsTheSpeedOfAnEdge) {
     using hysteresis::Tip;
-    const auto made = with_law(recipe(), {Law::opening_work, Tip::speed});
+    const auto made = with_model(recipe(), {Law::opening_work, Tip::speed});
     ASSERT_TRUE(made.elastomers[0].body.edge && made.elastomers[2].body.edge);
     EXPECT_DOUBLE_EQ(made.elastomers[2].body.edge->reference_speed, 4e-6);
     EXPECT_EQ(made.elastomers[0].tip_factor, 1.0);
     auto told = recipe();
     told.elastomers[1].body.edge = hysteresis::EdgeSpeed{.reference_speed = 7e-6, .exponent = 0.5};
-    EXPECT_FALSE(with_law(told, {Law::pinning, Tip::speed}).elastomers[0].body.edge) << "the recipe's own";
-    EXPECT_DOUBLE_EQ(with_law(told, {Law::pinning, Tip::speed}).elastomers[1].body.edge->reference_speed, 7e-6);
-    EXPECT_FALSE(with_law(told, {Law::pinning, Tip::reference}).elastomers[1].body.edge);
+    EXPECT_FALSE(with_model(told, {Law::pinning, Tip::speed}).elastomers[0].body.edge) << "the recipe's own";
+    EXPECT_DOUBLE_EQ(with_model(told, {Law::pinning, Tip::speed}).elastomers[1].body.edge->reference_speed, 7e-6);
+    EXPECT_FALSE(with_model(told, {Law::pinning, Tip::reference}).elastomers[1].body.edge);
 }
 
-TEST(LawRecovery, PlantsALawAlone) {
+TEST(ModelRecovery, PlantsALawAlone) {
     auto told = recipe();
     told.elastomers[1].tip_factor = 1.7;
-    const auto opening = with_law(told, {Law::opening_work, hysteresis::Tip::none});
-    EXPECT_EQ(opening.loops->law, simulation::RetractionLaw::opening);
+    const auto opening = with_model(told, {Law::opening_work, hysteresis::Tip::none});
+    EXPECT_EQ(opening.loops->law, simulation::RetractionChoice::opening);
     EXPECT_DOUBLE_EQ(opening.loops->opening_work, 0.074);
     EXPECT_EQ(opening.elastomers[1].tip_factor, 1.0) << "the crack tip is another mechanism";
-    EXPECT_EQ(with_law(told, {Law::pinning, hysteresis::Tip::reference}).elastomers[1].tip_factor, 1.7);
-    const auto tip = with_law(recipe(), {Law::reversible, hysteresis::Tip::reference});
+    EXPECT_EQ(with_model(told, {Law::pinning, hysteresis::Tip::reference}).elastomers[1].tip_factor, 1.7);
+    const auto tip = with_model(recipe(), {Law::reversible, hysteresis::Tip::reference});
     EXPECT_DOUBLE_EQ(tip.elastomers[0].tip_factor, 1.5);
     EXPECT_DOUBLE_EQ(tip.elastomers[2].tip_factor, 1.3);
 }
 
-TEST(LawRecovery, RefusesWhatNoRecipeHas) {
+TEST(ModelRecovery, RefusesWhatNoRecipeHas) {
     auto smooth = recipe();
     smooth.loops->reference_work.reset();
-    EXPECT_THROW((void)with_law(smooth, {Law::reversible, hysteresis::Tip::reference}), InvalidArgument);
+    EXPECT_THROW((void)with_model(smooth, {Law::reversible, hysteresis::Tip::reference}), InvalidArgument);
     smooth.loops.reset();
-    EXPECT_THROW((void)with_law(smooth, {Law::reversible, hysteresis::Tip::none}), InvalidArgument);
+    EXPECT_THROW((void)with_model(smooth, {Law::reversible, hysteresis::Tip::none}), InvalidArgument);
 }
 
-TEST(LawRecovery, CountsWhatBecameOfALaw) {
-    std::vector<LawRecovery> list(4);
+TEST(ModelRecovery, CountsWhatBecameOfALaw) {
+    std::vector<ModelRecovery> list(4);
     for (auto& one : list) one.planted = "pinning";
     list[0].found = "pinning";
     list[1].found = list[2].found = "reversible";

@@ -84,9 +84,9 @@ TEST(RecipeWith, ASurfaceMeasuredAgainHasEverythingTwice) {
 
 // The further loop has a file and noise of its own; every other loop stays what it was.
 TEST(RecipeWith, AnotherLoopIsOneOfTheSamePair) {
-    const auto before = simulation::planted_loops(recipe());
+    const auto before = simulation::known_loops(recipe());
     const auto after =
-        simulation::planted_loops(recipe_with(recipe(), {.kind = Kind::loop, .name = "A", .elastomer = "E07"}));
+        simulation::known_loops(recipe_with(recipe(), {.kind = Kind::loop, .name = "A", .elastomer = "E07"}));
     ASSERT_EQ(after.size(), before.size() + 1);
     for (std::size_t i = 0; i < before.size(); ++i) EXPECT_EQ(after[i].file, before[i].file);
     EXPECT_EQ(after.back().file, "loops/A_E07_2.csv");

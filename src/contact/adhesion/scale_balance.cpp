@@ -28,7 +28,7 @@ double pressure_to_close(double gained, double stored, double rms_height) {
 
 const char* name(Closing closing) {
     switch (closing) {
-        case Closing::by_itself: return "spontaneous full contact";
+        case Closing::spontaneous: return "spontaneous full contact";
         case Closing::under_pressure: return "full contact only under pressure";
         case Closing::opens: return "opens spontaneously";
     }
@@ -37,7 +37,7 @@ const char* name(Closing closing) {
 
 Closing ScaleBalance::closing(Index i) const {
     if (gained[i] < stored[i]) return Closing::opens;
-    return closing_pressure[i] > 0.0 ? Closing::under_pressure : Closing::by_itself;
+    return closing_pressure[i] > 0.0 ? Closing::under_pressure : Closing::spontaneous;
 }
 
 ScaleBalance scale_balance(const roughness::CumulativeParameters& below, double contact_modulus,
@@ -68,7 +68,7 @@ ScaleBalance scale_balance(const roughness::CumulativeParameters& below, double 
         balance.area_share[i] = (area_ratio(slope_below) - 1.0) / excess_area;
         balance.work_share[i] = (work(slope_below, stored_below) - work_of_adhesion) / change;
         balance.closing_pressure[i] = pressure_to_close(balance.gained[i], balance.stored[i], height_above);
-        if (balance.closing(i) != Closing::by_itself) extend(balance.pressed, below.wavevector[i]);
+        if (balance.closing(i) != Closing::spontaneous) extend(balance.pressed, below.wavevector[i]);
         if (balance.closing(i) == Closing::opens) extend(balance.bridging, below.wavevector[i]);
     }
     return balance;

@@ -31,7 +31,7 @@ BranchSamples branch_samples(const LoopAnalysis& analysis, LoopBranch branch, co
     return result;
 }
 
-RecedingEdge receding_edge(const LoopAnalysis& analysis, const AnalysisOptions& options) {
+RetractingEdge retracting_edge(const LoopAnalysis& analysis, const AnalysisOptions& options) {
     const Loop& loop = analysis.corrected;
     if (!analysis.unloading) throw UndefinedDataError(analysis.unloading.reason);
     // with the pinned stretch: an edge at rest bounds G0

@@ -373,10 +373,10 @@ void add_compliance_error(ContactAnalysis& analysis, const PreparedRecord& recor
     if (analysis.ledger) analysis.compliance->energy_change = analysis.ledger->approach.standard_error.compliance;
 }
 
-Outcome<EnergyLedger> keep_ledger(const PreparedRecord& record, Index index, const ContactAnalysis& analysis,
+Outcome<EnergyBudget> keep_ledger(const PreparedRecord& record, Index index, const ContactAnalysis& analysis,
                                   const LensAndCounterBody& bodies, const AnalysisOptions& options) {
     const JkrFit& fit = analysis.loading.primary();
-    LedgerInputs inputs{
+    EnergyBudgetInputs inputs{
         .smooth_sphere = {bodies.radius, fit.contact_modulus.value, std::max(fit.work_of_adhesion.value, 0.0)},
         .largest_contact_area = analysis.context.largest_contact_area,
         .true_area_ratio = options.true_area_ratio,
@@ -385,7 +385,7 @@ Outcome<EnergyLedger> keep_ledger(const PreparedRecord& record, Index index, con
     if (options.machine_stiffness && options.machine_stiffness_standard_error > 0.0)
         inputs.displacement_stiffness =
             Estimate{.value = *options.machine_stiffness, .standard_error = options.machine_stiffness_standard_error};
-    return attempt([&] { return energy_ledger(record.deflected, record.segments, index, inputs); });
+    return attempt([&] { return energy_budget(record.deflected, record.segments, index, inputs); });
 }
 
 }  // namespace

@@ -123,7 +123,7 @@ output::Json to_json(const Adhesion& adhesion) {
     const auto& pair = result.pairs.front();
     output::Json json;
     for (const auto& q : list) json[q.quantity] = output::to_json(q);
-    json["conforms"] = pair.modified->work.conforms && pair.closing() == adhesion::Closing::by_itself;
+    json["conforms"] = pair.modified->work.conforms && pair.closing() == adhesion::Closing::spontaneous;
     json["contact"] = adhesion::name(pair.closing());
     json["answers"] = output::to_json(answers);
     const auto& scales = *pair.scales;

@@ -115,7 +115,7 @@ void add_release_rate(LineAnswer& answer, const Array1D& displacement, const Lin
     const Index after = line.frames() - 1 - widest;
     const Array1D noise = noise_variance(line, answer.shape.mean_radius, displacement, sphere, largest);
     answer.advancing_rate = release_rate(rates.topRows(widest), noise.head(widest));
-    answer.receding_rate = release_rate(rates.bottomRows(after), noise.tail(after));
+    answer.retracting_rate = release_rate(rates.bottomRows(after), noise.tail(after));
 }
 
 output::Json rate_json(const std::optional<ReleaseRate>& rate) {
@@ -287,9 +287,9 @@ output::Json to_json(const LineAnswer& answer) {
     json["roughness"] = roughness_json(answer.roughness);
     json["advancing"] = motion_json(answer.advancing);
     json["receding"] = motion_json(answer.receding);
-    if (answer.advancing_rate || answer.receding_rate)
+    if (answer.advancing_rate || answer.retracting_rate)
         json["release_rate"] = {{"advancing", rate_json(answer.advancing_rate)},
-                                {"receding", rate_json(answer.receding_rate)}};
+                                {"receding", rate_json(answer.retracting_rate)}};
     const auto table = as_table(answer);
     for (const auto& column : table.columns)
         if (column.name != "frame")

@@ -85,7 +85,7 @@ std::vector<Statement> statements() {
         add("exponent of jumps", [](const LineMotion& m) { return tail_text(m.jump_tail); });
         add("arrests", [](const LineMotion& m) { return fmt::format("{}", m.arrests.size()); });
     }
-    for (const auto& [what, rate] : {std::pair{"retracting: release rate", &LineAnswer::receding_rate},
+    for (const auto& [what, rate] : {std::pair{"retracting: release rate", &LineAnswer::retracting_rate},
                                      {"advancing: release rate", &LineAnswer::advancing_rate}})
         list.push_back(
             {what, [rate = rate](const LineAnswer& a) {

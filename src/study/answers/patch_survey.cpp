@@ -75,7 +75,7 @@ PairDesign design_of(const study::StudyResult& study, const study::PairResult& p
                                       .surface_energy = study.elastomer(pair.elastomer).input.surface_energy.value};
     const auto curve = isotropic_spectrum(surface);
     const StoredEnergy stored(curve);
-    if (!(state.conforming_gain() > 0.0 && state.stored_energy > 0.0 && stored.known())) {
+    if (!(state.full_contact_gain() > 0.0 && state.stored_energy > 0.0 && stored.known())) {
         result.reason = "full contact gains or stores no energy, or W_int is not known";
         return result;
     }
@@ -86,7 +86,7 @@ PairDesign design_of(const study::StudyResult& study, const study::PairResult& p
     };
     kind.energy_share = state.energy_share();
     result.design = kind;
-    result.pair.work = state.conforming_gain();
+    result.pair.work = state.full_contact_gain();
     result.pair.energy_in_band = stored.share(lowest, lowest * kind.band());
     result.pair.answers = study::contact_answers(study, pair);
     return result;

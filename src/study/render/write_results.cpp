@@ -92,7 +92,7 @@ std::vector<std::string> write_results(const study::StudyResult& result, ResultF
     write_table("cumulative.csv", cumulative_table(result));
     write_table("cutoff_scan.csv", cutoff_table(result));
     write_table("balances.csv", balance_table(result));
-    write_table("conforming.csv", conforming_table(result));
+    write_table("conforming.csv", full_contact_table(result));
     write_table("loop_fits.csv", loop_fit_table(result));
     write_table("loop_energies.csv", loop_energy_table(result));
     if (result.hysteresis)

@@ -89,7 +89,7 @@ topography::LineScan faultless_line(int number) {
     return scan;
 }
 
-Planted with_spikes(const topography::HeightMap& map, int count, std::uint64_t seed) {
+TrueValues with_spikes(const topography::HeightMap& map, int count, std::uint64_t seed) {
     const Index nx = map.heights.rows(), ny = map.heights.cols(), rim = 3;
     const double height = spike_height * processing::find_spikes(map).deviation;
     auto spiked = map;
@@ -108,7 +108,7 @@ Planted with_spikes(const topography::HeightMap& map, int count, std::uint64_t s
     return {std::move(spiked), std::move(mask)};
 }
 
-Planted with_spikes(const topography::LineScan& scan, int count, std::uint64_t seed) {
+TrueValues with_spikes(const topography::LineScan& scan, int count, std::uint64_t seed) {
     const Index n = scan.heights.size(), rim = 3;
     const double height = spike_height * processing::find_spikes(scan).deviation;
     auto spiked = scan;

@@ -17,12 +17,12 @@ namespace setae::reference {
 
 /// Points at least 5 apart (of lines 8), raised or lowered by ten times the rms of what a point departs from the median
 /// around it.
-struct Planted {
+struct TrueValues {
     topography::Measurement measurement;
     topography::Mask mask;
 };
-[[nodiscard]] Planted with_spikes(const topography::HeightMap& map, int count, std::uint64_t seed);
-[[nodiscard]] Planted with_spikes(const topography::LineScan& scan, int count, std::uint64_t seed);
+[[nodiscard]] TrueValues with_spikes(const topography::HeightMap& map, int count, std::uint64_t seed);
+[[nodiscard]] TrueValues with_spikes(const topography::LineScan& scan, int count, std::uint64_t seed);
 
 /// What a survey of surfaces came to.
 struct Survey {

@@ -86,7 +86,7 @@ ModelCalibration calibrate(const std::vector<RetractionModel>& models, const std
     std::vector<double> log_odds;
     for (int set = 0; set < sets; ++set) {
         const auto ranking = hysteresis::rank_models(
-            models, hysteresis::planted_pairs(pairs, truth, first_seed + static_cast<std::uint64_t>(set)), {}, {1});
+            models, hysteresis::simulated_pairs(pairs, truth, first_seed + static_cast<std::uint64_t>(set)), {}, {1});
         count(result, ranking, truth.fitted.model);
         const auto *own = score_of(ranking, truth.fitted.model), *other = score_of(ranking, reversible);
         if (own && other) log_odds.push_back(own->left_out_log_likelihood - other->left_out_log_likelihood);
@@ -101,7 +101,7 @@ BiasCalibration calibrate_bias(const std::vector<RankedPair>& pairs, const Model
                                std::uint64_t first_seed) {
     BiasCalibration result{.model = truth.fitted.model.name()};
     for (int set = 0; set < sets; ++set) {
-        auto planted = hysteresis::planted_pairs(pairs, truth, first_seed + static_cast<std::uint64_t>(set));
+        auto planted = hysteresis::simulated_pairs(pairs, truth, first_seed + static_cast<std::uint64_t>(set));
         for (auto& pair : planted) pair.retraction.value.value += constant;
         const auto ranking = hysteresis::rank_models({truth.fitted.model}, planted, {}, {1});
         if (ranking.models.empty()) continue;

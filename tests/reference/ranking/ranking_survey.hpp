@@ -45,7 +45,7 @@ struct JitteredOdds {
 /// scatter: of both branches, equal parts (in squares) between pairs, surfaces and elastomers [J/m²].
 [[nodiscard]] std::vector<hysteresis::ModelScore> true_models(const hysteresis::Ranking& ranking, double scatter);
 
-/// Data sets by hysteresis::planted_pairs(), ranked among `models`.
+/// Data sets by hysteresis::simulated_pairs(), ranked among `models`.
 [[nodiscard]] ModelCalibration calibrate(const std::vector<hysteresis::RetractionModel>& models,
                                          const std::vector<hysteresis::RankedPair>& pairs,
                                          const hysteresis::ModelScore& truth, int sets, std::uint64_t first_seed);

@@ -71,8 +71,8 @@ TEST(Silhouette, RefusesAFoilBeyondTheSurface) {
     EXPECT_THROW((void)silhouette(map, undefined), InvalidArgument);
 }
 
-SideViewOptions contour_of(double length, double step) {
-    SideViewOptions options;
+FoilContourOptions contour_of(double length, double step) {
+    FoilContourOptions options;
     options.length = length;
     options.step = step;
     options.key = {21, 0};
@@ -86,7 +86,7 @@ TEST(SideViewContour, FollowsTheSilhouetteBetweenGridPoints) {
     options.start_x = 2.0;
     options.start_y = 3.0;
     options.thickness = 6.0;
-    const auto contour = side_view_contour(map, options);
+    const auto contour = projected_contour(map, options);
     ASSERT_EQ(contour.positions.size(), 31);
     for (Index k = 0; k < 31; ++k) {
         EXPECT_EQ(contour.positions[k], 0.5 * static_cast<double>(k));
@@ -102,7 +102,7 @@ TEST(SideViewContour, StepsScatterAsTheirLawSays) {
         auto options = contour_of(10000.0, 0.5);
         options.steps = law;
         options.step_spread = law == ContourSteps::gamma ? 0.5 : 0.4;  // gamma: ν = 8 exactly
-        const auto x = side_view_contour(map, options).positions;
+        const auto x = projected_contour(map, options).positions;
         const auto n = x.size() - 1;
         const Array1D steps = (x.tail(n) - x.head(n)) / 0.5;
         const double points = static_cast<double>(n);
@@ -123,7 +123,7 @@ TEST(SideViewContour, BlurDampsAWaveByItsGaussian) {
     auto options = contour_of(199.0, 1.0);
     options.steps = ContourSteps::regular;
     options.blur = blur;
-    const auto contour = side_view_contour(map, options);
+    const auto contour = projected_contour(map, options);
     const double damping = std::exp(-0.5 * std::pow(wave * blur, 2));
     for (Index k = 0; k < contour.heights.size(); ++k)
         EXPECT_NEAR(contour.heights[k], damping * std::cos(wave * static_cast<double>(k)),
@@ -136,7 +136,7 @@ TEST(SideViewContour, HandDeviatesWithItsStrengthAndCorrelation) {
     options.steps = ContourSteps::regular;
     options.trace_noise_rms = 0.2;
     options.trace_noise_length = 2.0;
-    const auto heights = side_view_contour(map, options).heights;
+    const auto heights = projected_contour(map, options).heights;
     // independent values: length/(√π ℓ), as ∫ exp(−d²/ℓ²) dd = √π ℓ
     const double error = std::sqrt(2.0 * std::sqrt(pi) * 2.0 / 30000.0);
     const auto correlation = [&](Index lag) {
@@ -145,16 +145,16 @@ TEST(SideViewContour, HandDeviatesWithItsStrengthAndCorrelation) {
     EXPECT_NEAR(correlation(0), 1.0, 4.0 * error);
     EXPECT_NEAR(correlation(4), std::exp(-0.5), 4.0 * error);
     EXPECT_NEAR(correlation(16), std::exp(-8.0), 4.0 * error);
-    EXPECT_TRUE((side_view_contour(map, options).heights == heights).all());
+    EXPECT_TRUE((projected_contour(map, options).heights == heights).all());
 }
 
 TEST(SideViewContour, CleaningCutsReentrantStretchesAndNothingElse) {
     const HeightMap map{tests::random_map(300, 4), {300.0, 4.0}, true, {}};
     auto options = contour_of(299.0, 0.5);
-    const auto straight = side_view_contour(map, options);
+    const auto straight = projected_contour(map, options);
     options.reentrant_share = 0.1;
     options.reentrant_points = 3;
-    const auto traced = side_view_contour(map, options);
+    const auto traced = projected_contour(map, options);
     ASSERT_TRUE((traced.heights == straight.heights).all());
     std::vector<Index> kept;
     for (Index k = 0; k < traced.positions.size(); ++k)
@@ -171,20 +171,20 @@ TEST(SideViewContour, CleaningCutsReentrantStretchesAndNothingElse) {
 
 TEST(SideViewContour, RefusesWhatNoTraceIs) {
     auto map = map_of([](double, double) { return 0.0; }, 20, 8, false);
-    const auto refuses = [&](const std::function<void(SideViewOptions&)>& change) {
+    const auto refuses = [&](const std::function<void(FoilContourOptions&)>& change) {
         auto options = contour_of(10.0, 0.5);
         change(options);
-        EXPECT_THROW((void)side_view_contour(map, options), InvalidArgument);
+        EXPECT_THROW((void)projected_contour(map, options), InvalidArgument);
     };
-    refuses([](SideViewOptions& o) { o.step = 0.0; });
-    refuses([](SideViewOptions& o) { o.step = 11.0; });
-    refuses([](SideViewOptions& o) { o.step_spread = 2.0; });
-    refuses([](SideViewOptions& o) { o.reentrant_share = 0.6; });
-    refuses([](SideViewOptions& o) { o.length = 25.0; });
-    refuses([](SideViewOptions& o) { o.thickness = 9.0; });
-    refuses([](SideViewOptions& o) { o.blur = -1.0; });
+    refuses([](FoilContourOptions& o) { o.step = 0.0; });
+    refuses([](FoilContourOptions& o) { o.step = 11.0; });
+    refuses([](FoilContourOptions& o) { o.step_spread = 2.0; });
+    refuses([](FoilContourOptions& o) { o.reentrant_share = 0.6; });
+    refuses([](FoilContourOptions& o) { o.length = 25.0; });
+    refuses([](FoilContourOptions& o) { o.thickness = 9.0; });
+    refuses([](FoilContourOptions& o) { o.blur = -1.0; });
     map.heights.row(5).setConstant(undefined);
-    EXPECT_THROW((void)side_view_contour(map, contour_of(10.0, 0.5)), UndefinedDataError);
+    EXPECT_THROW((void)projected_contour(map, contour_of(10.0, 0.5)), UndefinedDataError);
 }
 
 }  // namespace side_view_test

@@ -68,7 +68,7 @@ TEST(LedgerRecovery, CoversTheLossItStates) {
         for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
             const SimulatedLoop made = noisy_loop(signal_to_noise, seed % 2 == 0 ? fixed_grips : 300.0, seed);
             const auto segments = loops::find_segments(made.loop);
-            const auto ledger = loops::energy_ledger(
+            const auto ledger = loops::energy_budget(
                 made.loop, segments, 0,
                 {.smooth_sphere = {specimen.radius, specimen.contact_modulus, specimen.work_approach},
                  .largest_contact_area = made.truth.largest_contact_area(),
@@ -88,12 +88,12 @@ TEST(LedgerRecovery, KnowsTheIdealLossOfThisMachine) {
     hysteresis::HystereticSphere smooth = specimen;
     smooth.work_retraction = smooth.work_approach;
     for (const double stiffness : {3.0, 40.0, 300.0, 1e5, fixed_grips}) {
-        const hysteresis::SphereLoop truth = loop_truth(smooth, {.machine_stiffness = stiffness});
+        const hysteresis::SphereLoop truth = true_loop(smooth, {.machine_stiffness = stiffness});
         const auto jumps =
             loops::spring_jumps({smooth.radius, smooth.contact_modulus, smooth.work_approach}, stiffness);
         EXPECT_NEAR(jumps.jump_in_loss / truth.jump_in_loss, 1.0, 1e-10) << stiffness;
         EXPECT_NEAR(jumps.jump_out_loss / truth.jump_out_loss, 1.0, 1e-10) << stiffness;
-        EXPECT_NEAR(jumps.before_jump_out.force / truth.parting.force, 1.0, 1e-7) << stiffness;
+        EXPECT_NEAR(jumps.before_jump_out.force / truth.separation.force, 1.0, 1e-7) << stiffness;
     }
 }
 

@@ -35,8 +35,8 @@ Index index_of_largest_force(const loops::Loop& loop) {
     return at;
 }
 
-TEST(LoopTruth, OfEqualWorksUnderFixedGripsIsTheIdealLossOfMaugis) {
-    const hysteresis::SphereLoop truth = loop_truth(smooth, {});
+TEST(TrueLoop, OfEqualWorksUnderFixedGripsIsTheIdealLossOfMaugis) {
+    const hysteresis::SphereLoop truth = true_loop(smooth, {});
     const double unit = contact::jkr::maugis_units(contact_of(smooth, 0.040)).energy;
     EXPECT_NEAR(truth.energy_loss() / unit, 1.2749410291, 1e-10);
     EXPECT_NEAR(truth.jump_in_loss / unit, 1.1537996562, 1e-10);
@@ -44,42 +44,42 @@ TEST(LoopTruth, OfEqualWorksUnderFixedGripsIsTheIdealLossOfMaugis) {
     EXPECT_EQ(truth.edge_loss, 0.0);
 }
 
-TEST(LoopTruth, PartsAtFiveSixthsUnderFixedGripsAndAtThreeHalvesUnderALoad) {
+TEST(TrueLoop, PartsAtFiveSixthsUnderFixedGripsAndAtThreeHalvesUnderALoad) {
     const double force = pi * rough.radius * rough.work_retraction;
-    const hysteresis::SphereLoop stiff = loop_truth(rough, {});
-    EXPECT_NEAR(stiff.parting.force / force, -5.0 / 6.0, 1e-12);
+    const hysteresis::SphereLoop stiff = true_loop(rough, {});
+    EXPECT_NEAR(stiff.separation.force / force, -5.0 / 6.0, 1e-12);
     EXPECT_NEAR(stiff.smallest_force / force, -1.5, 1e-12);
     // the spring's instability lies within O(√k_m) of the fold, where the force is stationary
-    const hysteresis::SphereLoop soft = loop_truth(rough, {.machine_stiffness = 1e-3});
-    EXPECT_NEAR(soft.parting.force / force, -1.5, 1e-8);
+    const hysteresis::SphereLoop soft = true_loop(rough, {.machine_stiffness = 1e-3});
+    EXPECT_NEAR(soft.separation.force / force, -1.5, 1e-8);
     EXPECT_NEAR(soft.smallest_force / force, -1.5, 1e-12);
 }
 
-TEST(LoopTruth, PartsWhereTheContactIsAsSoftAsTheMachine) {
+TEST(TrueLoop, PartsWhereTheContactIsAsSoftAsTheMachine) {
     constexpr double stiffness = 40.0;
-    const hysteresis::SphereLoop truth = loop_truth(rough, {.machine_stiffness = stiffness});
+    const hysteresis::SphereLoop truth = true_loop(rough, {.machine_stiffness = stiffness});
     const contact::jkr::Contact retraction = contact_of(rough, rough.work_retraction);
-    const double a = truth.parting.contact_radius, step = 1e-5 * a;
+    const double a = truth.separation.contact_radius, step = 1e-5 * a;
     const double dF = contact::jkr::force(a + step, retraction) - contact::jkr::force(a - step, retraction);
     const double dd =
         contact::jkr::displacement(a + step, retraction) - contact::jkr::displacement(a - step, retraction);
     EXPECT_NEAR(dF / dd / stiffness, -1.0, 1e-7);
 }
 
-TEST(LoopTruth, JumpsInAlongTheMachinesLine) {
+TEST(TrueLoop, JumpsInAlongTheMachinesLine) {
     constexpr double stiffness = 40.0;
-    const contact::jkr::State state = loop_truth(rough, {.machine_stiffness = stiffness}).after_jump_in;
+    const contact::jkr::State state = true_loop(rough, {.machine_stiffness = stiffness}).after_jump_in;
     EXPECT_NEAR(state.force / (-stiffness * state.displacement), 1.0, 1e-12);
     EXPECT_NEAR(
         contact::jkr::force_at_displacement(state.displacement, contact_of(rough, rough.work_approach)) / state.force,
         1.0, 1e-10);
 }
 
-TEST(LoopTruth, OfAContactTooSmallForItsAdhesionPartsStraightFromThePinnedState) {
+TEST(TrueLoop, OfAContactTooSmallForItsAdhesionPartsStraightFromThePinnedState) {
     hysteresis::HystereticSphere sticky = rough;
     sticky.work_retraction = 20.0;
-    const hysteresis::SphereLoop truth = loop_truth(sticky, {.maximum_force = 1e-5});
-    EXPECT_EQ(truth.parting.contact_radius, truth.turning_point.contact_radius);
+    const hysteresis::SphereLoop truth = true_loop(sticky, {.maximum_force = 1e-5});
+    EXPECT_EQ(truth.separation.contact_radius, truth.turning_point.contact_radius);
     EXPECT_EQ(truth.smallest_force, truth.unpinned.force);
     const SimulatedLoop simulated =
         simulated_loop(sticky, {.maximum_force = 1e-5, .force_rate = 500.0, .camera_rate = 500.0});

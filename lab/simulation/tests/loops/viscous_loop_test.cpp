@@ -24,7 +24,7 @@ TEST(ViscousLoop, HasTheLawOfSpeedThatItWasMadeWith) {
                                        .relaxation = {}};
     const auto made = simulated_loop(specimen, {.camera_rate = 5.0}, noise, body);
     const auto analysis = loops::analyse(made.loop, bodies);
-    const auto fit = loops::fit_crack_speed(loops::receding_edge(analysis, {}), bodies.radius,
+    const auto fit = loops::fit_crack_speed(loops::retracting_edge(analysis, {}), bodies.radius,
                                             analysis.loading.primary().contact_modulus);
     EXPECT_NEAR(fit.threshold.value, 0.060, 4.0 * fit.threshold.standard_error);
     EXPECT_NEAR(fit.reference_speed.value, 1e-6, 4.0 * fit.reference_speed.standard_error);

@@ -49,14 +49,14 @@ TEST(LineSpectrum, OfAStretchedSurfaceIsTheIntegralOfItsSpectrumAcrossX) {
     }
 }
 
-TEST(SurfaceTruth, OfAStretchedSurfaceIsThatOfItsModes) {
+TEST(TrueSurfaceValues, OfAStretchedSurfaceIsThatOfItsModes) {
     constexpr spectra::SelfAffine small{
         .plateau = 1e-27, .rolloff_wavevector = 2e8, .hurst_exponent = 0.8, .short_wavevector = 3e9};
     const KnownSurface surface{.C_iso = spectra::density(small),
                                .rolloff_wavelength = 2.0 * pi / small.rolloff_wavevector,
                                .short_wavelength = 2.0 * pi / small.short_wavevector,
                                .anisotropy = {2.0, 0.4}};
-    const auto truth = surface_truth(surface).parameters;
+    const auto truth = true_surface_values(surface).parameters;
     const auto modes =
         synthesis::expected_roughness(surface.C_iso, {1024, 1024, 1e-6, 1e-6}, {.anisotropy = surface.anisotropy});
     EXPECT_NEAR(truth.rms_height / modes.rms_height, 1.0, 2e-3);  // a mode's cell is 1/30 of the roll-off's wavevector
@@ -64,25 +64,27 @@ TEST(SurfaceTruth, OfAStretchedSurfaceIsThatOfItsModes) {
     // shallow slopes: A/A0 = 1 + h'²/2 whatever their directions, next order h'⁴
     KnownSurface shallow = surface;
     shallow.C_iso = [inner = surface.C_iso](double q) { return 1e-4 * inner(q); };
-    const auto flat = surface_truth(shallow);
+    const auto flat = true_surface_values(shallow);
     EXPECT_NEAR((flat.area_ratio - 1.0) / (0.5 * std::pow(flat.parameters.rms_slope, 2)), 1.0,
                 2.0 * std::pow(flat.parameters.rms_slope, 2));
 }
 
-TEST(SurfaceTruth, OfABandHasTheWavesOfTheBand) {
+TEST(TrueSurfaceValues, OfABandHasTheWavesOfTheBand) {
     const KnownSurface surface = stretched(1.0, 0.0);
-    const auto whole = surface_truth(surface).parameters, band = surface_truth(surface, {3e6, 1.5e10}).parameters;
+    const auto whole = true_surface_values(surface).parameters,
+               band = true_surface_values(surface, {3e6, 1.5e10}).parameters;
     // below the roll-off C_iso is flat: h² loses C0 q²/4π
     EXPECT_NEAR(std::pow(whole.rms_height, 2) - std::pow(band.rms_height, 2), model.plateau * 9e12 / (4.0 * pi),
                 1e-5 * std::pow(whole.rms_height, 2));
     EXPECT_LT(band.elastic_energy_per_modulus, whole.elastic_energy_per_modulus);
-    const auto upper = surface_truth(surface, {3e6, 1e9}), lower = surface_truth(surface, {1e9, 1.5e10});
+    const auto upper = true_surface_values(surface, {3e6, 1e9}), lower = true_surface_values(surface, {1e9, 1.5e10});
     EXPECT_NEAR(std::hypot(upper.parameters.rms_slope, lower.parameters.rms_slope) / band.rms_slope, 1.0, 1e-6);
-    EXPECT_THROW((void)surface_truth(surface, {2e9, 1e9}), InvalidArgument);
+    EXPECT_THROW((void)true_surface_values(surface, {2e9, 1e9}), InvalidArgument);
     KnownSurface skewed = surface;
     skewed.skewness = 0.5;
-    EXPECT_THROW((void)surface_truth(skewed, {1e8, 1.5e10}), InvalidArgument);
-    EXPECT_LT(surface_truth(skewed, {3e6, 1.5e10}).parameters.rms_height, surface_truth(skewed).parameters.rms_height);
+    EXPECT_THROW((void)true_surface_values(skewed, {1e8, 1.5e10}), InvalidArgument);
+    EXPECT_LT(true_surface_values(skewed, {3e6, 1.5e10}).parameters.rms_height,
+              true_surface_values(skewed).parameters.rms_height);
 }
 
 }  // namespace

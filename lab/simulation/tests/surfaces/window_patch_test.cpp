@@ -86,7 +86,7 @@ TEST(StylusScan, WithoutTipKeepsTheVarianceOfWavesBetweenItsPoints) {
     const KnownSurface surface = self_affine(0.02, 1e-4);
     const StylusProtocol protocol{
         .lengths = std::vector<double>(20, length), .steps = {0.005 * length}, .tip_radius = 0.0};
-    const double variance = std::pow(surface_truth(surface).parameters.rms_height, 2);
+    const double variance = std::pow(true_surface_values(surface).parameters.rms_height, 2);
     double sum = 0.0;
     for (const auto& scan : stylus_scans(surface, LineSpectrum(surface), protocol, {5, 6}))
         sum += scan.heights.square().mean();
@@ -97,7 +97,7 @@ TEST(StylusScan, WithoutTipKeepsTheVarianceOfWavesBetweenItsPoints) {
 TEST(AfmMap, WithoutTipKeepsTheVarianceOfWavesBetweenItsPixels) {
     const KnownSurface surface = self_affine(0.05, 1e-3);
     const AfmProtocol protocol{.sizes = {length, length, length, length}, .pixels = {32}, .tip_radius = 0.0};
-    const double variance = std::pow(surface_truth(surface).parameters.rms_height, 2);
+    const double variance = std::pow(true_surface_values(surface).parameters.rms_height, 2);
     double sum = 0.0;
     for (std::size_t k = 0; k < 4; ++k) sum += afm_scan(surface, protocol, k, {5, 6}).heights.square().mean();
     EXPECT_NEAR(sum / 4.0 / variance, 1.0, 3.0 * std::sqrt(2.0 / (4.0 * 400.0)));
@@ -133,7 +133,7 @@ TEST(TemContour, OfAThickFoilLiesHigherThanALine) {
     const KnownSurface surface = self_affine(0.05, 2e-3);
     TemProtocol protocol{.lengths = {100e-9}, .step = 1e-9, .foil_thickness = 50e-9};
     const auto thick = tem_contour(surface, LineSpectrum(surface), protocol, 0, {7, 8});
-    EXPECT_GT(thick.heights.mean(), surface_truth(surface).parameters.rms_height);
+    EXPECT_GT(thick.heights.mean(), true_surface_values(surface).parameters.rms_height);
 }
 
 TEST(StylusStrip, OfEachLengthKeepsTheOrderOfTheProtocol) {

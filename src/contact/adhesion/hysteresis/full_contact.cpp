@@ -17,16 +17,16 @@ namespace {
 
 /// ln U_el/(A W) with what it rests on; infinite where conforming gains nothing.
 TracedValue log_share(const RetractionPair& pair) {
-    return adhesion::traced_function(pair.rough,
-                                     {pair.soft.contact_modulus, pair.soft.surface_energy, pair.work_of_adhesion},
-                                     [](const roughness::SpectralParameters& p, const std::vector<double>& in) {
-                                         const PairState full{.area_ratio = p.area_ratio(),
-                                                              .stored_energy = in[0] * p.elastic_energy_per_modulus,
-                                                              .work_of_adhesion = in[2],
-                                                              .surface_energy = in[1]};
-                                         return full.conforming_gain() > 0.0 ? std::log(full.energy_share())
-                                                                             : std::numeric_limits<double>::infinity();
-                                     });
+    return adhesion::traced_function(
+        pair.rough, {pair.soft.contact_modulus, pair.soft.surface_energy, pair.work_of_adhesion},
+        [](const roughness::SpectralParameters& p, const std::vector<double>& in) {
+            const PairState full{.area_ratio = p.area_ratio(),
+                                 .stored_energy = in[0] * p.elastic_energy_per_modulus,
+                                 .work_of_adhesion = in[2],
+                                 .surface_energy = in[1]};
+            return full.full_contact_gain() > 0.0 ? std::log(full.energy_share())
+                                                  : std::numeric_limits<double>::infinity();
+        });
 }
 
 }  // namespace
@@ -48,7 +48,8 @@ CountRange pairs_in_full_contact(const std::vector<RetractionPair>& pairs, std::
             (rows * numerics::normal_numbers({seed, static_cast<std::uint64_t>(d)}, 0, rows.cols()).matrix()).array();
         int count = 0;
         for (std::size_t i = 0; i < shares.size(); ++i)
-            count += shares[i].value + moved[static_cast<Eigen::Index>(i)] <= std::log(conforming_energy_share) ? 1 : 0;
+            count +=
+                shares[i].value + moved[static_cast<Eigen::Index>(i)] <= std::log(full_contact_energy_share) ? 1 : 0;
         counts.push_back(count);
     }
     std::ranges::sort(counts);

@@ -33,8 +33,8 @@ TrialOutcome outcome_of(const std::vector<RetractionModel>& models, const Retrac
             })};
 }
 
-LawTrials summary(const RetractionModel& planted, const std::vector<TrialOutcome>& outcomes) {
-    LawTrials result{.planted = planted, .runs = static_cast<int>(outcomes.size()), .most_taken = {}};
+ModelTrials summary(const RetractionModel& planted, const std::vector<TrialOutcome>& outcomes) {
+    ModelTrials result{.planted = planted, .runs = static_cast<int>(outcomes.size()), .most_taken = {}};
     std::map<std::string, int> taken;
     for (const auto& outcome : outcomes) {
         if (outcome.best == planted) ++result.found;
@@ -51,8 +51,8 @@ LawTrials summary(const RetractionModel& planted, const std::vector<TrialOutcome
 
 }  // namespace
 
-std::vector<RankedPair> planted_pairs(const std::vector<RankedPair>& pairs, const ModelScore& score,
-                                      std::uint64_t seed) {
+std::vector<RankedPair> simulated_pairs(const std::vector<RankedPair>& pairs, const ModelScore& score,
+                                        std::uint64_t seed) {
     const RandomKey key{seed};
     const auto n = static_cast<Index>(pairs.size());
     const auto noise = [&](std::uint64_t stream) {
@@ -86,8 +86,8 @@ std::vector<RankedPair> planted_pairs(const std::vector<RankedPair>& pairs, cons
     return planted;
 }
 
-std::vector<LawTrials> law_trials(const std::vector<RankedPair>& pairs, const Ranking& ranking,
-                                  const std::optional<Estimate>& known_work, const TrialOptions& options) {
+std::vector<ModelTrials> model_trials(const std::vector<RankedPair>& pairs, const Ranking& ranking,
+                                      const std::optional<Estimate>& known_work, const TrialOptions& options) {
     if (options.runs < 1)
         throw InvalidArgument(fmt::format("{} trials of each model; expected 1 or more", options.runs));
     const auto* best = ranking.best();
@@ -107,9 +107,9 @@ std::vector<LawTrials> law_trials(const std::vector<RankedPair>& pairs, const Ra
         if (options.cancelled && *options.cancelled) throw Cancelled("the trials of the models were stopped");
         const auto& score = planted[i / runs];
         outcomes[i / runs][i % runs] =
-            outcome_of(models, score.fitted.model, planted_pairs(pairs, score, options.seed + i % runs), known_work);
+            outcome_of(models, score.fitted.model, simulated_pairs(pairs, score, options.seed + i % runs), known_work);
     });
-    std::vector<LawTrials> result;
+    std::vector<ModelTrials> result;
     for (std::size_t k = 0; k < planted.size(); ++k) result.push_back(summary(planted[k].fitted.model, outcomes[k]));
     return result;
 }

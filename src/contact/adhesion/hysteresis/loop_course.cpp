@@ -44,11 +44,11 @@ LoopStates states_of(const HystereticSphere& sphere, const Pressing& pressing, c
                       .retraction = {},
                       .parted = {}};
     if (!edge) {
-        states.retraction = along(largest, loop.parting.contact_radius, sphere.retraction(), points);
-        states.parted.displacement = Machine(pressing.machine_stiffness).motor(loop.parting);
+        states.retraction = along(largest, loop.separation.contact_radius, sphere.retraction(), points);
+        states.parted.displacement = Machine(pressing.machine_stiffness).motor(loop.separation);
         return states;
     }
-    const auto course = recession_course(sphere, pressing, *edge, points);
+    const auto course = edge_retraction_course(sphere, pressing, *edge, points);
     for (Index i = 0; i < course.motor.size(); ++i)
         states.retraction.push_back({.force = course.force[i],
                                      .displacement = course.displacement[i],

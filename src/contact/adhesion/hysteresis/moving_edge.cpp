@@ -85,10 +85,10 @@ private:
     MovingEdge edge_;
 };
 
-RecessionCourse course_of(const HystereticSphere& sphere, const Pressing& pressing, const MovingEdge& edge,
-                          double largest, int steps) {
+EdgeRetractionCourse course_of(const HystereticSphere& sphere, const Pressing& pressing, const MovingEdge& edge,
+                               double largest, int steps) {
     const Equations equations(sphere, pressing, edge);
-    RecessionCourse course;
+    EdgeRetractionCourse course;
     for (auto* column :
          {&course.motor, &course.displacement, &course.contact_radius, &course.force, &course.energy_release_rate})
         *column = Array1D(steps + 1);
@@ -119,7 +119,7 @@ RecessionCourse course_of(const HystereticSphere& sphere, const Pressing& pressi
 double between(const Array1D& values, Index i, double share) { return values[i] + share * (values[i + 1] - values[i]); }
 
 /// Mean of G over the motor's way to `end` from at most `way` before.
-double mean_rate(const RecessionCourse& course, double end, double way) {
+double mean_rate(const EdgeRetractionCourse& course, double end, double way) {
     const double from = std::min(course.motor[0], end + way);
     double sum = 0.0, last = 0.0;
     for (Index i = 0; i + 1 < course.motor.size(); ++i) {
@@ -134,14 +134,14 @@ double mean_rate(const RecessionCourse& course, double end, double way) {
 }
 
 /// Where a parabola through three states has its smallest force, as contact radius; the state itself at an end.
-double radius_of_smallest(const RecessionCourse& course, Index i) {
+double radius_of_smallest(const EdgeRetractionCourse& course, Index i) {
     const auto &a = course.contact_radius, &f = course.force;
     if (i == 0 || i + 1 == a.size()) return a[i];
     const double curvature = f[i - 1] - 2.0 * f[i] + f[i + 1];
     return curvature > 0.0 ? a[i] + 0.5 * (f[i + 1] - f[i - 1]) / curvature * (a[i - 1] - a[i]) : a[i];
 }
 
-Recession summary(const RecessionCourse& course, const HystereticSphere& sphere, const MovingEdge& edge) {
+EdgeRetraction summary(const EdgeRetractionCourse& course, const HystereticSphere& sphere, const MovingEdge& edge) {
     Index smallest = 0;
     course.force.minCoeff(&smallest);
     const double radius = radius_of_smallest(course, smallest);
@@ -153,8 +153,9 @@ Recession summary(const RecessionCourse& course, const HystereticSphere& sphere,
         const double before = values[smallest - 1], here = values[smallest], after = values[smallest + 1];
         return here + 0.5 * x * (after - before) + 0.5 * x * x * (after - 2.0 * here + before);
     };
-    Recession result{.smallest_force = at_smallest(course.force),
-                     .work_read = mean_rate(course, at_smallest(course.motor), edge.motor_speed * edge.reading_time)};
+    EdgeRetraction result{
+        .smallest_force = at_smallest(course.force),
+        .work_read = mean_rate(course, at_smallest(course.motor), edge.motor_speed * edge.reading_time)};
     const auto work_at = [&](Index i) {
         const double a = course.contact_radius[i], opening = a * a / sphere.radius - course.displacement[i];
         return sphere.contact_modulus * opening * opening;
@@ -166,15 +167,15 @@ Recession summary(const RecessionCourse& course, const HystereticSphere& sphere,
 }
 
 /// From two courses, the error of whose numbers goes with the step.
-Recession recession_from(double largest, const HystereticSphere& sphere, const Pressing& pressing,
-                         const MovingEdge& edge) {
+EdgeRetraction recession_from(double largest, const HystereticSphere& sphere, const Pressing& pressing,
+                              const MovingEdge& edge) {
     constexpr int steps = 200;
     const auto coarse = summary(course_of(sphere, pressing, edge, largest, steps), sphere, edge),
                fine = summary(course_of(sphere, pressing, edge, largest, 2 * steps), sphere, edge);
-    const auto limit = [&](double Recession::*number) { return 2.0 * fine.*number - coarse.*number; };
-    return {.smallest_force = limit(&Recession::smallest_force),
-            .work_read = limit(&Recession::work_read),
-            .edge_work = limit(&Recession::edge_work)};
+    const auto limit = [&](double EdgeRetraction::*number) { return 2.0 * fine.*number - coarse.*number; };
+    return {.smallest_force = limit(&EdgeRetraction::smallest_force),
+            .work_read = limit(&EdgeRetraction::work_read),
+            .edge_work = limit(&EdgeRetraction::edge_work)};
 }
 
 /// W of an edge at rest that takes so much in all, the jump at its end included: w π a² + E_out(w).
@@ -184,8 +185,8 @@ double resting_equivalent(double largest, HystereticSphere sphere, const Pressin
     const auto excess = [&](double work) {
         sphere.work_retraction = work;
         const auto retraction = sphere.retraction();
-        const double parting = std::min(largest, machine.instability_radius(retraction));
-        return work * area + machine.energy(equilibrium(parting, retraction), retraction) - edge_work;
+        const double separation = std::min(largest, machine.instability_radius(retraction));
+        return work * area + machine.energy(equilibrium(separation, retraction), retraction) - edge_work;
     };
     constexpr double least = 1e-9;  // of what the edge takes
     return numerics::bracketed_root(excess, least * edge_work / area, edge_work / area, 50);
@@ -205,8 +206,8 @@ double read_from(double largest, const HystereticSphere& sphere, const Pressing&
 
 }  // namespace
 
-RecessionCourse recession_course(const HystereticSphere& sphere, const Pressing& pressing, const MovingEdge& edge,
-                                 int steps) {
+EdgeRetractionCourse edge_retraction_course(const HystereticSphere& sphere, const Pressing& pressing,
+                                            const MovingEdge& edge, int steps) {
     require_valid(edge);
     constexpr int fewest = 8;
     if (steps < fewest)
@@ -215,7 +216,7 @@ RecessionCourse recession_course(const HystereticSphere& sphere, const Pressing&
     return course_of(sphere, pressing, edge, loop.turning_point.contact_radius, steps);
 }
 
-Recession recession(const HystereticSphere& sphere, const Pressing& pressing, const MovingEdge& edge) {
+EdgeRetraction edge_retraction(const HystereticSphere& sphere, const Pressing& pressing, const MovingEdge& edge) {
     require_valid(edge);
     return recession_from(sphere_loop(sphere, pressing).turning_point.contact_radius, sphere, pressing, edge);
 }
@@ -242,7 +243,7 @@ double work_at_rest(HystereticSphere sphere, const Pressing& pressing, const Mov
 
 SphereLoop sphere_loop(const HystereticSphere& sphere, const Pressing& pressing, const MovingEdge& edge) {
     auto loop = sphere_loop(sphere, pressing);
-    const auto receding = recession(sphere, pressing, edge);
+    const auto receding = edge_retraction(sphere, pressing, edge);
     loop.smallest_force = receding.smallest_force;
     loop.speed_loss = receding.edge_work - sphere.work_retraction * loop.largest_contact_area() - loop.jump_out_loss;
     return loop;

@@ -84,7 +84,7 @@ PairState PairFunctions::contact_state(const Roughness& rough, const Inputs& in)
                     .pinning_factor = in[pinning_factor],
                     .mean_wavelength = rough.mean_wavelength,
                     .jumps_per_area = 0.0};
-    const double gain = state.conforming_gain();
+    const double gain = state.full_contact_gain();
     const auto contact = adhesion::unloaded_contact(state.stored_energy / gain);
     const double gained = contact.gain + in[patches] * contact.gain_error;
     state.contact_fraction = std::clamp(contact.area_fraction + in[patches] * contact.area_error, min_contact, 1.0);
@@ -105,7 +105,7 @@ PairState PairFunctions::contact_state(const RetractionModel& model, const Rough
 
 /// That W is what the contact gains, which the works of both branches lie about.
 contact::AdhesiveContact PairFunctions::sphere_of(const PairState& state, const Inputs& in) const {
-    return {in[radius], in[contact_modulus], state.contact_fraction * state.conforming_gain()};
+    return {in[radius], in[contact_modulus], state.contact_fraction * state.full_contact_gain()};
 }
 
 double PairFunctions::largest_radius(const contact::AdhesiveContact& sphere, const Inputs& in) const {

@@ -14,11 +14,11 @@ namespace {
 constexpr std::array laws{Law::reversible,     Law::pinning,      Law::pinning_by_bands,     Law::fitted_pinning,
                           Law::conformal_loss, Law::opening_work, Law::fitted_conformal_loss};
 
-struct LawText {
+struct ModelText {
     const char *name, *works;  ///< works: what φ multiplies
 };
 
-LawText text_of(Law law) {
+ModelText text_of(Law law) {
     switch (law) {
         case Law::reversible: return {"reversible", "W_app"};
         case Law::pinning: return {"pinning", "W_app + 2k(U_el/AW, N) U_el/A"};
@@ -34,7 +34,7 @@ LawText text_of(Law law) {
 void require_valid(const PairState& state) {
     if (!(state.area_ratio >= 1.0 && state.contact_fraction > 0.0 && state.contact_fraction <= 1.0 &&
           state.stored_energy >= 0.0 && state.work_of_adhesion > 0.0 && state.work_approach >= 0.0 &&
-          state.tip_factor > 0.0 && state.conforming_gain() > 0.0))
+          state.tip_factor > 0.0 && state.full_contact_gain() > 0.0))
         throw InvalidArgument(fmt::format(
             "a pair with A_true/A {:.4g}, {:.4g} of it in contact, U_el/A {:.4g} J/m2, W_int {:.4g} J/m2, γ1 {:.4g} J/m2, W_app {:.4g} J/m2 and "
             "W_ret/W_app {:.4g} of its reference; expected an area ratio of at least 1, contact, works and a factor above 0, and a positive "
@@ -47,7 +47,7 @@ void require_valid(const PairState& state) {
 double pinned_energy(Law law, const PairState& state, const std::vector<PinningBand>& bands, double free_length) {
     if (law == Law::pinning_by_bands)
         return state.pinning_factor * pinning_by_bands(state.stored_energy, bands,
-                                                       state.contact_fraction * state.conforming_gain(), free_length);
+                                                       state.contact_fraction * state.full_contact_gain(), free_length);
     const double share = state.energy_share();
     return state.pinning_factor *
            pinning_constant(share, edge_larkin_lengths(free_length, state.mean_wavelength, share)) *
@@ -86,7 +86,7 @@ std::vector<RetractionModel> retraction_models(const std::vector<Tip>& tips) {
     return models;
 }
 
-double PairState::conforming_gain() const {
+double PairState::full_contact_gain() const {
     return work_of_adhesion * area_ratio - surface_energy * (area_ratio - 1.0);
 }
 

@@ -49,13 +49,13 @@ SphereLoop sphere_loop(const HystereticSphere& sphere, const Pressing& pressing)
     loop.turning_point = equilibrium(largest, approach);
     loop.after_jump_in = equilibrium(machine.stable_radius(0.0, approach, largest), approach);
     loop.unpinned = equilibrium(largest, retraction);
-    loop.parting = equilibrium(std::min(largest, machine.instability_radius(retraction)), retraction);
+    loop.separation = equilibrium(std::min(largest, machine.instability_radius(retraction)), retraction);
     const double weakest = contact::jkr::pull_off_at_fixed_load(retraction).contact_radius;
-    const double at_smallest = std::clamp(weakest, loop.parting.contact_radius, largest);
+    const double at_smallest = std::clamp(weakest, loop.separation.contact_radius, largest);
     loop.smallest_force = contact::jkr::force(at_smallest, retraction);
     loop.jump_in_loss = -machine.energy(loop.after_jump_in, approach);
     loop.edge_loss = (sphere.work_retraction - sphere.work_approach) * loop.largest_contact_area();
-    loop.jump_out_loss = machine.energy(loop.parting, retraction);
+    loop.jump_out_loss = machine.energy(loop.separation, retraction);
     return loop;
 }
 

@@ -13,13 +13,13 @@ namespace {
 
 constexpr double work = 0.045, gamma1 = 0.025;
 
-struct Planted {
+struct TrueValues {
     double change = 0.0;   ///< χ [J/m²]
     double scatter = 0.0;  ///< of what is measured [J/m²]
 };
 
 /// Four surfaces × four elastomers, as [D19] has them.
-std::vector<PairPoint> pairs(const Planted& planted, std::uint64_t seed = 1) {
+std::vector<PairPoint> pairs(const TrueValues& planted, std::uint64_t seed = 1) {
     std::vector<PairPoint> all;
     std::uint64_t counter = 0;
     const double ratios[] = {1.08, 1.25, 1.45, 1.7}, energies[] = {1e-9, 2e-9, 3e-9, 5e-9};

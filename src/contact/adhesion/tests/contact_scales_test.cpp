@@ -67,7 +67,7 @@ TEST(ScaleBalance, ClosesAsSimulatedPatchesDo) {
             scale_balance(roughness::cumulative_parameters(curve), modulus, stored / ratio, 0.5 * stored / ratio);
         const double expected = unloaded_contact(ratio).closing_pressure * stored / (height / std::sqrt(2.0));
         EXPECT_NEAR(scales.closing_pressure[0], expected, 1e-3 * modulus * q * height);
-        EXPECT_EQ(scales.closing(0), ratio < 0.25  ? Closing::by_itself
+        EXPECT_EQ(scales.closing(0), ratio < 0.25  ? Closing::spontaneous
                                      : ratio < 1.0 ? Closing::under_pressure
                                                    : Closing::opens);
         EXPECT_EQ(scales.pressed.has_value(), ratio > 0.25);

@@ -50,7 +50,7 @@ struct LennardJones {
 
 /// compute(law) of the law that a name stands for.
 template <class Compute>
-auto with_law(AttractionLaw law, const Compute& compute) {
+auto with_model(AttractionLaw law, const Compute& compute) {
     switch (law) {
         case AttractionLaw::exponential: break;
         case AttractionLaw::cubic: return compute(Cubic{});
@@ -81,7 +81,7 @@ std::string name_of(AttractionLaw law) {
 
 Attraction attraction(double gap, const Interaction& interaction) {
     const double tension = interaction.greatest_tension();
-    return with_law(interaction.law, [&]<class Law>(Law) {
+    return with_model(interaction.law, [&]<class Law>(Law) {
         using One = Eigen::Array<double, 1, 1>;
         const One base = Law::base(One(gap), interaction.range);
         return Attraction{.energy = -interaction.work_of_adhesion * Law::energy(base)(0),
@@ -93,7 +93,7 @@ Attraction attraction(double gap, const Interaction& interaction) {
 double attraction(Index points, const double* gaps, const Interaction& interaction, double* tensions, float* slopes,
                   double slope_unit) {
     const double tension = interaction.greatest_tension(), steepest = -tension / (interaction.range * slope_unit);
-    return with_law(interaction.law, [&]<class Law>(Law) {
+    return with_model(interaction.law, [&]<class Law>(Law) {
         Row base(tensions, points);
         base = Law::base(ConstRow(gaps, points), interaction.range);
         const double energy = -interaction.work_of_adhesion * Law::energy(base).sum();

@@ -27,10 +27,10 @@ void per_sample(benchmark::State& state, const Prepared& prepared) {
 
 void ledger(benchmark::State& state) {
     const Prepared prepared;
-    const LedgerInputs inputs{.smooth_sphere = shape.approach,
-                              .largest_contact_area = pi * shape.largest_radius * shape.largest_radius,
-                              .machine_stiffness = std::numeric_limits<double>::infinity()};
-    for (auto _ : state) benchmark::DoNotOptimize(energy_ledger(prepared.loop, prepared.segments, 0, inputs));
+    const EnergyBudgetInputs inputs{.smooth_sphere = shape.approach,
+                                    .largest_contact_area = pi * shape.largest_radius * shape.largest_radius,
+                                    .machine_stiffness = std::numeric_limits<double>::infinity()};
+    for (auto _ : state) benchmark::DoNotOptimize(energy_budget(prepared.loop, prepared.segments, 0, inputs));
     per_sample(state, prepared);
 }
 BENCHMARK(ledger);

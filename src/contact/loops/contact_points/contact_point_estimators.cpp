@@ -323,13 +323,13 @@ Estimate from_pull_off(const Touch& touch, double radius) {
     // free of force, the displacement is the stage's
     const double step = touch.free_step(free, 1), stage = touch.displacement(free) - 0.5 * step;
     constexpr double small = 1e-3;
-    const auto parting = [&](double modulus, double work, double soft) {
+    const auto separation = [&](double modulus, double work, double soft) {
         return stage_at_instability(modulus, work, radius, soft);
     };
-    const double here = parting(E, W, compliance.value);
-    const double by_modulus = (parting((1.0 + small) * E, W, compliance.value) - here) / (small * E);
-    const double by_work = (parting(E, (1.0 + small) * W, compliance.value) - here) / (small * W);
-    const double by_compliance = parting(E, W, compliance.value + compliance.standard_error) - here;
+    const double here = separation(E, W, compliance.value);
+    const double by_modulus = (separation((1.0 + small) * E, W, compliance.value) - here) / (small * E);
+    const double by_work = (separation(E, (1.0 + small) * W, compliance.value) - here) / (small * W);
+    const double by_compliance = separation(E, W, compliance.value + compliance.standard_error) - here;
     const double fitted = by_modulus * by_modulus * fit.covariance(0, 0) + by_work * by_work * fit.covariance(1, 1) +
                           2.0 * by_modulus * by_work * fit.covariance(0, 1);
     return measured(stage - here,

@@ -51,7 +51,7 @@ private:
     const std::optional<Estimate>& stiffness_;
 };
 
-void require_valid(const LedgerInputs& inputs) {
+void require_valid(const EnergyBudgetInputs& inputs) {
     if (!(inputs.true_area_ratio >= 1.0))
         throw InvalidArgument(fmt::format("true area ratio must be >= 1, got {}", inputs.true_area_ratio));
     if (!(inputs.largest_contact_area > 0.0))
@@ -60,9 +60,10 @@ void require_valid(const LedgerInputs& inputs) {
 
 }  // namespace
 
-EnergyLedger energy_ledger(const Loop& loop, const Segments& segments, Index contact, const LedgerInputs& inputs) {
+EnergyBudget energy_budget(const Loop& loop, const Segments& segments, Index contact,
+                           const EnergyBudgetInputs& inputs) {
     require_valid(inputs);
-    EnergyLedger ledger{.contact = contact, .loop = loop_energy(loop, segments, contact, inputs.drift)};
+    EnergyBudget ledger{.contact = contact, .loop = loop_energy(loop, segments, contact, inputs.drift)};
     const ContactSegments& touch = segments.contacts[static_cast<std::size_t>(contact)];
     const LevelRecord record(loop, segments, inputs.drift);
     const Bookkeeper book(record, inputs.displacement_stiffness);
@@ -70,14 +71,14 @@ EnergyLedger energy_ledger(const Loop& loop, const Segments& segments, Index con
     const IndexRange range = closed_range(segments, contact);
     const Index first_contact = touch.jump_in ? touch.jump_in->last : touch.loading.first;
     const Index last_press = touch.unloading->first;
-    IndexRange parting{touch.unloading->last, touch.unloading->last};
-    if (touch.pull_off) parting = {largest_step(record.force, *touch.pull_off), touch.pull_off->last};
+    IndexRange separation{touch.unloading->last, touch.unloading->last};
+    if (touch.pull_off) separation = {largest_step(record.force, *touch.pull_off), touch.pull_off->last};
     ledger.before_contact = book.smooth({range.first, touch.jump_in ? touch.jump_in->first : first_contact});
     if (touch.jump_in) ledger.jump_in = book.jump(*touch.jump_in);
     ledger.approach = book.smooth({first_contact, last_press});
-    ledger.retraction = book.smooth({last_press, parting.first});
-    if (touch.pull_off) ledger.jump_out = book.jump(parting);
-    ledger.after_contact = book.smooth({parting.last, range.last});
+    ledger.retraction = book.smooth({last_press, separation.first});
+    if (touch.pull_off) ledger.jump_out = book.jump(separation);
+    ledger.after_contact = book.smooth({separation.last, range.last});
     ledger.recovered_share = -ledger.retraction.energy / ledger.approach.energy;
 
     ledger.machine_stiffness = inputs.machine_stiffness;

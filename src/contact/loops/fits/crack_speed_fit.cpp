@@ -25,7 +25,7 @@ constexpr Index min_frames = 8;
 /// records without noise.
 constexpr double speed_error = 0.015;
 
-void require_edge(const RecedingEdge& edge, double radius, const Estimate& contact_modulus,
+void require_edge(const RetractingEdge& edge, double radius, const Estimate& contact_modulus,
                   const CrackSpeedOptions& options) {
     const auto same = [&](const Array1D& series, const char* name) {
         if (series.size() != edge.time.size())
@@ -46,7 +46,7 @@ void require_edge(const RecedingEdge& edge, double radius, const Estimate& conta
 }
 
 /// The samples from the first frame to the last: only there the radii bound the course.
-RecedingEdge between_frames(const RecedingEdge& edge, std::vector<Index>& frames) {
+RetractingEdge between_frames(const RetractingEdge& edge, std::vector<Index>& frames) {
     for (Index i = 0; i < edge.time.size(); ++i)
         if (edge.contact_radius[i] > 0.0) frames.push_back(i);
     if (static_cast<Index>(frames.size()) < min_frames)
@@ -78,7 +78,8 @@ Array1D smoothed(const Array1D& time, const Array1D& values) {
 /// Radii that a law predicts, and where they lie among those measured.
 class Problem {
 public:
-    Problem(const RecedingEdge& edge, double radius, const Estimate& contact_modulus, const CrackSpeedOptions& options)
+    Problem(const RetractingEdge& edge, double radius, const Estimate& contact_modulus,
+            const CrackSpeedOptions& options)
         : edge_(between_frames(edge, frames_)), radius_(radius), given_(contact_modulus), exponent_(options.exponent) {
         const auto n = static_cast<Index>(frames_.size());
         measured_ = edge_.contact_radius(frames_);
@@ -198,7 +199,7 @@ private:
     }
 
     std::vector<Index> frames_;
-    RecedingEdge edge_;
+    RetractingEdge edge_;
     double radius_;
     Estimate given_;
     std::optional<double> exponent_;
@@ -212,7 +213,7 @@ Eigen::MatrixXd with_modulus(const Eigen::MatrixXd& covariance, double standard_
     return covariance - shared * shared.transpose() / (standard_error * standard_error + shared[shared.size() - 1]);
 }
 
-void require_told(const Eigen::MatrixXd& covariance, bool exponent_free) {
+void require_stated(const Eigen::MatrixXd& covariance, bool exponent_free) {
     const auto uncertain = [&](Index k) { return !(covariance(k, k) <= 1.0); };
     std::string unknown;
     for (const auto& [k, name] : {std::pair<Index, const char*>{1, "G0"}, {2, "v0"}, {3, "n"}})
@@ -239,7 +240,7 @@ void take_speeds(CrackSpeedFit& fit, const Array1D& speed) {
 
 }  // namespace
 
-CrackSpeedFit fit_crack_speed(const RecedingEdge& edge, double radius, const Estimate& contact_modulus,
+CrackSpeedFit fit_crack_speed(const RetractingEdge& edge, double radius, const Estimate& contact_modulus,
                               const CrackSpeedOptions& options) {
     require_edge(edge, radius, contact_modulus, options);
     const Problem problem(edge, radius, contact_modulus, options);
@@ -272,7 +273,7 @@ CrackSpeedFit fit_crack_speed(const RecedingEdge& edge, double radius, const Est
                                 std::sqrt(covariance(last, last) + given_error * given_error) / covariance(last, last);
         covariance = with_modulus(covariance, given_error);
     }
-    require_told(covariance, !options.exponent);
+    require_stated(covariance, !options.exponent);
     covariance(2, 2) += speed_error * speed_error;
 
     const EdgeParameters found = problem.parameters(solution.parameters, tied);

@@ -56,7 +56,7 @@ double next_radius(double a, double step, const Receding& now, double force, dou
 
 }  // namespace
 
-EdgeCourse edge_course(const RecedingEdge& edge, double radius, const EdgeParameters& parameters) {
+EdgeCourse edge_course(const RetractingEdge& edge, double radius, const EdgeParameters& parameters) {
     constexpr Index min_steps = 2000;
     const Index n = edge.time.size();
     const Index divisions = std::max<Index>(1, (min_steps + n - 1) / std::max<Index>(1, n - 1));

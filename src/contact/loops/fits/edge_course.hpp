@@ -27,6 +27,6 @@ struct EdgeCourse {
 
 /// da/dt = −v(G(a, F(t))) by the trapezoidal rule, F straight between its samples, at least 2000 steps in all; the
 /// derivatives are those of the rule's own solution.
-[[nodiscard]] EdgeCourse edge_course(const RecedingEdge& edge, double radius, const EdgeParameters& parameters);
+[[nodiscard]] EdgeCourse edge_course(const RetractingEdge& edge, double radius, const EdgeParameters& parameters);
 
 }  // namespace setae::loops

@@ -40,7 +40,9 @@ public:
     /// Number of slots of the model.
     [[nodiscard]] int parameters() const;
     /// Whether separated bodies are part of the curve.
-    [[nodiscard]] bool goes_on_apart() const { return model_ == ContactModel::hertz || model_ == ContactModel::dmt; }
+    [[nodiscard]] bool includes_separation() const {
+        return model_ == ContactModel::hertz || model_ == ContactModel::dmt;
+    }
     /// Largest t [m] the model holds for.
     [[nodiscard]] double largest_radius() const;
     [[nodiscard]] CurvePoint at(double t, const CurveParameters& parameters) const;

@@ -103,7 +103,7 @@ CurveTable BranchProblem::table(const FitParameters& at, Index entries) const {
     CurveTable table;
     const double reach = 1.05 * curve_.radius_bound(force_.maxCoeff(), at.head<3>());
     const double highest = std::min(reach > 0.0 ? reach : 1e-9 * curve_.radius(), curve_.largest_radius());
-    if (curve_.goes_on_apart()) {
+    if (curve_.includes_separation()) {
         const double depth = has_displacement() ? displacement_.minCoeff() - contact_point(at) : -0.0;
         const double lowest = -std::sqrt(curve_.radius() * std::max(0.0, -depth));
         const Index half = entries / 2;
@@ -114,7 +114,7 @@ CurveTable BranchProblem::table(const FitParameters& at, Index entries) const {
     for (Index i = 1; i <= entries; ++i)
         table.t.push_back(highest * static_cast<double>(i) / static_cast<double>(entries));
     for (const double t : table.t) table.points.push_back(curve_.at(t, at.head<3>()));
-    if (!curve_.goes_on_apart()) {
+    if (!curve_.includes_separation()) {
         // the table's first entry may lie above the fold
         table.t.insert(table.t.begin(), 1e-6 * highest);
         table.points.insert(table.points.begin(), curve_.at(table.t.front(), at.head<3>()));
@@ -138,7 +138,7 @@ CurveTable BranchProblem::table(const FitParameters& at, Index entries) const {
 
 BranchProblem::Foot BranchProblem::foot(Index sample, const FitParameters& at, const CurveTable& table) const {
     const double point0 = contact_point(at);
-    double lowest = curve_.goes_on_apart() ? -std::numeric_limits<double>::infinity() : 0.25 * table.min_t;
+    double lowest = curve_.includes_separation() ? -std::numeric_limits<double>::infinity() : 0.25 * table.min_t;
     if (has_radius()) lowest = 1e-6 * radius_[sample];
     const double highest = curve_.largest_radius();
     Foot foot;
@@ -281,13 +281,14 @@ void BranchProblem::evaluate_at_radius(const FitParameters& at, Eigen::Ref<Vecto
 }
 
 bool BranchProblem::ends_above(double depth, const CurveTable& table) const {
-    return !curve_.goes_on_apart() && !(depth > table.points.front().displacement);
+    return !curve_.includes_separation() && !(depth > table.points.front().displacement);
 }
 
 CurvePoint BranchProblem::point_at(double depth, const FitParameters& at, const CurveTable& table) const {
     if (ends_above(depth, table)) return table.points.front();
     const auto curve_at = [&](double t) { return curve_.at(t, at.head<3>()); };
-    if (curve_.goes_on_apart()) return curve_at(std::copysign(std::sqrt(curve_.radius() * std::abs(depth)), depth));
+    if (curve_.includes_separation())
+        return curve_at(std::copysign(std::sqrt(curve_.radius() * std::abs(depth)), depth));
     double lower = table.min_t, upper = std::max(table.t.back(), lower);
     while (upper < curve_.largest_radius() && curve_at(upper).displacement < depth) {
         lower = upper;

@@ -49,7 +49,7 @@ struct Retraction {
         return contact::jkr::displacement(a, contact) + contact::jkr::force(a, contact) / course.machine_stiffness;
     }
     /// The radius below which the stage would have to turn back.
-    [[nodiscard]] double parting_radius(const Line& line) const {
+    [[nodiscard]] double separation_radius(const Line& line) const {
         constexpr int steps = 400, rounds = 40;
         const double a_max = line.largest_radius, step = a_max / steps;
         for (int i = 1; i < steps; ++i) {
@@ -63,7 +63,7 @@ struct Retraction {
     }
     /// ∮F dδ [J].
     [[nodiscard]] double energy_loss(const Line& line) const {
-        const double R = course.radius, E = contact_modulus, k = course.machine_stiffness, a = parting_radius(line);
+        const double R = course.radius, E = contact_modulus, k = course.machine_stiffness, a = separation_radius(line);
         const auto contact = contact_at(a, line);
         const double depth = contact::jkr::displacement(a, contact), force = contact::jkr::force(a, contact);
         const double stored =

@@ -53,7 +53,7 @@ void drop_slips(const Record& record, Touch& touch) {
 
 /// Removes a last rise of the force while the bodies are drawn apart: under fixed grips a contact goes on past its
 /// smallest force, and the record may end there.
-void drop_rise_before_parting(const Record& record, Touch& touch) {
+void drop_rise_before_separation(const Record& record, Touch& touch) {
     if (touch.peaks.size() < 2 || touch.troughs.size() != touch.peaks.size()) return;
     if (record.position(touch.peaks.back()) < record.position(touch.troughs.back())) touch.peaks.pop_back();
 }
@@ -79,7 +79,7 @@ std::vector<Touch> find_touches(const Record& record) {
     if (touches.back().peaks.empty()) touches.pop_back();
     else touches.back().end = record.size() - 1;
     for (Touch& touch : touches) {
-        drop_rise_before_parting(record, touch);
+        drop_rise_before_separation(record, touch);
         drop_slips(record, touch);
     }
     return touches;

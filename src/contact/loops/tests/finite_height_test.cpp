@@ -19,7 +19,7 @@ constexpr contact::AdhesiveContact lens{.radius = 1.25e-3, .contact_modulus = 0.
 /// A lens so high pressed to a contact radius and pulled off, in equilibrium under fixed grips, without noise.
 Loop record_of(double height, double largest_radius, bool radius_measured) {
     const contact::layer::Layer layer(height, 0.5);
-    const auto parting = contact::layer::pull_off_at_fixed_grips(lens, layer);
+    const auto separation = contact::layer::pull_off_at_fixed_grips(lens, layer);
     const double jump_in = contact::layer::contact_radius_at_displacement(0.0, lens, layer);
     tests::detail::Series series;
     const auto branch = [&](double from, double to) {
@@ -29,11 +29,11 @@ Loop record_of(double height, double largest_radius, bool radius_measured) {
             series.add(contact::layer::force(a, lens, layer), contact::layer::displacement(a, lens, layer), a);
         }
     };
-    const double far = 3.0 * parting.displacement;
+    const double far = 3.0 * separation.displacement;
     tests::detail::add_free_flight(series, far, 0.0, 300);
     branch(jump_in, largest_radius);
-    branch(largest_radius, parting.contact_radius);
-    tests::detail::add_free_flight(series, parting.displacement, far, 300);
+    branch(largest_radius, separation.contact_radius);
+    tests::detail::add_free_flight(series, separation.displacement, far, 300);
     using tests::detail::Series;
     Loop loop{.force = Series::array(series.force),
               .displacement = Series::array(series.displacement),

@@ -20,9 +20,9 @@ enum class BranchShape {
 inline BranchData branch_of(const contact::jkr::Contact& lens, BranchShape shape, Index samples) {
     using namespace contact::jkr;
     const double top = displacement_at_force(1e-3, lens);
-    const double parting = displacement(pull_off_at_fixed_load(lens).contact_radius, lens);
+    const double separation = displacement(pull_off_at_fixed_load(lens).contact_radius, lens);
     const bool loading = shape == BranchShape::loading;
-    const Array1D depth = Array1D::LinSpaced(samples, loading ? 0.0 : top, loading ? top : parting);
+    const Array1D depth = Array1D::LinSpaced(samples, loading ? 0.0 : top, loading ? top : separation);
     BranchData data;
     data.contact_radius = contact_radius_at_displacement(depth, lens);
     data.force = data.contact_radius.unaryExpr([&](double a) { return force(a, lens); });

@@ -16,7 +16,7 @@ namespace setae::loops::tests {
 /// A lens under fixed grips, loaded in equilibrium and released at constant speed, whose edge recedes as
 /// G = G0 [1 + (v/v0)^n] asks. The equations are written out here, in displacement, by Runge and Kutta's method:
 /// nothing is shared with the fit, which integrates in force by another rule.
-struct RecedingLoop {
+struct RetractingLoop {
     contact::jkr::Contact loading{.radius = 1.25e-3, .contact_modulus = 0.92e6, .work_of_adhesion = 0.040};
     double threshold = 0.040, reference_speed = 1e-6, exponent = 0.6;
     double speed = 60e-9;         ///< of the grips [m/s]
@@ -35,7 +35,7 @@ private:
     }
 };
 
-inline Loop RecedingLoop::make(unsigned seed) const {
+inline Loop RetractingLoop::make(unsigned seed) const {
     std::vector<double> depths, radii;
     const double step = 1.0 / force_rate, top = contact::jkr::displacement_at_force(largest_force, loading);
     for (double depth = -1.5e-6; depth < top; depth += speed * step) {

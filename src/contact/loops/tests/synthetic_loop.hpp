@@ -87,9 +87,9 @@ inline Loop SyntheticLoop::make() const {
             series.add(force_at(largest_radius, d, {approach.radius, approach.contact_modulus}), d, largest_radius);
         }
     }
-    const State parting = pull_off_at_fixed_grips(retraction());
-    detail::add_branch(series, retraction(), largest_radius, parting.contact_radius, samples, even_in_displacement);
-    detail::add_free_flight(series, parting.displacement, far, samples);
+    const State separation = pull_off_at_fixed_grips(retraction());
+    detail::add_branch(series, retraction(), largest_radius, separation.contact_radius, samples, even_in_displacement);
+    detail::add_free_flight(series, separation.displacement, far, samples);
     const Index n = static_cast<Index>(series.force.size());
     return {.time = Array1D::LinSpaced(n, 0.0, 0.1 * static_cast<double>(n - 1)),
             .force = detail::Series::array(series.force),

@@ -52,7 +52,7 @@ Margins margins_of(const Figure& figure, std::size_t p) {
                          letters_mm * static_cast<double>(
                                           linear_ticks(value_range(*panel.map), length, Direction::along_y).letters) +
                          4.0;
-    if (panel.legend_beside && legend_size(panel).entries > 0) margins.right += legend_size(panel).width_mm();
+    if (panel.legend_right && legend_size(panel).entries > 0) margins.right += legend_size(panel).width_mm();
     return margins;
 }
 

@@ -17,7 +17,7 @@ void put_legend_above(Figure& figure, std::size_t panel) {
         place.height *= 1.0 - strip;
         figure.panels[p].place = place;
     }
-    figure.panels[panel].legend_beside = false;
+    figure.panels[panel].legend_right = false;
     figure.panels[panel].legend_place = Place{0.0, 0.0, 1.0, strip};
 }
 

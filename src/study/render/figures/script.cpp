@@ -80,7 +80,7 @@ std::string key_line(const Panel& panel, const Range& x, const Range& y, const L
             "set key at screen {:.5f},{:.5f} left top vertical Left reverse noopaque nobox samplen 2.2 spacing {} font ',{}' maxrows {}\n",
             place->left, 1.0 - place->top - 0.8 / figure.height_mm, spacing, font_size,
             legend.rows_within(place->width * figure.width_mm));
-    if (panel.legend_beside)
+    if (panel.legend_right)
         return fmt::format("set key at screen {:.5f},{:.5f} left top {}", layout.legend_left / figure.width_mm,
                            layout.axes.top / figure.height_mm, look);
     const double width = legend.width_mm() / (layout.axes.right - layout.axes.left),
@@ -179,9 +179,9 @@ std::string panel_lines(const Figure& figure, std::size_t p, const Terminal& dev
         title(axis_title(panel.y, axes.top - axes.bottom + 4.0), layout.cell.left + 2.6, 0.5 * (axes.bottom + axes.top),
               "center rotate by 90");
     if (const auto heading = heading_of(figure, p); !heading.letter.empty() || !heading.words.empty()) {
-        const double room_mm = layout.cell.right - axes.left - (heading.letter.empty() ? 0.0 : 2.0 * title_letters_mm);
+        const double space_mm = layout.cell.right - axes.left - (heading.letter.empty() ? 0.0 : 2.0 * title_letters_mm);
         const auto words =
-            shortened(heading.words, static_cast<std::size_t>(std::max(room_mm / title_letters_mm, 1.0)));
+            shortened(heading.words, static_cast<std::size_t>(std::max(space_mm / title_letters_mm, 1.0)));
         title(quoted_heading(heading.letter, words), axes.left, axes.top + 2.6, "left");
     }
     for (const double height : panel.horizontal_lines)

@@ -27,7 +27,7 @@ LinearTicks ticks_at(const Range& range, double step) {
 }
 
 /// Least distance of two numbers [mm], and the least where that leaves fewer than three.
-double room_mm(const LinearTicks& ticks, Direction direction, bool few) {
+double space_mm(const LinearTicks& ticks, Direction direction, bool few) {
     if (direction == Direction::along_y) return few ? 2.9 : 5.0;
     const double width = letters_mm * static_cast<double>(ticks.letters);
     return few ? width + 1.2 : std::max(6.5, width + 2.5);
@@ -45,9 +45,10 @@ LinearTicks linear_ticks(const Range& range, double length_mm, Direction directi
             if (extent / (digit * decade) > max_numbers) continue;
             auto ticks = ticks_at(range, digit * decade);
             const double distance = length_mm * ticks.step / extent * (1.0 + 1e-9);
-            if (distance >= room_mm(ticks, direction, true) && (ticks.places.size() >= enough || closer.places.empty()))
+            if (distance >= space_mm(ticks, direction, true) &&
+                (ticks.places.size() >= enough || closer.places.empty()))
                 closer = ticks;
-            if (distance < room_mm(ticks, direction, false)) continue;
+            if (distance < space_mm(ticks, direction, false)) continue;
             return ticks.places.size() >= std::min(enough, closer.places.size()) ? ticks : closer;
         }
 }

@@ -105,18 +105,18 @@ StudyFigure contact_line_figure(const ContactLineData& data, const std::string& 
         panels.push_back(spectrum_panel(data.roughness, noise * noise / static_cast<double>(data.line.angles())));
         drawn.caption += " B: power of the modes of the edge, and the fitted power law.";
     }
-    if (data.receding_speeds.size() > 1 || data.advancing_speeds.size() > 1) {
+    if (data.retracting_speeds.size() > 1 || data.advancing_speeds.size() > 1) {
         panels.push_back(distribution_panel("C", {.quantity = "speed *v* over its mean", .logarithmic = true},
-                                            "share of faster places", data.receding_speeds, data.advancing_speeds,
+                                            "share of faster places", data.retracting_speeds, data.advancing_speeds,
                                             1.0));
         drawn.caption += " C: share of places where the edge moves faster.";
     }
-    if (data.receding_jumps.size() > 1 || data.advancing_jumps.size() > 1) {
-        const Array1D& some = data.receding_jumps.size() > 1 ? data.receding_jumps : data.advancing_jumps;
+    if (data.retracting_jumps.size() > 1 || data.advancing_jumps.size() > 1) {
+        const Array1D& some = data.retracting_jumps.size() > 1 ? data.retracting_jumps : data.advancing_jumps;
         const auto unit = axis_unit(some.sqrt(), "m");
         panels.push_back(distribution_panel(
             "D", {.quantity = "area of a jump *S*", .unit = unit.name + "2", .logarithmic = true},
-            "share of larger jumps", data.receding_jumps, data.advancing_jumps, unit.factor * unit.factor));
+            "share of larger jumps", data.retracting_jumps, data.advancing_jumps, unit.factor * unit.factor));
         drawn.caption += " D: share of larger jumps.";
     }
     const bool wide = look.wide();

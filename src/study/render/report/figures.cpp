@@ -151,7 +151,7 @@ Json panel_json(const figures::Figure& figure, std::size_t index, Index most) {
         json["corner"] = corners[static_cast<std::size_t>(*panel.legend_corner)];
     }
     if (panel.sketch) json["x"]["hidden"] = json["y"]["hidden"] = true;
-    if (panel.legend_beside) json["beside"] = true;
+    if (panel.legend_right) json["beside"] = true;
     if (panel.place) json["place"] = {panel.place->left, panel.place->top, panel.place->width, panel.place->height};
     if (panel.map) json["map"] = map_json(*panel.map);
     for (const auto& note : panel.notes) {

@@ -144,7 +144,7 @@ std::string contents_html(const study::Hysteresis& h, const Json& study) {
 
 }  // namespace
 
-std::string way_back_html(const study::StudyResult& result, const Json& study, const std::string& figures) {
+std::string retraction_html(const study::StudyResult& result, const Json& study, const std::string& figures) {
     if (!result.work_of_adhesion) return "";
     const auto& hysteresis = result.hysteresis;
     if (!hysteresis)

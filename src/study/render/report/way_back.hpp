@@ -10,7 +10,7 @@ namespace setae::report {
 
 /// Retraction of pairs, folded: the best retraction model, its predictions for each pair, the energy budgets. Empty
 /// where the study has no W_int. `study` is output::to_json(result), figures: HTML.
-[[nodiscard]] std::string way_back_html(const study::StudyResult& result, const output::Json& study,
-                                        const std::string& figures);
+[[nodiscard]] std::string retraction_html(const study::StudyResult& result, const output::Json& study,
+                                          const std::string& figures);
 
 }  // namespace setae::report

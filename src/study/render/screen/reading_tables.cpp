@@ -52,7 +52,7 @@ std::string deviation_of(const StudyResult& result, const study::PairResult& pai
 std::string full_contact_of(const study::PairResult& pair) {
     if (!pair.scales) return "";
     switch (pair.closing()) {
-        case adhesion::Closing::by_itself: return "spontaneous";
+        case adhesion::Closing::spontaneous: return "spontaneous";
         case adhesion::Closing::under_pressure: return "under pressure";
         case adhesion::Closing::opens: return "opens";
     }

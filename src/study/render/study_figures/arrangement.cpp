@@ -39,7 +39,7 @@ void place(Figure& figure, std::size_t columns, double strip_mm, bool shared) {
     }
     figure.columns = static_cast<int>(columns);
     if (strip_mm > 0.0) {
-        figure.panels.front().legend_beside = false;
+        figure.panels.front().legend_right = false;
         figure.panels.front().legend_place = figures::Place{0.0, 0.0, 1.0, strip_mm / figure.height_mm};
     }
 }

@@ -299,7 +299,7 @@ void prediction_and_loss(const FigureRequest& request, StudyFigure& drawn) {
     }
     auto& explained = comparisons.back().values;
     explain(explained, result, lost ? losses : points);
-    explained.legend_beside = true;
+    explained.legend_right = true;
     drawn.figure = arranged(request, comparisons);
     drawn.caption =
         text +
@@ -335,7 +335,7 @@ void persson_tosatti_prediction(const FigureRequest& request, StudyFigure& drawn
     }
     auto comparison = against_prediction(result, points);
     explain(comparison.values, result, points);
-    comparison.values.legend_beside = true;
+    comparison.values.legend_right = true;
     drawn.figure = arranged(request, {comparison});
     drawn.caption = fmt::format(
         "Measured work of adhesion on approach against the prediction of the Persson–Tosatti balance (Eq. S13), W_int (1 + h'²/2) − U_el/A_app, "

@@ -132,7 +132,7 @@ StudyFigure hysteresis_figure(const study::Hysteresis& h, FigureWidth width) {
         panel.series.push_back(explained(surfaces[i], static_cast<int>(i), colour::black));
     for (std::size_t i = 0; i < elastomers.size(); ++i)
         panel.series.push_back(explained(elastomers[i], 0, static_cast<int>(i)));
-    panel.legend_beside = wide;
+    panel.legend_right = wide;
     drawn.figure = {.panels = {panel}, .width_mm = wide ? page_mm : column_mm, .height_mm = wide ? 110.0 : 95.0};
     if (!wide) figures::put_legend_above(drawn.figure);
     std::vector<std::string> laws;
@@ -202,7 +202,7 @@ StudyFigure loss_shares_figure(const study::Hysteresis& h, FigureWidth width) {
     }
     auto panel = losses_panel(bars);
     const auto count = static_cast<double>(bars.size());
-    panel.legend_beside = wide;
+    panel.legend_right = wide;
     drawn.figure = {.panels = {panel}, .width_mm = wide ? page_mm : column_mm, .height_mm = 35.0 + 5.0 * count};
     if (!wide) figures::put_legend_above(drawn.figure);
     drawn.caption = fmt::format(

@@ -103,7 +103,7 @@ void add_predicted(Panel& panel, const StudyResult& result, const PairResult& pa
 }
 
 /// "+3.9 σ": measured minus predicted in standard errors.
-std::string apart_in_words(double apart) {
+std::string deviation_in_words(double apart) {
     const auto size = fmt::format("{:.1f} σ", std::abs(apart));
     return (size.starts_with("0.0") ? "" : apart < 0.0 ? "−" : "+") + size;
 }
@@ -119,7 +119,7 @@ void add_residuals(Panel& panel, const StudyResult& result, const std::vector<co
     for (const auto* pair : pairs)
         if (const auto* residual = pair->approach ? residual_of(result, *pair) : nullptr)
             texts.emplace_back(MPa * result.elastomer(pair->elastomer).contact_modulus.value,
-                               apart_in_words(residual->standardised()));
+                               deviation_in_words(residual->standardised()));
     std::sort(texts.begin(), texts.end());
     double last = -HUGE_VAL;
     bool second = false;

@@ -319,7 +319,7 @@ std::string shown_not_distinguished(const study::Hysteresis& h, std::size_t widt
     std::vector<std::pair<std::string, std::vector<std::string>>> found;
     for (const auto& p : h.pairs) {
         if (!p.decomposition) continue;
-        for (const auto& shares : p.decomposition->not_told_apart) {
+        for (const auto& shares : p.decomposition->indistinguishable) {
             auto place = std::ranges::find_if(found, [&](const auto& entry) { return entry.first == shares; });
             if (place == found.end()) place = found.insert(found.end(), {shares, {}});
             place->second.push_back(fmt::format("{} × {}", p.surface, p.elastomer));
@@ -435,7 +435,7 @@ TidyTable model_table(const study::Hysteresis& h) {
 
 TidyTable trial_table(const study::Hysteresis& h) {
     static constexpr auto view =
-        fields::view_of<hysteresis::LawTrials>({{"planted"}, {"runs"}, {"found"}, {"possible"}, {"excluded"}});
+        fields::view_of<hysteresis::ModelTrials>({{"planted"}, {"runs"}, {"found"}, {"possible"}, {"excluded"}});
     auto table = table_of(h.trials, view);
     table.columns.emplace_back("most often in its place");
     for (std::size_t i = 0; i < h.trials.size(); ++i) table.rows[i].emplace_back(h.trials[i].most_taken);

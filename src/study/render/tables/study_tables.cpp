@@ -327,7 +327,7 @@ tables::TidyTable cutoff_table(const study::StudyResult& result) {
     return table;
 }
 
-tables::TidyTable conforming_table(const study::StudyResult& result) {
+tables::TidyTable full_contact_table(const study::StudyResult& result) {
     tables::TidyTable table{"",
                             {"surface", "elastomer", "method", "q [1/m]", "gained above [J/m2]", "stored above [J/m2]",
                              "closing", "closing pressure [Pa]"},

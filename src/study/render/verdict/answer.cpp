@@ -40,7 +40,7 @@ std::string sentence_of_loss(const StudyResult& result) {
     const auto number = format_interval(loss, "J/m2");
     const auto sentence = fmt::format("The energy loss of loops gives W_int = {}", number);
     if (!result.modified) return sentence + ".";
-    const auto excess = *loss_less_approach(result);
+    const auto excess = *loss_minus_approach(result);
     if (!interval_of(excess)) return sentence + ".";
     if (!may_be_zero(excess))
         return fmt::format(
@@ -189,7 +189,7 @@ std::string test_text(const adhesion::PredictionTest& test) {
         probability_text(test.probability));
 }
 
-std::optional<Estimate> loss_less_approach(const StudyResult& result) {
+std::optional<Estimate> loss_minus_approach(const StudyResult& result) {
     if (!result.loop || !result.modified) return std::nullopt;
     const auto &loss = result.loop->through_origin.generalised.work_of_adhesion,
                &approach = result.modified->generalised.work_of_adhesion;

@@ -40,7 +40,7 @@ inline constexpr double improbable = 0.05;
 
 /// W_int from the loss minus that of the approach by generalised least squares, with their shared inputs; empty where
 /// either is missing.
-[[nodiscard]] std::optional<Estimate> loss_less_approach(const study::StudyResult& result);
+[[nodiscard]] std::optional<Estimate> loss_minus_approach(const study::StudyResult& result);
 
 /// Whether a difference between the W_int of loss and that of approach half as large as W_int would have shown: a claim
 /// that the data could not have refused is none.

@@ -32,7 +32,7 @@ std::string finding_of_rivals(const StudyResult& result) {
 }
 
 std::string finding_of_loss(const StudyResult& result) {
-    const auto apart = loss_less_approach(result);
+    const auto apart = loss_minus_approach(result);
     if (!apart || !may_be_zero(*apart) || !could_have_refused(*apart, result)) return "";
     return "The energy loss of loops is proportional to the true area (Eq. 10), with the W_int of approach.";
 }

@@ -58,7 +58,7 @@ private:
         limits_.push_back({std::move(sentence), std::move(note), true});
     }
     /// What the answer states too, or what only notes that a number is missing.
-    void say_beside(std::string sentence) { limits_.push_back({std::move(sentence), "", false}); }
+    void add_reservation(std::string sentence) { limits_.push_back({std::move(sentence), "", false}); }
 
     void say_of_failures() {
         for (const auto& surface : result_.surfaces)
@@ -79,7 +79,7 @@ private:
         const auto& worst = worst_of(test);
         const auto name = worst.elastomer + " on " + worst.surface;
         if (test.probability < improbable)
-            say_beside(
+            add_reservation(
                 fmt::format("The full-contact balance (Eq. 7) does not fit {} within the errors ({}). The largest "
                             "deviation from the prediction is {:+.1f} standard errors, for {}. Predictions share "
                             "spectra and moduli, so one wrong input can shift several pairs.",
@@ -92,7 +92,7 @@ private:
                     name, worst.standardised(), probability_text(test.probability)),
                 deviation_note(test));
         if (test.probability < improbable && test.extra_scatter > 0.0)
-            say_beside(
+            add_reservation(
                 fmt::format("A prediction of the full-contact balance (Eq. 7) for another pair has an additional "
                             "uncertainty of {}, the scatter between pairs.",
                             format_value(test.extra_scatter, "J/m2", 2)));
@@ -109,13 +109,13 @@ private:
     }
 
     void say_of_fits() {
-        if (const auto apart = loss_less_approach(result_); apart && interval_of(*apart) && !may_be_zero(*apart))
-            say_beside(fmt::format(
+        if (const auto apart = loss_minus_approach(result_); apart && interval_of(*apart) && !may_be_zero(*apart))
+            add_reservation(fmt::format(
                 "The energy loss and the approach give different W_int, with a difference of {} by generalised "
                 "least squares. The full-contact balance (Eq. 7) or the true-area loss (Eq. 10) is "
                 "incomplete.",
                 format_uncertain(*apart, "J/m2")));
-        if (const auto apart = loss_less_approach(result_);
+        if (const auto apart = loss_minus_approach(result_);
             apart && may_be_zero(*apart) && !could_have_refused(*apart, result_))
             say(
                 fmt::format("The data do not test whether the loss is proportional to the true area (Eq. 10). Half or "
@@ -124,7 +124,7 @@ private:
         if (result_.pairs.empty()) return;
         if (!result_.modified && result_.work_of_adhesion)
             say("The approach is not fitted: " + result_.modified.reason + ".");
-        if (!result_.loop) say_beside("The loop energies are not fitted: " + result_.loop.reason + ".");
+        if (!result_.loop) add_reservation("The loop energies are not fitted: " + result_.loop.reason + ".");
         if (!result_.work_of_adhesion) say("W_app is not predicted: " + result_.work_of_adhesion.reason + ".");
     }
 

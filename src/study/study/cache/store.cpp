@@ -188,12 +188,12 @@ Content Store::content() const {
     return content;
 }
 
-Content Store::remove(bool of_other_versions_alone) const {
+Content Store::remove(bool only_other_versions) const {
     Content removed;
     if (!enabled()) return removed;
     for_each_file(folder_, [&](const fs::directory_entry& file, bool whole) {
         const bool other = whole && is_of_other_version(file.path(), version_);
-        if (whole && of_other_versions_alone && !other) return;
+        if (whole && only_other_versions && !other) return;
         std::error_code failure;
         const auto size = size_of(file);
         if (!fs::remove(file.path(), failure) || failure) return;

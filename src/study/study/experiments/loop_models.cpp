@@ -65,7 +65,7 @@ LoopModels loop_models(const loops::LoopAnalysis& analysis, const loops::LensAnd
     if (options.crack_speed)
         attempt(models, "crack speed", [&] {
             models.crack_speed =
-                loops::fit_crack_speed(loops::receding_edge(analysis, analysis_options), bodies.radius,
+                loops::fit_crack_speed(loops::retracting_edge(analysis, analysis_options), bodies.radius,
                                        analysis.loading.primary().contact_modulus, {.exponent = options.exponent});
         });
     return models;

@@ -9,6 +9,6 @@ namespace setae::study {
 
 /// "waves down to 78.1 nm are used": lateral resolution that is assumed for a channel without a known probe, two of its
 /// steps; without a length where the file does not state its size.
-[[nodiscard]] std::string believed_without_probe(const formats::ChannelInfo& info);
+[[nodiscard]] std::string resolution_without_probe(const formats::ChannelInfo& info);
 
 }  // namespace setae::study

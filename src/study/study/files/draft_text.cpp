@@ -43,7 +43,7 @@ StatedInstrument instrument_of(const DraftMeasurement& measurement) {
 /// What no file says of a probe, so that short waves are not believed for nothing.
 std::string probe_lines(const std::string& type, const formats::ChannelInfo& info) {
     const auto& instrument = info.metadata.instrument;
-    const auto believed = believed_without_probe(info);
+    const auto believed = resolution_without_probe(info);
     if (instrument.tip_radius_standard_error) return "";  // the container says it, with its ±
     if (instrument.tip_radius)
         return draft_line("tip_radius", format_value(*instrument.tip_radius, "m"), "as the file states, without its ±");

@@ -182,7 +182,7 @@ private:
                            info.metadata.attributes.contains("foil_thickness");
         if (probe) return;
         const auto type = input.instrument.empty() ? stated.type : input.instrument;
-        const auto believed = believed_without_probe(info);
+        const auto believed = resolution_without_probe(info);
         if (type.empty()) add(lines_.asking(line, {"instrument", "tip_radius"}), item, "no instrument: " + believed);
         else if (type == "afm" || type == "stylus")
             add(lines_.asking(line, {"tip_radius"}), item, fmt::format("no tip_radius of the {}: {}", type, believed));

@@ -21,10 +21,10 @@ void require_prediction(const PairResult& pair) {
 }
 
 /// W_int r − γ1 (r − 1): what full contact gains before it stores anything [J/m²].
-double conforming_gain(const PairResult& pair) { return pair.modified->work.raw + pair.stored_energy.value; }
+double full_contact_gain(const PairResult& pair) { return pair.modified->work.raw + pair.stored_energy.value; }
 
 double energy_share(const PairResult& pair) {
-    const double gain = conforming_gain(pair);
+    const double gain = full_contact_gain(pair);
     return gain > 0.0 ? pair.stored_energy.value / gain : INFINITY;
 }
 
@@ -33,7 +33,7 @@ ContactAnswer full_contact(const PairResult& pair) {
 }
 
 std::optional<ContactAnswer> by_persson(const StudyResult& result, const PairResult& pair) {
-    const double gain = conforming_gain(pair);
+    const double gain = full_contact_gain(pair);
     if (!(gain > 0.0)) return {};
     const auto scales = persson::scales_of(result.surface(pair.surface).used().curve,
                                            {.contact_modulus = result.elastomer(pair.elastomer).contact_modulus.value});

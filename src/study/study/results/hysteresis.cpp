@@ -45,7 +45,7 @@ std::optional<TracedValue> pull_off_of(const TracedValue& work_retraction, const
 }
 
 /// A law from roughness alone.
-LikelierModel likelier_of(const PairLaw& law) {
+LikelierModel likelier_of(const PairModel& law) {
     const auto& roughness = *law.pair.from_roughness;
     const auto work = hysteresis::predicted_retraction(law.fitted, roughness);
     return {law.fitted.model, work, pull_off_of(work, roughness)};
@@ -95,9 +95,9 @@ public:
         for (auto& alert : speeds_beyond_bulk(found_)) found_.alerts.push_back(std::move(alert));
         if (trials) {
             const bool conforming = found_.conforming.best() != nullptr;
-            found_.trials =
-                hysteresis::law_trials(seen_by(by_last_points(conforming)), conforming ? found_.conforming : found_.all,
-                                       result_.study.work_of_adhesion, *trials);
+            found_.trials = hysteresis::model_trials(seen_by(by_last_points(conforming)),
+                                                     conforming ? found_.conforming : found_.all,
+                                                     result_.study.work_of_adhesion, *trials);
         }
         return std::move(found_);
     }
@@ -121,7 +121,7 @@ private:
     parallel::Threads threads_;
     PreparedPairs prepared_;
     const std::deque<PreparedPair>& pairs_;
-    std::vector<PairLaw> laws_;
+    std::vector<PairModel> laws_;
     Hysteresis found_;
 };
 
@@ -188,7 +188,7 @@ PairHysteresis HysteresisOf::of(const PreparedPair& pair) {
     if (roughness.speed_factor) found.speed_factor = roughness.speed_factor->factor;
     if (pair.ranked()) found.measured_retraction = pair.retraction();
     FittedModel fitted{.model = hysteresis::model_without_measurements(), .parameter = {}, .scatter = {}};
-    PairLaw law{pair, fitted, {}, false};
+    PairModel law{pair, fitted, {}, false};
     if (const auto* ranking = ranking_of(pair)) {
         found.models = works_of(pair, *ranking);
         found.pinning = hysteresis::pinning_of(roughness);

@@ -168,11 +168,11 @@ std::string reason_against(const SurfaceResult& surface, const PairResult& pair,
     const hysteresis::PairState state{.area_ratio = pair.area_ratio,
                                       .work_of_adhesion = work_of_adhesion,
                                       .surface_energy = elastomer.input.surface_energy.value};
-    return state.conforming_gain() > 0.0 ? "" : "stretching the soft side costs more than W_int gains";
+    return state.full_contact_gain() > 0.0 ? "" : "stretching the soft side costs more than W_int gains";
 }
 
 /// Why a retraction model cannot be evaluated for a pair; empty where all can.
-std::string reason_of_laws(const PreparedPair& pair) {
+std::string reason_of_models(const PreparedPair& pair) {
     const hysteresis::MeasuredWork any{.value = {.value = 1.0, .standard_error = 0.0}, .inputs = {}};
     try {
         for (const auto& model : hysteresis::retraction_models())
@@ -240,7 +240,7 @@ PreparedPairs prepared_pairs(const StudyResult& result) {
         prepared.from_roughness.emplace(std::move(base));
         prepared.as_measured.emplace(std::move(measured));
         read_area(prepared, drive);
-        if (auto reason = reason_of_laws(prepared); !reason.empty()) {
+        if (auto reason = reason_of_models(prepared); !reason.empty()) {
             found.skipped.push_back({pair.surface, pair.elastomer, std::move(reason)});
             found.pairs.pop_back();
         }

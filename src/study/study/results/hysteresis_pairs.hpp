@@ -36,7 +36,7 @@ struct PreparedPair {
     }
     [[nodiscard]] bool ranked() const { return measured.approach && measured.approach->value > 0.0 && retraction(); }
     [[nodiscard]] bool conforms() const {
-        return from_roughness->energy_share() <= hysteresis::conforming_energy_share;
+        return from_roughness->energy_share() <= hysteresis::full_contact_energy_share;
     }
 };
 

@@ -54,7 +54,7 @@ struct ScatterNames {
 };
 
 /// The law with a number of its own that loops may move, and with effects of pairs in place of an error.
-FittedModel freed(const PairLaw& law) {
+FittedModel freed(const PairModel& law) {
     auto fitted = law.fitted;
     const auto name = fitted.model.name();
     if (fitted.model.fitted() && fitted.parameter.value > 0.0) {
@@ -78,7 +78,7 @@ FittedModel freed(const PairLaw& law) {
 
 /// One loop as the fit sees it.
 struct Prepared {
-    const PairLaw* law = nullptr;
+    const PairModel* law = nullptr;
     LossDecomposition loss;
     TracedValue computed;  ///< E_loss by the law, effects of pairs among what it rests on [J]
     TracedValue work_off;  ///< W_ret measured less computed [J/m²]
@@ -91,7 +91,7 @@ TracedValue by_law_alone(TracedValue value, const ScatterNames& names) {
     return value;
 }
 
-Outcome<Prepared> prepared(const PairLaw& law) {
+Outcome<Prepared> prepared(const PairModel& law) {
     using Missing = Outcome<Prepared>;
     const auto& pair = law.pair;
     const auto retraction = pair.traced_retraction();
@@ -123,7 +123,7 @@ Outcome<Prepared> prepared(const PairLaw& law) {
 }
 
 /// Names of shares of which only the sum is known.
-std::vector<std::string> not_told_apart(const EnergyShares& shares) {
+std::vector<std::string> indistinguishable(const EnergyShares& shares) {
     constexpr double better = 3.0;
     std::vector<std::string> pairs;
     const auto& all = EnergyShares::all();
@@ -180,7 +180,7 @@ public:
         inputs_.push_back({name, unit, before.estimate(), fit_.updated(before).estimate("joint fit")});
     }
 
-    void add_of(const PairLaw& law) {
+    void add_of(const PairModel& law) {
         const auto& pair = *law.pair.as_measured;
         const auto& elastomer = pair.soft.name;
         const auto fitted = freed(law);
@@ -238,7 +238,7 @@ JointLossFit joint_fit(const std::vector<Prepared*>& loops) {
 
 }  // namespace
 
-DecomposedLosses decomposed_losses(const std::vector<PairLaw>& pairs) {
+DecomposedLosses decomposed_losses(const std::vector<PairModel>& pairs) {
     std::vector<Outcome<Prepared>> losses;
     for (const auto& law : pairs) losses.push_back(prepared(law));
     std::vector<Prepared*> found;
@@ -255,7 +255,7 @@ DecomposedLosses decomposed_losses(const std::vector<PairLaw>& pairs) {
             result.pairs.push_back(Outcome<LossDecomposition>::missing(loss.reason));
             continue;
         }
-        loss.value->loss.not_told_apart = not_told_apart(loss.value->loss.shares);
+        loss.value->loss.indistinguishable = indistinguishable(loss.value->loss.shares);
         result.pairs.emplace_back(std::move(loss.value->loss));
     }
     return result;

@@ -8,7 +8,7 @@
 namespace setae::study {
 
 /// A pair, and the model of its energy budget.
-struct PairLaw {
+struct PairModel {
     const PreparedPair& pair;
     hysteresis::FittedModel fitted;
     adhesion::ModelScatter scatter;  ///< scatter of pairs about the model
@@ -24,6 +24,6 @@ struct DecomposedLosses {
 /// the parameters of the models and the scatter of works about them are adjusted to the measured E_loss and W_ret. The
 /// parameters of models may vary within five of the standard errors of the ranking. The additional scatter of energies
 /// is that of maximum likelihood.
-[[nodiscard]] DecomposedLosses decomposed_losses(const std::vector<PairLaw>& pairs);
+[[nodiscard]] DecomposedLosses decomposed_losses(const std::vector<PairModel>& pairs);
 
 }  // namespace setae::study

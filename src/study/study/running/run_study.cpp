@@ -120,7 +120,7 @@ loops::Outcome<loops::CrackSpeedFit> edge_speed_of(const ExperimentResult& resul
     Fit fit;
     try {
         const auto& analysis = *result.analysis;
-        fit = loops::fit_crack_speed(loops::receding_edge(analysis, result.input.options), result.bodies.radius,
+        fit = loops::fit_crack_speed(loops::retracting_edge(analysis, result.input.options), result.bodies.radius,
                                      analysis.loading.primary().contact_modulus);
     } catch (const Error& error) {
         fit = Fit::missing(error.what());
@@ -204,7 +204,7 @@ void bring_together(StudyResult& result) {
 }
 
 /// How pairs hold on, where that takes no minutes.
-Outcome<Hysteresis> way_back_of(StudyResult& result, parallel::Threads threads) {
+Outcome<Hysteresis> retraction_fold_of(StudyResult& result, parallel::Threads threads) {
     using Missing = Outcome<Hysteresis>;
     const auto measured = std::ranges::count_if(
         result.pairs, [](const PairResult& pair) { return pair.approach && (pair.retraction || pair.pull_off); });
@@ -280,7 +280,7 @@ StudyResult run_study(Study study, const RunOptions& options) {
     look_for_changed_inputs(result);
     look_for_same_loops(result);
     bring_together(result);
-    result.hysteresis = way_back_of(result, options.threads);
+    result.hysteresis = retraction_fold_of(result, options.threads);
     if (result.hysteresis)
         result.alerts.insert(result.alerts.end(), result.hysteresis->alerts.begin(), result.hysteresis->alerts.end());
     run.stop_if_cancelled();  // parts that were stopped are none that failed

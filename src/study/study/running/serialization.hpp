@@ -216,7 +216,7 @@ SETAE_KEEP(ContactPointEstimate, method, contact_point, fit)
 SETAE_KEEP(ContactPoints, estimates, chosen, contact_point, spread, spread_share, chi2, degrees_of_freedom,
            work_by_contact_point, modulus_by_contact_point)
 SETAE_KEEP(WorkEntry, range, energy, standard_error)
-SETAE_KEEP(EnergyLedger, contact, loop, before_contact, jump_in, approach, retraction, jump_out, after_contact,
+SETAE_KEEP(EnergyBudget, contact, loop, before_contact, jump_in, approach, retraction, jump_out, after_contact,
            recovered_share, ideal_fixed_grips, ideal_this_machine, machine_stiffness, largest_contact_area,
            true_area_ratio, loss_per_apparent_area, loss_per_true_area)
 SETAE_KEEP(ComplianceEffect, stiffness, modulus_change, work_change, energy_change)

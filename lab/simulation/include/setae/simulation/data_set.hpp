@@ -10,7 +10,7 @@
 namespace setae::simulation {
 
 /// One loop of the data set with its known parameters.
-struct PlantedLoop {
+struct KnownLoop {
     std::string file;     ///< path relative to the folder of the data set
     std::string surface;  ///< empty for a reference
     std::string elastomer;
@@ -30,11 +30,11 @@ struct PlantedLoop {
 /// @throws InvalidArgument where a pair has no full contact (W_app <= 0) or its jumps dissipate more than E_loss,
 /// unless such pairs are left out; the message names the pair. Empty for a recipe without loops. Source: [D19], Eqs. 7,
 /// 10.
-[[nodiscard]] std::vector<PlantedLoop> planted_loops(const Recipe& recipe);
+[[nodiscard]] std::vector<KnownLoop> known_loops(const Recipe& recipe);
 
 /// The loops for known true values of each surface, in the recipe's order.
 /// @throws InvalidArgument also for another number of true values than surfaces.
-[[nodiscard]] std::vector<PlantedLoop> planted_loops(const Recipe& recipe, const std::vector<SurfaceTruth>& truths);
+[[nodiscard]] std::vector<KnownLoop> known_loops(const Recipe& recipe, const std::vector<TrueSurfaceValues>& truths);
 
 /// Makes a data set in a folder, which is created: simulated records of the instruments, and their true values.
 ///
@@ -48,7 +48,7 @@ struct PlantedLoop {
 /// thickness a patch. The surfaces contain waves up to eight times as long as the measurement; longer ones are missing,
 /// except for transformed heights, where they set the mean height of the patch.
 /// @return files written, relative to the folder, in order.
-/// @throws FileError; InvalidArgument as planted_loops and for protocols that contradict a surface.
+/// @throws FileError; InvalidArgument as known_loops and for protocols that contradict a surface.
 std::vector<std::string> make(const Recipe& recipe, const std::string& folder, parallel::Threads threads = {});
 
 }  // namespace setae::simulation

@@ -27,7 +27,7 @@ struct KnownSurface {
 };
 
 /// True values for measurements of a surface.
-struct SurfaceTruth {
+struct TrueSurfaceValues {
     roughness::SpectralParameters parameters;
     double area_ratio = 1.0;  ///< A_true/A_app
     /// spectrum of lines, mean over directions; 20 nodes per decade from 1/100 of the roll-off wavevector to the short
@@ -50,12 +50,12 @@ struct SurfaceTruth {
 /// to 20 ms, mostly for C1D.
 /// @throws InvalidArgument for wavelengths that contradict each other or a spectrum that is not positive and finite.
 /// Source: cov(z, ∇²z) = −s², ∫ (1 − J0(qr))/r² dr = q.
-[[nodiscard]] SurfaceTruth surface_truth(const KnownSurface& surface);
+[[nodiscard]] TrueSurfaceValues true_surface_values(const KnownSurface& surface);
 
 /// True values of only the waves in a band [1/m], such as those not longer than the longest scan; C1D stays the whole
 /// curve. For transformed heights the band must contain all waves shorter than the roll-off, and only the rms height
 /// changes.
 /// @throws InvalidArgument as above and for such a band.
-[[nodiscard]] SurfaceTruth surface_truth(const KnownSurface& surface, const Band& band);
+[[nodiscard]] TrueSurfaceValues true_surface_values(const KnownSurface& surface, const Band& band);
 
 }  // namespace setae::simulation

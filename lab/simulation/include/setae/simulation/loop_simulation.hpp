@@ -31,7 +31,7 @@ struct SimulatedLoop {
 /// The record of a loop: samples at times i/force_rate, a frame of the camera at the first sample at or after each
 /// multiple of 1/camera_rate. The jumps take no time. If the bulk relaxes, contact radius and displacement are those of
 /// an elastic sphere, and the force includes contact::relaxation_force().
-/// @throws InvalidArgument as loop_truth, for negative noise, a camera faster than the force, and for records of more
+/// @throws InvalidArgument as true_loop, for negative noise, a camera faster than the force, and for records of more
 /// than 10⁸ samples.
 [[nodiscard]] SimulatedLoop simulated_loop(const hysteresis::HystereticSphere& specimen,
                                            const LoadingProtocol& protocol, const LoopArtefacts& artefacts = {},

@@ -27,8 +27,8 @@ struct LoadingProtocol {
 
 /// The loop of this specimen in this machine: hysteresis::sphere_loop().
 /// @throws InvalidArgument for values outside their domains.
-[[nodiscard]] hysteresis::SphereLoop loop_truth(const hysteresis::HystereticSphere& specimen,
-                                                const LoadingProtocol& protocol,
-                                                const hysteresis::ViscousBody& body = {});
+[[nodiscard]] hysteresis::SphereLoop true_loop(const hysteresis::HystereticSphere& specimen,
+                                               const LoadingProtocol& protocol,
+                                               const hysteresis::ViscousBody& body = {});
 
 }  // namespace setae::simulation

@@ -94,7 +94,7 @@ struct SpecimenPair {
 };
 
 /// Origin of W_ret.
-enum class RetractionLaw {
+enum class RetractionChoice {
     loss,        ///< energy loss f W_int A_true
     pinning,     ///< roughness pins the edge: hysteresis::Law::pinning
     opening,     ///< constant work per unit true area: hysteresis::Law::opening_work
@@ -102,13 +102,13 @@ enum class RetractionLaw {
 };
 
 /// Contact of the soft body.
-enum class PlantedContact {
+enum class KnownContact {
     full,     ///< full contact, as the full-contact balance (Eq. 7) assumes
     patches,  ///< contact of simulated patches without load: adhesion::unloaded_contact
 };
 
 /// Treatment of pairs of surface and elastomer without a loop: W_app <= 0, or jumps that dissipate more than E_loss.
-enum class NonconformingPairs {
+enum class PairsWithoutContact {
     refuse,  ///< an error that names the pair
     skip,    ///< left out
 };
@@ -124,12 +124,12 @@ struct WorkScatter {
 struct LoopRecipe {
     LoadingProtocol protocol;
     LoopArtefacts artefacts;  ///< the key is that of the recipe
-    RetractionLaw law = RetractionLaw::loss;
-    PlantedContact contact = PlantedContact::full;
+    RetractionChoice law = RetractionChoice::loss;
+    KnownContact contact = KnownContact::full;
     double loss_factor = 1.0;   ///< f
     double opening_work = 0.0;  ///< W_x of the retraction model `opening` [J/m²]
     WorkScatter work_scatter;
-    NonconformingPairs nonconforming = NonconformingPairs::refuse;
+    PairsWithoutContact nonconforming = PairsWithoutContact::refuse;
     /// pairs whose loop is simulated, but not recorded: the study only predicts it
     std::vector<SpecimenPair> unmeasured;
     std::vector<SpecimenPair> further;  ///< pairs with one more loop, once for each time that a pair is named

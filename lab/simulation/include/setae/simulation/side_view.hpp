@@ -17,7 +17,7 @@ enum class ContourSteps {
 [[nodiscard]] double widest_spread(ContourSteps steps);
 
 /// One traced contour of a foil in a transmission electron microscope.
-struct SideViewOptions {
+struct FoilContourOptions {
     double thickness = 0.0;  ///< thickness of the foil along the beam (y) [m]; 0: a line through the surface
     double start_x = 0.0, start_y = 0.0;  ///< position of the foil on the surface [m]
     double length = 100e-9;               ///< length of the contour along x [m]
@@ -45,7 +45,7 @@ struct SideViewOptions {
 /// type "tem", the thickness as attribute "foil_thickness".
 /// @throws InvalidArgument outside the domains above, for a step wider than the length or a contour that extends beyond
 /// a surface that is not periodic; UndefinedDataError where the silhouette is undefined.
-[[nodiscard]] topography::Profile side_view_contour(const topography::HeightMap& surface,
-                                                    const SideViewOptions& options);
+[[nodiscard]] topography::Profile projected_contour(const topography::HeightMap& surface,
+                                                    const FoilContourOptions& options);
 
 }  // namespace setae::simulation

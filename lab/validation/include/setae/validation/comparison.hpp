@@ -37,13 +37,13 @@ struct Comparison {
 };
 
 /// True values of one data set.
-struct Planted {
-    std::vector<simulation::SurfaceTruth> surfaces;  ///< in the recipe's order
-    std::vector<simulation::PlantedLoop> loops;
+struct TrueValues {
+    std::vector<simulation::TrueSurfaceValues> surfaces;  ///< in the recipe's order
+    std::vector<simulation::KnownLoop> loops;
 };
 
-/// All true values of a recipe. @throws as simulation::surface_truth and planted_loops.
-[[nodiscard]] Planted planted_in(const simulation::Recipe& recipe);
+/// All true values of a recipe. @throws as simulation::true_surface_values and known_loops.
+[[nodiscard]] TrueValues true_values_of(const simulation::Recipe& recipe);
 
 /// Surfaces: rms_height, rms_slope, rms_curvature, elastic_energy_per_modulus, true_area_ratio and C1D by decade, by
 /// every spectrum of the study; where a spectrum begins above the roll-off, compared with the true waves above its
@@ -53,12 +53,12 @@ struct Planted {
 /// without its surface (elastomer). Elastomers: contact_modulus. Study: work_of_adhesion (clustered fit),
 /// work_of_predictions (W_int of the predictions) and work_of_adhesion_from_loss. Predictions and W_int by the spectrum
 /// used and by the average. Failed or missing values are left out. Surfaces and loops are matched by name.
-[[nodiscard]] std::vector<Comparison> comparisons(int run, const simulation::Recipe& recipe, const Planted& planted,
+[[nodiscard]] std::vector<Comparison> comparisons(int run, const simulation::Recipe& recipe, const TrueValues& planted,
                                                   const study::StudyResult& study);
 
 /// The spectra of [D19]: Eq. 11 and straight segments between contour points; intervals between percentiles of the
 /// bootstrap over measurements. Method "paper".
 [[nodiscard]] std::vector<Comparison> comparisons_by_paper(int run, const simulation::Recipe& recipe,
-                                                           const Planted& planted, const study::StudyResult& study);
+                                                           const TrueValues& planted, const study::StudyResult& study);
 
 }  // namespace setae::validation

@@ -22,7 +22,7 @@ constexpr MovingEdge rubber{
     .law = {.reference_speed = 1e-6, .exponent = 0.6}, .motor_speed = 60e-9, .reading_time = 3.0};
 
 /// The same edge by Runge and Kutta's method in time, under fixed grips.
-Recession by_time(const HystereticSphere& of, const Pressing& pressing, const MovingEdge& edge) {
+EdgeRetraction by_time(const HystereticSphere& of, const Pressing& pressing, const MovingEdge& edge) {
     const auto loop = sphere_loop(of, pressing);
     const double R = of.radius, E = of.contact_modulus;
     const auto rate = [&](double a, double depth) {
@@ -35,7 +35,7 @@ Recession by_time(const HystereticSphere& of, const Pressing& pressing, const Mo
     };
     double a = loop.turning_point.contact_radius, depth = loop.unpinned.displacement;
     const double gone = 1e-3 * a, step = 1e-3;
-    Recession result;
+    EdgeRetraction result;
     while (a > gone) {
         // the edge runs at last: no more than a thousandth of the contact in a step
         const double h = std::min(step, 1e-3 * a / std::max(1e-12, receding(a, depth)));
@@ -57,7 +57,7 @@ TEST(MovingEdge, DoesWhatItsEquationsDoInTime) {
     for (const double speed : {0.3e-6, 1e-6, 10e-6}) {
         auto edge = rubber;
         edge.law.reference_speed = speed;
-        const auto found = recession(sphere, pressing, edge), expected = by_time(sphere, pressing, edge);
+        const auto found = edge_retraction(sphere, pressing, edge), expected = by_time(sphere, pressing, edge);
         EXPECT_NEAR(found.smallest_force / expected.smallest_force, 1.0, 1e-4) << speed;
         EXPECT_NEAR(found.edge_work / expected.edge_work, 1.0, 1e-3) << speed;
         EXPECT_GT(found.work_read, sphere.work_retraction);
@@ -72,7 +72,7 @@ TEST(MovingEdge, ThatDoesNotMindItsSpeedIsTheRestingOne) {
         const auto resting = sphere_loop(sphere, pressing), moving = sphere_loop(sphere, pressing, edge);
         EXPECT_NEAR(moving.smallest_force / resting.smallest_force, 1.0, 1e-5) << stiffness;
         EXPECT_NEAR(moving.energy_loss() / resting.energy_loss(), 1.0, 5e-5) << stiffness;
-        EXPECT_NEAR(recession(sphere, pressing, edge).work_read / sphere.work_retraction, 1.0, 5e-4);
+        EXPECT_NEAR(edge_retraction(sphere, pressing, edge).work_read / sphere.work_retraction, 1.0, 5e-4);
     }
 }
 
@@ -112,7 +112,7 @@ TEST(MovingEdge, IsReadBeforeItsSmallestForce) {
     for (const double time : {0.0, 3.0, 10.0, 30.0}) {
         auto edge = rubber;
         edge.reading_time = time;
-        const double read = recession(sphere, pressing, edge).work_read;
+        const double read = edge_retraction(sphere, pressing, edge).work_read;
         EXPECT_LT(read, before) << "an edge that accelerates was slower before";
         before = read;
     }
@@ -121,7 +121,7 @@ TEST(MovingEdge, IsReadBeforeItsSmallestForce) {
 TEST(MovingEdge, RefusesWhatIsNone) {
     const auto refused = [](MovingEdge edge) {
         try {
-            (void)recession(sphere, {.maximum_force = 1e-3}, edge);
+            (void)edge_retraction(sphere, {.maximum_force = 1e-3}, edge);
         } catch (const InvalidArgument& error) {
             return std::string(error.what());
         }
@@ -135,7 +135,7 @@ TEST(MovingEdge, RefusesWhatIsNone) {
     EXPECT_NE(refused(edge).find("motor speed -1 m/s"), std::string::npos);
     EXPECT_THROW((void)work_at_rest(sphere, {.maximum_force = 1e-3}, rubber, Reading::last_points, -1.0),
                  InvalidArgument);
-    EXPECT_THROW((void)recession_course(sphere, {.maximum_force = 1e-3}, rubber, 2), InvalidArgument);
+    EXPECT_THROW((void)edge_retraction_course(sphere, {.maximum_force = 1e-3}, rubber, 2), InvalidArgument);
 }
 
 }  // namespace

@@ -130,7 +130,7 @@ TEST(Odds, AreClassedByTheirFivePerCentPoint) {
     EXPECT_STREQ(name_of(Distinction::clearly_better), "clearly better");
 }
 
-TEST(LawTrials, PlantedModelsAreFoundOrPossible) {
+TEST(ModelTrials, PlantedModelsAreFoundOrPossible) {
     const Study study;
     const auto pairs = study.planted({Law::opening_work, Tip::none}, 0.06, 0.03, 3);
     const std::vector<RetractionModel> models{{Law::reversible, Tip::none},
@@ -138,7 +138,7 @@ TEST(LawTrials, PlantedModelsAreFoundOrPossible) {
                                               {Law::conformal_loss, Tip::none},
                                               {Law::opening_work, Tip::none}};
     const auto ranking = rank_models(models, pairs);
-    const auto trials = law_trials(pairs, ranking, {}, {.runs = 2, .seed = 5, .threads = {1}, .cancelled = nullptr});
+    const auto trials = model_trials(pairs, ranking, {}, {.runs = 2, .seed = 5, .threads = {1}, .cancelled = nullptr});
     ASSERT_FALSE(trials.empty());
     int runs = 0, excluded = 0;
     for (const auto& law : trials) {
@@ -148,7 +148,7 @@ TEST(LawTrials, PlantedModelsAreFoundOrPossible) {
         excluded += law.excluded;
     }
     EXPECT_LE(excluded, runs / 10);
-    const auto again = law_trials(pairs, ranking, {}, {.runs = 2, .seed = 5, .threads = {2}, .cancelled = nullptr});
+    const auto again = model_trials(pairs, ranking, {}, {.runs = 2, .seed = 5, .threads = {2}, .cancelled = nullptr});
     for (std::size_t i = 0; i < trials.size(); ++i) EXPECT_EQ(trials[i].found, again[i].found);
 }
 

@@ -22,11 +22,11 @@ const EdgePull pull{.motor_speed = 60e-9, .reading_time = 3.0};
 TracedSphere sphere() { return {.radius = radius, .contact_modulus = modulus, .contact_radius = largest}; }
 TracedEdgeSpeed edge() { return {known(1e-6, 0.05e-6, "v0"), known(0.6, 0.02, "n"), known(1.05, 0.01, "rest")}; }
 
-/// φ of an edge from `largest` without the module: the recession itself.
+/// φ of an edge from `largest` without the module: the edge_retraction itself.
 double factor(double work, double speed, double exponent, double rest) {
     const HystereticSphere body{radius, modulus, 1e-9 * work, rest * work};
     const Pressing pressing{.maximum_force = contact::jkr::force(largest, body.approach())};
-    return recession(body, pressing, {{speed, exponent}, pull.motor_speed, pull.reading_time}).work_read / work;
+    return edge_retraction(body, pressing, {{speed, exponent}, pull.motor_speed, pull.reading_time}).work_read / work;
 }
 
 TEST(SpeedFactor, IsWhatTheEdgeAsksForWithItsDerivatives) {
@@ -87,7 +87,7 @@ TEST(RetractionPair, AtSpeedAsksForWhatItsOwnEdgeDoes) {
     EXPECT_NEAR(loop->work_retraction.value / (work * factor(work, 1e-6, 0.6, 1.05)), 1.0, 3e-3);
     // ∫ G dA less W_app π a², the jump in beside it
     ASSERT_TRUE(loop->edge);
-    const auto receding = recession(loop->sphere, loop->pressing, *loop->edge);
+    const auto receding = edge_retraction(loop->sphere, loop->pressing, *loop->edge);
     const double area = pi * largest * largest;
     EXPECT_NEAR((loop->energy_loss.value - loop->shares.jump_in.value) /
                     (receding.edge_work - loop->work_approach.value * area),

@@ -18,14 +18,14 @@ using tests::SyntheticLoop;
 
 const SyntheticLoop rough{.retraction_work = 0.07, .samples = 800};
 
-LedgerInputs inputs_of(const SyntheticLoop& shape) {
+EnergyBudgetInputs inputs_of(const SyntheticLoop& shape) {
     return {.smooth_sphere = shape.approach,
             .largest_contact_area = pi * shape.largest_radius * shape.largest_radius,
             .machine_stiffness = std::numeric_limits<double>::infinity()};
 }
 
-EnergyLedger ledger_of(const Loop& loop, const LedgerInputs& inputs = inputs_of(rough)) {
-    return energy_ledger(loop, find_segments(loop), 0, inputs);
+EnergyBudget ledger_of(const Loop& loop, const EnergyBudgetInputs& inputs = inputs_of(rough)) {
+    return energy_budget(loop, find_segments(loop), 0, inputs);
 }
 
 /// U_E − πWa² of JKR's equilibrium.
@@ -33,11 +33,11 @@ double stored(double a, const contact::jkr::Contact& contact) {
     return contact::jkr::total_energy(a, contact::jkr::displacement(a, contact), contact);
 }
 
-TEST(EnergyLedger, HasPartsThatAddUp) {
+TEST(EnergyBudget, HasPartsThatAddUp) {
     std::mt19937_64 generator(3);
     Loop loop = rough.make();
     loop.force = tests::with_noise(loop.force, 1e-7, generator) + 1e-9 * loop.time;
-    const EnergyLedger ledger = ledger_of(loop);
+    const EnergyBudget ledger = ledger_of(loop);
     const double sum = ledger.before_contact.energy + ledger.jump_in->energy + ledger.approach.energy +
                        ledger.retraction.energy + ledger.jump_out->energy + ledger.after_contact.energy;
     EXPECT_NEAR(sum / ledger.loop.energy, 1.0, 1e-12);
@@ -48,9 +48,9 @@ TEST(EnergyLedger, HasPartsThatAddUp) {
     EXPECT_EQ(ledger.jump_out->range.last, ledger.after_contact.range.first);
 }
 
-TEST(EnergyLedger, OfTheApproachIsWhatTheContactStores) {
+TEST(EnergyBudget, OfTheApproachIsWhatTheContactStores) {
     // from the jump on, work goes into elastic and surface energy; 800 steps of second order
-    const EnergyLedger ledger = ledger_of(rough.make());
+    const EnergyBudget ledger = ledger_of(rough.make());
     const double a_in = contact::jkr::jump_in_at_fixed_grips(rough.approach).contact_radius;
     const double gain = stored(rough.largest_radius, rough.approach) - stored(a_in, rough.approach);
     EXPECT_NEAR(ledger.approach.energy / gain, 1.0, 1e-5);
@@ -58,10 +58,10 @@ TEST(EnergyLedger, OfTheApproachIsWhatTheContactStores) {
     EXPECT_NEAR(ledger.recovered_share, -ledger.retraction.energy / ledger.approach.energy, 0.0);
 }
 
-TEST(EnergyLedger, GivesTheLossPerArea) {
-    LedgerInputs inputs = inputs_of(rough);
+TEST(EnergyBudget, GivesTheLossPerArea) {
+    EnergyBudgetInputs inputs = inputs_of(rough);
     inputs.true_area_ratio = 1.5;
-    const EnergyLedger ledger = ledger_of(rough.make(), inputs);
+    const EnergyBudget ledger = ledger_of(rough.make(), inputs);
     EXPECT_DOUBLE_EQ(ledger.loss_per_apparent_area, ledger.loop.energy / inputs.largest_contact_area);
     EXPECT_DOUBLE_EQ(ledger.loss_per_true_area, ledger.loss_per_apparent_area / 1.5);
     EXPECT_DOUBLE_EQ(ledger.largest_true_area(), 1.5 * inputs.largest_contact_area);
@@ -71,16 +71,16 @@ TEST(EnergyLedger, GivesTheLossPerArea) {
     EXPECT_THROW((void)ledger_of(rough.make(), inputs), InvalidArgument);
 }
 
-TEST(EnergyLedger, OwesTheMachineNothingOverTheClosedLoop) {
-    LedgerInputs inputs = inputs_of(rough);
+TEST(EnergyBudget, OwesTheMachineNothingOverTheClosedLoop) {
+    EnergyBudgetInputs inputs = inputs_of(rough);
     constexpr double stiffness = 300.0, error = 15.0;
     inputs.displacement_stiffness = Estimate{.value = stiffness, .standard_error = error};
     const Loop loop = rough.make();
-    const EnergyLedger ledger = ledger_of(loop, inputs);
+    const EnergyBudget ledger = ledger_of(loop, inputs);
     // of the approach: what the energy changes where δ is corrected with k + σ instead
     Loop stiffer = loop;
     stiffer.displacement += loop.force * (1.0 / stiffness - 1.0 / (stiffness + error));
-    const EnergyLedger moved = ledger_of(stiffer, inputs);
+    const EnergyBudget moved = ledger_of(stiffer, inputs);
     EXPECT_NEAR(ledger.approach.standard_error.compliance / std::abs(moved.approach.energy - ledger.approach.energy),
                 1.0, error / stiffness * 1.1);
     EXPECT_GT(ledger.approach.standard_error.compliance, 1e-3 * ledger.approach.energy);
@@ -88,13 +88,13 @@ TEST(EnergyLedger, OwesTheMachineNothingOverTheClosedLoop) {
     EXPECT_EQ(ledger.loop.standard_error.compliance, 0.0);
 }
 
-TEST(EnergyLedger, ChangesByLessThanItsSamplingErrorWhereTheSamplingDoubles) {
+TEST(EnergyBudget, ChangesByLessThanItsSamplingErrorWhereTheSamplingDoubles) {
     for (const bool even_in_displacement : {false, true}) {
         SyntheticLoop coarse = rough, fine = rough;
         coarse.samples = 100;
         fine.samples = 200;
         coarse.even_in_displacement = fine.even_in_displacement = even_in_displacement;
-        const EnergyLedger once = ledger_of(coarse.make()), twice = ledger_of(fine.make());
+        const EnergyBudget once = ledger_of(coarse.make()), twice = ledger_of(fine.make());
         const LoopErrorBudget& budget = once.loop.standard_error;
         EXPECT_LT(std::abs(twice.loop.energy - once.loop.energy), std::hypot(budget.sampling, budget.discretisation))
             << even_in_displacement;

@@ -18,8 +18,8 @@ namespace {
 constexpr double sphere_radius = 1.25e-3;
 
 /// The laws of the audit that found the fit with E* of its own branch to be circular.
-std::vector<tests::RecedingLoop> planted_laws() {
-    std::vector<tests::RecedingLoop> loops(3);
+std::vector<tests::RetractingLoop> planted_laws() {
+    std::vector<tests::RetractingLoop> loops(3);
     loops[0].reference_speed = 50e-9;
     loops[1].reference_speed = 1e-6;
     loops[2].reference_speed = 10e-6;
@@ -27,7 +27,7 @@ std::vector<tests::RecedingLoop> planted_laws() {
     return loops;
 }
 
-tests::RecedingLoop with_noise(tests::RecedingLoop loop) {
+tests::RetractingLoop with_noise(tests::RetractingLoop loop) {
     loop.force_noise = 1e-7;
     loop.displacement_noise = 5e-10;
     loop.radius_noise = 1e-7;
@@ -36,19 +36,19 @@ tests::RecedingLoop with_noise(tests::RecedingLoop loop) {
 
 CrackSpeedFit fitted(const Loop& loop, const CrackSpeedOptions& options = {}) {
     const LoopAnalysis analysis = analyse(loop, tests::rubber_on_diamond());
-    return fit_crack_speed(receding_edge(analysis, {}), sphere_radius, analysis.loading.primary().contact_modulus,
+    return fit_crack_speed(retracting_edge(analysis, {}), sphere_radius, analysis.loading.primary().contact_modulus,
                            options);
 }
 
 /// An edge at a constant force, which recedes at constant G until it is gone.
-RecedingEdge short_edge(Index n = 20) {
+RetractingEdge short_edge(Index n = 20) {
     return {.time = Array1D::LinSpaced(n, 0.0, 10.0),
             .force = Array1D::LinSpaced(n, 1e-4, -1e-4),
             .contact_radius = Array1D::LinSpaced(n, 1e-4, 0.8e-4)};
 }
 
 template <class Failure>
-std::string reason(const RecedingEdge& edge, const Estimate& modulus = {.value = 0.92e6},
+std::string reason(const RetractingEdge& edge, const Estimate& modulus = {.value = 0.92e6},
                    const CrackSpeedOptions& options = {}) {
     try {
         (void)fit_crack_speed(edge, sphere_radius, modulus, options);
@@ -113,7 +113,7 @@ TEST(CrackSpeedFit, TheModulusOfTheSameBranchWouldHideTheLaw) {
     ASSERT_TRUE(analysis.unloading);
     const Estimate own = analysis.unloading->primary().contact_modulus;
     EXPECT_GT(own.value, 1.2 * planted.loading.contact_modulus);
-    const RecedingEdge edge = receding_edge(analysis, {});
+    const RetractingEdge edge = retracting_edge(analysis, {});
     const CrackSpeedFit right = fit_crack_speed(edge, sphere_radius, analysis.loading.primary().contact_modulus);
     EXPECT_NEAR(right.chi2_reduced, 1.0, 0.3);
     try {
@@ -140,15 +140,15 @@ TEST(CrackSpeedFit, AConstantWorkOfAdhesionIsNoLaw) {
 }
 
 TEST(CrackSpeedFit, RefusesWhatHoldsNoLaw) {
-    RecedingEdge few = short_edge();
+    RetractingEdge few = short_edge();
     few.contact_radius.tail(13).setConstant(undefined);
     EXPECT_NE(reason<UndefinedDataError>(few).find("7 frames"), std::string::npos);
-    RecedingEdge healing = short_edge();
+    RetractingEdge healing = short_edge();
     healing.contact_radius = healing.contact_radius.reverse().eval();
     EXPECT_NE(reason<UndefinedDataError>(healing).find("does not move inwards"), std::string::npos);
     EXPECT_NE(reason<InvalidArgument>({.time = short_edge().time, .force = Array1D::Ones(3)}).find("3 samples"),
               std::string::npos);
-    RecedingEdge backwards = short_edge();
+    RetractingEdge backwards = short_edge();
     backwards.time = backwards.time.reverse().eval();
     EXPECT_NE(reason<InvalidArgument>(backwards).find("time must increase"), std::string::npos);
     EXPECT_NE(reason<InvalidArgument>(short_edge(), {.value = 0.0}).find("contact modulus"), std::string::npos);

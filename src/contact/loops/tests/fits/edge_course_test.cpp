@@ -16,7 +16,7 @@ constexpr EdgeParameters rubber{.first_radius = 1.3e-4,
                                 .contact_modulus = 0.92e6,
                                 .law = {.threshold = 0.04, .reference_speed = 3e-7, .exponent = 0.6}};
 
-RecedingEdge released() {
+RetractingEdge released() {
     return {.time = Array1D::LinSpaced(120, 0.0, 120.0), .force = Array1D::LinSpaced(120, 8e-4, -1e-4)};
 }
 
@@ -38,7 +38,7 @@ TEST(EdgeCourse, DerivativesAreThoseOfDifferences) {
 }
 
 TEST(EdgeCourse, StaysWhereGIsBelowTheThresholdAndRecedesAsTheLawSays) {
-    RecedingEdge pressed = released();
+    RetractingEdge pressed = released();
     pressed.force.setConstant(8e-4);
     EdgeParameters strong = rubber;
     strong.law.threshold = 10.0;
@@ -47,7 +47,7 @@ TEST(EdgeCourse, StaysWhereGIsBelowTheThresholdAndRecedesAsTheLawSays) {
     EXPECT_EQ(still.speed.maxCoeff(), 0.0);
 
     const EdgeCourse course = edge_course(released(), sphere_radius, rubber);
-    const RecedingEdge edge = released();
+    const RetractingEdge edge = released();
     for (const Index i : {60, 110}) {
         const double a = course.contact_radius[i], E = rubber.contact_modulus;
         const double hertz = 4.0 * E * a * a * a / (3.0 * sphere_radius) - edge.force[i];
@@ -61,7 +61,7 @@ TEST(EdgeCourse, StaysWhereGIsBelowTheThresholdAndRecedesAsTheLawSays) {
 }
 
 TEST(EdgeCourse, EndsWhereTheEdgeRunsAway) {
-    RecedingEdge pulled = released();
+    RetractingEdge pulled = released();
     pulled.force = Array1D::LinSpaced(120, 8e-4, -3e-3);
     const EdgeCourse course = edge_course(pulled, sphere_radius, rubber);
     EXPECT_TRUE(std::isfinite(course.contact_radius[30]));

@@ -409,7 +409,7 @@ TEST(GnuplotScript, MakesRoomForALegendBesideTheAxes) {
         return std::stod(script_of(figure).substr(script_of(figure).find("set rmargin at screen ") + 22));
     };
     const double before = right();
-    figure.panels[0].legend_beside = true;
+    figure.panels[0].legend_right = true;
     EXPECT_LT(right() * 85.0, before * 85.0 - 30.0);
     EXPECT_NE(script_of(figure).find("set key at screen "), std::string::npos);
 }

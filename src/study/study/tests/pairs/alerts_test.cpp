@@ -45,7 +45,7 @@ TEST(PairAlerts, SayWhetherRoughnessClosesNeedsPressureOrOpens) {
     const auto soft = run_study(ncd_against(0.69e6), {1}), middle = run_study(ncd_against(1.91e6), {1}),
                stiff = run_study(ncd_against(10.03e6), {1});
     const auto& closes = soft.pairs.at(0);
-    EXPECT_EQ(closes.closing(), Closing::by_itself);
+    EXPECT_EQ(closes.closing(), Closing::spontaneous);
     for (const char* code : {"NEEDS_PRESSURE", "CONFORMAL_INVALID", "WILL_NOT_CONFORM"})
         EXPECT_FALSE(has(closes.alerts, code)) << code;
     const auto& pressed = middle.pairs.at(0);

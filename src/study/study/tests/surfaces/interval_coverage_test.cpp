@@ -150,8 +150,8 @@ Coverage measure(const Setting& setting, const Effort& effort) {
     Coverage coverage;
     for (int repetition = 0; repetition < effort.repetitions; ++repetition) {
         const auto binned = draw_measurements(setting, engine);
-        const Array1D truth_curve = binned.wavevector.unaryExpr([](double q) { return true_power_spectrum(q); });
-        const auto truth = parameters(binned.wavevector, truth_curve),
+        const Array1D true_curve = binned.wavevector.unaryExpr([](double q) { return true_power_spectrum(q); });
+        const auto truth = parameters(binned.wavevector, true_curve),
                    found = parameters(binned.wavevector, spectra::combine(binned).density);
         const auto without = jackknifed(binned);
         for (const auto& s : statistics) {

@@ -10,7 +10,7 @@ namespace setae::adhesion {
 
 /// Formation of full contact: spontaneous full contact (stored < 0.25 gained), full contact only under pressure, or
 /// spontaneous opening (stored > gained).
-enum class Closing { by_itself, under_pressure, opens };
+enum class Closing { spontaneous, under_pressure, opens };
 [[nodiscard]] const char* name(
     Closing closing);  ///< "spontaneous full contact", "full contact only under pressure", "opens spontaneously"
 

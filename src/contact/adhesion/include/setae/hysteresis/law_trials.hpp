@@ -21,7 +21,7 @@ struct TrialOptions {
 };
 
 /// Recovery of a known model from simulated pairs.
-struct LawTrials {
+struct ModelTrials {
     RetractionModel planted;
     int runs = 0;
     int found = 0;     ///< number of runs in which it is Ranking::best()
@@ -32,8 +32,8 @@ struct LawTrials {
 
 /// Both works of adhesion of pairs as simulated by a model: inputs drawn within their standard errors, scatter of
 /// pairs, surfaces and elastomers of both branches, own noise.
-[[nodiscard]] std::vector<RankedPair> planted_pairs(const std::vector<RankedPair>& pairs, const ModelScore& score,
-                                                    std::uint64_t seed);
+[[nodiscard]] std::vector<RankedPair> simulated_pairs(const std::vector<RankedPair>& pairs, const ModelScore& score,
+                                                      std::uint64_t seed);
 
 /// Test of whether such measurements can distinguish the models.
 ///
@@ -41,16 +41,17 @@ struct LawTrials {
 /// one, and all other inputs drawn with their standard errors; then all models are ranked with the simulated values. A
 /// model whose θ is 0 equals another one and is left out. A seed gives equal numbers with any number of threads.
 /// @throws InvalidArgument for runs < 1; Cancelled where the options say so.
-[[nodiscard]] std::vector<LawTrials> law_trials(const std::vector<RankedPair>& pairs, const Ranking& ranking,
-                                                const std::optional<Estimate>& known_work, const TrialOptions& options);
+[[nodiscard]] std::vector<ModelTrials> model_trials(const std::vector<RankedPair>& pairs, const Ranking& ranking,
+                                                    const std::optional<Estimate>& known_work,
+                                                    const TrialOptions& options);
 
 }  // namespace setae::hysteresis
 
 namespace setae::fields {
 
 template <>
-struct Described<hysteresis::LawTrials> {
-    using T = hysteresis::LawTrials;
+struct Described<hysteresis::ModelTrials> {
+    using T = hysteresis::ModelTrials;
     static constexpr std::array rows{
         made<T>("planted", "retraction model of the simulated pairs", [](const T& of) { return of.planted.name(); }),
         inner<&T::planted>(),
@@ -67,6 +68,6 @@ struct Described<hysteresis::LawTrials> {
     };
     static constexpr Description description{"", "recovery of a known retraction model from simulated pairs", rows};
 };
-static_assert(complete<hysteresis::LawTrials>);
+static_assert(complete<hysteresis::ModelTrials>);
 
 }  // namespace setae::fields

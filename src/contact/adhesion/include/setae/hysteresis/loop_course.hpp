@@ -13,7 +13,7 @@ namespace setae::hysteresis {
 /// order of time, with `points` per branch and jumps as vertical lines at fixed displacement of the motor. The enclosed
 /// area tends to energy_loss() as the number of points increases.
 /// edge: a rate-dependent edge.
-/// @throws InvalidArgument as sphere_loop() and recession(), and for fewer than 8 points.
+/// @throws InvalidArgument as sphere_loop() and edge_retraction(), and for fewer than 8 points.
 [[nodiscard]] Table loop_course(const HystereticSphere& sphere, const Pressing& pressing,
                                 const std::optional<MovingEdge>& edge = {}, int points = 200);
 

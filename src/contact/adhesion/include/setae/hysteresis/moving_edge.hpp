@@ -24,7 +24,7 @@ struct MovingEdge {
 };
 
 /// Retraction of a rate-dependent edge, from the first motion of the edge to separation.
-struct Recession {
+struct EdgeRetraction {
     double smallest_force = 0.0;  ///< [N]
     double work_read = 0.0;       ///< mean of G over the reading time: W_ret as the experiment determines it [J/m²]
     double edge_work = 0.0;       ///< ∫ G dA, total work at the edge [J]
@@ -38,39 +38,40 @@ struct Recession {
 /// no instability; it moves at a finite speed. v0 → ∞ is sphere_loop(), with the jump's energy in edge_work.
 /// sphere.work_retraction: W_ret at zero speed.
 /// @throws InvalidArgument as sphere_loop(), and for an edge outside its domain.
-[[nodiscard]] Recession recession(const HystereticSphere& sphere, const Pressing& pressing, const MovingEdge& edge);
+[[nodiscard]] EdgeRetraction edge_retraction(const HystereticSphere& sphere, const Pressing& pressing,
+                                             const MovingEdge& edge);
 
 /// States of the retracting edge, one per step, from the largest contact radius to 0.
-struct RecessionCourse {
+struct EdgeRetractionCourse {
     Array1D motor, displacement, contact_radius;  ///< m, δ, a [m]
     Array1D force;                                ///< [N]
     Array1D energy_release_rate;  ///< G [J/m²]; for the last state, without contact, the value before it
 };
 
-/// The same equations with a given number of steps, without extrapolation. @throws as recession(), and for fewer than 8
-/// steps.
-[[nodiscard]] RecessionCourse recession_course(const HystereticSphere& sphere, const Pressing& pressing,
-                                               const MovingEdge& edge, int steps);
+/// The same equations with a given number of steps, without extrapolation. @throws as edge_retraction(), and for fewer
+/// than 8 steps.
+[[nodiscard]] EdgeRetractionCourse edge_retraction_course(const HystereticSphere& sphere, const Pressing& pressing,
+                                                          const MovingEdge& edge, int steps);
 
 /// Method by which one W_ret is determined from a rate-dependent edge.
 enum class Reading {
-    last_points,     ///< Recession::work_read, as in Eq. S2
+    last_points,     ///< EdgeRetraction::work_read, as in Eq. S2
     smallest_force,  ///< 2|F|/(3πR), as in Eq. S1
     loop_area,       ///< W_ret of a rate-independent edge with the same energy loss of the loop
 };
 
-/// W_ret [J/m²] by a method of reading. @throws as recession().
+/// W_ret [J/m²] by a method of reading. @throws as edge_retraction().
 [[nodiscard]] double work_read(const HystereticSphere& sphere, const Pressing& pressing, const MovingEdge& edge,
                                Reading reading);
 
 /// W_ret at zero speed [J/m²] for which the experiment gives work_read; it is smaller than work_read.
-/// sphere.work_retraction is not used. @throws as recession().
+/// sphere.work_retraction is not used. @throws as edge_retraction().
 [[nodiscard]] double work_at_rest(HystereticSphere sphere, const Pressing& pressing, const MovingEdge& edge,
                                   Reading reading, double work_read);
 
 /// The loop of sphere_loop() with a rate-dependent edge: its smallest force, and speed_loss in addition to the losses
 /// of edge and jumps.
-/// @throws as recession().
+/// @throws as edge_retraction().
 [[nodiscard]] SphereLoop sphere_loop(const HystereticSphere& sphere, const Pressing& pressing, const MovingEdge& edge);
 
 }  // namespace setae::hysteresis

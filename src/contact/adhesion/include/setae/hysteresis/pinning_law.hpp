@@ -66,7 +66,7 @@ struct PinningBand {
 };
 
 /// Energy share above which roughness does not come into full contact spontaneously.
-inline constexpr double conforming_energy_share = 0.3;
+inline constexpr double full_contact_energy_share = 0.3;
 
 /// Decrease of W on approach, or increase on retraction [J/m²], for roughness whose bands pin one after the other,
 /// finest first, each with its own k.

@@ -74,9 +74,9 @@ struct PairState {
     /// α r: A_true/A of the contact.
     [[nodiscard]] double true_contact() const { return contact_fraction * area_ratio; }
     /// W_int r − γ1 (r − 1): energy gained in full contact, without the stored energy [J/m²].
-    [[nodiscard]] double conforming_gain() const;
+    [[nodiscard]] double full_contact_gain() const;
     /// U_el divided by the energy gained in the contact.
-    [[nodiscard]] double energy_share() const { return stored_energy / (contact_fraction * conforming_gain()); }
+    [[nodiscard]] double energy_share() const { return stored_energy / (contact_fraction * full_contact_gain()); }
 };
 
 /// W_ret = slope θ + constant, θ the model's parameter [J/m²]; slope 0 without one.

@@ -52,7 +52,7 @@ struct EdgePull {
 };
 
 /// φ about a W [J/m²], with its derivatives.
-/// @throws InvalidArgument as recession().
+/// @throws InvalidArgument as edge_retraction().
 [[nodiscard]] SpeedFactor speed_factor(const TracedSphere& sphere, const TracedEdgeSpeed& edge, const EdgePull& pull,
                                        double work);
 

@@ -29,7 +29,7 @@ struct SphereLoop {
     contact::jkr::State after_jump_in;  ///< first state of contact
     contact::jkr::State turning_point;  ///< largest force; its contact radius is a_max
     contact::jkr::State unpinned;       ///< same contact radius, G = W_ret: the edge begins to retract
-    contact::jkr::State parting;        ///< last state of contact
+    contact::jkr::State separation;     ///< last state of contact
     double smallest_force = 0.0;        ///< [N], < 0: measured pull-off force, −3/2 πRW_ret where the edge retracted
     double jump_in_loss = 0.0;          ///< [J]
     double edge_loss = 0.0;             ///< (W_ret − W_app) π a_max² [J]

@@ -166,7 +166,7 @@ struct ContactAnalysis {
     Outcome<LoopEnergy> loop;
     LoopContext context;
     Outcome<ContactPoints> contact_points;
-    Outcome<EnergyLedger> ledger;
+    Outcome<EnergyBudget> ledger;
     std::optional<ComplianceEffect> compliance;  ///< where the machine's stiffness has a standard error
 };
 
@@ -215,7 +215,7 @@ struct BranchSamples {
 /// The samples of the unloading branch of the first contact from the last loading on, including the pinned section,
 /// with and without a camera frame.
 /// @throws UndefinedDataError where it has no such branch, or the record no time or no measured contact radius.
-[[nodiscard]] RecedingEdge receding_edge(const LoopAnalysis& analysis, const AnalysisOptions& options);
+[[nodiscard]] RetractingEdge retracting_edge(const LoopAnalysis& analysis, const AnalysisOptions& options);
 
 }  // namespace setae::loops
 

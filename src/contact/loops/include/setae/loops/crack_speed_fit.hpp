@@ -13,7 +13,7 @@
 namespace setae::loops {
 
 /// Record of a retracting contact edge.
-struct RecedingEdge {
+struct RetractingEdge {
     Array1D time;                       ///< [s], increasing
     Array1D force;                      ///< F [N], relative to its zero
     Array1D contact_radius;             ///< a [m]; NaN between camera frames
@@ -59,7 +59,7 @@ struct CrackSpeedFit {
 /// <= 0; UndefinedDataError with the reason: fewer frames than 8, an edge that does not retract, parameters that the
 /// data do not determine: ln G0, ln v0 or ln n uncertain by more than 1. Sources: Maugis, Barquins, J. Phys. D 11
 /// (1978) 1989; Gent, Schultz, J. Adhesion 3 (1972) 281.
-[[nodiscard]] CrackSpeedFit fit_crack_speed(const RecedingEdge& edge, double radius, const Estimate& contact_modulus,
+[[nodiscard]] CrackSpeedFit fit_crack_speed(const RetractingEdge& edge, double radius, const Estimate& contact_modulus,
                                             const CrackSpeedOptions& options = {});
 
 }  // namespace setae::loops

@@ -18,7 +18,7 @@ struct WorkEntry {
 };
 
 /// Energy budget of one contact. The parts follow each other and add up to the loop's energy.
-struct EnergyLedger {
+struct EnergyBudget {
     Index contact = 0;
     LoopEnergy loop;                   ///< ∮F dδ
     WorkEntry before_contact;          ///< free flight: remainder of noise and drift
@@ -43,7 +43,7 @@ struct EnergyLedger {
     [[nodiscard]] double largest_true_area() const { return true_area_ratio * largest_contact_area; }
 };
 
-struct LedgerInputs {
+struct EnergyBudgetInputs {
     contact::AdhesiveContact smooth_sphere;  ///< R, E* and W of loading
     double largest_contact_area = 0.0;       ///< [m²]
     double true_area_ratio = 1.0;            ///< >= 1
@@ -54,8 +54,8 @@ struct LedgerInputs {
 
 /// @throws UndefinedDataError as loop_energy; InvalidArgument outside the domain.
 /// Cost: linear; about 0.02 µs per sample.
-[[nodiscard]] EnergyLedger energy_ledger(const Loop& loop, const Segments& segments, Index contact,
-                                         const LedgerInputs& inputs);
+[[nodiscard]] EnergyBudget energy_budget(const Loop& loop, const Segments& segments, Index contact,
+                                         const EnergyBudgetInputs& inputs);
 
 /// Energies along one contact, sample by sample: work = elastic + surface + dissipated.
 struct EnergyCourse {
@@ -105,8 +105,8 @@ struct Described<loops::WorkEntry> {
 static_assert(complete<loops::WorkEntry>);
 
 template <>
-struct Described<loops::EnergyLedger> {
-    using T = loops::EnergyLedger;
+struct Described<loops::EnergyBudget> {
+    using T = loops::EnergyBudget;
     static constexpr std::array rows{
         field<&T::before_contact>("before_contact", "work before contact"),
         field<&T::jump_in>("jump_in", "work in the jump into contact").or_null(),
@@ -132,6 +132,6 @@ struct Described<loops::EnergyLedger> {
     };
     static constexpr Description description{"energy_ledger", "energy budget of a loop", rows};
 };
-static_assert(complete<loops::EnergyLedger>);
+static_assert(complete<loops::EnergyBudget>);
 
 }  // namespace setae::fields

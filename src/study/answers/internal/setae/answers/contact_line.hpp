@@ -65,7 +65,7 @@ struct LineAnswer {
     contact_line::LineShape shape;
     std::optional<contact_line::LineRoughness> roughness;
     std::optional<LineMotion> advancing, receding;
-    std::optional<ReleaseRate> advancing_rate, receding_rate;
+    std::optional<ReleaseRate> advancing_rate, retracting_rate;
     std::vector<std::string> notes;
 };
 

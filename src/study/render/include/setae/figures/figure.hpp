@@ -93,7 +93,7 @@ struct Panel {
     bool legend = true;
     std::optional<Corner> legend_corner;  ///< without it: the corner with the least data
     bool sketch = false;                  ///< a drawing: no frame, ticks, numbers or axis titles
-    bool legend_beside = false;           ///< whether the legend is to the right of the axes, not within them
+    bool legend_right = false;            ///< whether the legend is to the right of the axes, not within them
     /// position elsewhere in the figure, with entries in columns that fill the position
     std::optional<Place> legend_place;
     std::optional<Place> place;  ///< without it: its cell of the grid

@@ -44,7 +44,7 @@ namespace setae::output {
 [[nodiscard]] tables::TidyTable loop_energy_table(const study::StudyResult& result);
 /// One row per pair and wavevector: energy that the roughness above it gains and stores, formation of full contact and
 /// the required pressure.
-[[nodiscard]] tables::TidyTable conforming_table(const study::StudyResult& result);
+[[nodiscard]] tables::TidyTable full_contact_table(const study::StudyResult& result);
 /// One row per balance and choice: agreement with the measured values of all pairs, for cuts of the spectra and for γ1.
 [[nodiscard]] tables::TidyTable balance_table(const study::StudyResult& result);
 /// W_int against the short cutoff.

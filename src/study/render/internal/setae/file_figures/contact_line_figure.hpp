@@ -13,9 +13,9 @@ namespace setae::file_figures {
 /// Data of the figure of an edge; empty where they could not be determined.
 struct ContactLineData {
     contact_line::ContactLine line;
-    contact_line::LineRoughness roughness;      ///< no modes: not drawn
-    Array1D receding_speeds, advancing_speeds;  ///< v/⟨v⟩ of cells
-    Array1D receding_jumps, advancing_jumps;    ///< areas [m²]
+    contact_line::LineRoughness roughness;        ///< no modes: not drawn
+    Array1D retracting_speeds, advancing_speeds;  ///< v/⟨v⟩ of cells
+    Array1D retracting_jumps, advancing_jumps;    ///< areas [m²]
 };
 
 /// The edge in at most twelve frames; its spectrum with the fitted power law; the share of the edge's cells faster than

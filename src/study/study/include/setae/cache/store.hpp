@@ -48,7 +48,7 @@ public:
     [[nodiscard]] Content content() const;
     /// Removes every entry, or only those of other versions, and temporary files of interrupted writers. Returns the
     /// removed content.
-    Content remove(bool of_other_versions_alone = false) const;
+    Content remove(bool only_other_versions = false) const;
 
 private:
     std::string folder_, version_;

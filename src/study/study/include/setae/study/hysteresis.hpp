@@ -36,7 +36,7 @@ struct LossDecomposition {
     hysteresis::EnergyShares shares;  ///< contributions by the model
     TracedValue unexplained;          ///< measured − Σ shares [J]
     /// contributions whose sum is known three times better than each: "a and b"
-    std::vector<std::string> not_told_apart;
+    std::vector<std::string> indistinguishable;
 };
 
 /// An input of all loops before and after their fit.
@@ -78,7 +78,7 @@ struct LikelierModel {
 struct PairHysteresis {
     std::string surface, elastomer;
     double energy_share = 0.0;              ///< U_el divided by the energy gained in full contact
-    bool conforms = false;                  ///< the share is at most hysteresis::conforming_energy_share
+    bool conforms = false;                  ///< the share is at most hysteresis::full_contact_energy_share
     std::optional<TracedValue> tip_factor;  ///< W_ret/W_app of the smooth reference
     /// W_ret as measured divided by W_ret at zero speed, for the speed of the pair's edge
     std::optional<TracedValue> speed_factor;
@@ -139,9 +139,9 @@ struct Hysteresis {
     loops::Outcome<JointLossFit> joint;      ///< joint fit for the budgets of the pairs
     std::vector<PairHysteresis> pairs;
     std::vector<SkippedPair> skipped;
-    std::vector<Alert> alerts;                  ///< warnings of the predictions
-    std::vector<ReferenceLimit> smooth_limits;  ///< limits of the models in the ranking of all pairs
-    std::vector<hysteresis::LawTrials> trials;  ///< trials of the first ranking, on request
+    std::vector<Alert> alerts;                    ///< warnings of the predictions
+    std::vector<ReferenceLimit> smooth_limits;    ///< limits of the models in the ranking of all pairs
+    std::vector<hysteresis::ModelTrials> trials;  ///< trials of the first ranking, on request
     /// pair that distinguishes the best model from the likeliest model that cannot be distinguished from it
     std::optional<DecidingPair> deciding;
 };
@@ -155,7 +155,7 @@ inline constexpr int max_ranked_by_studies = 48;
 /// roughness, so that pairs without a loop have them, too. The machine stiffness is that of loops of the pair, else of
 /// its elastomer; fixed grips where none is stated.
 /// @throws UndefinedDataError where the study has no W_int.
-/// trials: whether measurements like the study's can distinguish the models, hysteresis::law_trials().
+/// trials: whether measurements like the study's can distinguish the models, hysteresis::model_trials().
 [[nodiscard]] Hysteresis hysteresis_of(const StudyResult& result,
                                        const std::optional<hysteresis::TrialOptions>& trials = {},
                                        parallel::Threads threads = {});
@@ -174,7 +174,7 @@ struct Described<study::LossDecomposition> {
         quantity<&T::measured>("energy_loss", "E_loss", "J", "measured"),
         field<&T::shares>("energy_loss_shares", "contributions to the predicted energy loss; their sum is that loss"),
         quantity<&T::unexplained>("unexplained", "E_loss - Σ", "J", "measured minus predicted energy loss"),
-        field<&T::not_told_apart>("not_told_apart", "contributions of which only the sum is known"),
+        field<&T::indistinguishable>("not_told_apart", "contributions of which only the sum is known"),
         inner<&T::of_works>(),
     };
     static constexpr Description description{"", "energy budget of a measured loop", rows};

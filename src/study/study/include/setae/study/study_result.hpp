@@ -144,7 +144,7 @@ struct PairResult {
         using adhesion::Closing;
         return scales->bridging                            ? Closing::opens
                : scales->closing_pressure.maxCoeff() > 0.0 ? Closing::under_pressure
-                                                           : Closing::by_itself;
+                                                           : Closing::spontaneous;
     }
 };
 
