@@ -74,7 +74,7 @@ std::string measurement_text(const MeasurementFile& m) {
     return text + references + " }";
 }
 
-/// Whether the study has no loop to take the modulus from, or is told of it all the same.
+/// Whether the study has no loop to determine the modulus, or states it nevertheless.
 bool modulus_is_stated(const ElastomerRecipe& elastomer, const std::vector<KnownLoop>& loops) {
     return elastomer.tell_modulus ||
            std::none_of(loops.begin(), loops.end(), [](const KnownLoop& loop) { return loop.measured; });

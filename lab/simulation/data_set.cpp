@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 using numerics::RandomKey;
 using numerics::substream;
 
-/// Streams below the seed: one a surface and instrument, one a loop.
+/// Random streams: one per surface and instrument, one per loop.
 enum InstrumentStream : std::uint64_t { of_stylus, of_afm, of_tem };
 constexpr std::uint64_t loop_streams = 1ull << 32;
 
@@ -34,14 +34,14 @@ struct Job {
 };
 constexpr double cost_of_strip = 1e9;
 
-/// What the study is told of a tip: its name where it is that of all surfaces, nothing of none.
+/// Tip in the study: its name where it is that of all surfaces, empty without a tip.
 template <class Protocol>
 std::string tip_text(const Protocol& protocol, const std::optional<StatedQuantity>& shared) {
     if (protocol.tip_radius == 0.0) return "";
     return shared ? mention(*shared) : stated_text({protocol.tip_radius, protocol.tip_radius_standard_error}, "m");
 }
 
-/// How a measurement of an instrument is listed, without its file.
+/// Entry of a measurement of an instrument, without its file.
 MeasurementFile entry_of(const char* instrument, const InstrumentCalibration& factors, std::string tip) {
     const auto text_of = [](const std::optional<StatedQuantity>& factor) { return factor ? mention(*factor) : ""; };
     return {.instrument = instrument,
@@ -50,7 +50,7 @@ MeasurementFile entry_of(const char* instrument, const InstrumentCalibration& fa
             .lateral_calibration = text_of(factors.lateral)};
 }
 
-/// Collects what is to be written, then writes it with all threads; the order of the list is that of the calls.
+/// Collects the files, then writes them with all threads; the order of the list is that of the calls.
 class DataSet {
 public:
     DataSet(const Recipe& recipe, std::string folder) : recipe_(recipe), folder_(std::move(folder)) {}
@@ -188,7 +188,7 @@ std::vector<std::string> make(const Recipe& recipe, const std::string& folder, p
     parallel::for_each_index(truths.size(), threads,
                              [&](std::size_t i) { truths[i] = true_surface_values(recipe.surfaces[i].surface); });
     DataSet data(recipe, folder);
-    data.add_loops(known_loops(recipe, truths));  // first: what contradicts itself is found before anything is made
+    data.add_loops(known_loops(recipe, truths));  // first, so that contradictions are found before any file is made
     for (std::size_t i = 0; i < recipe.surfaces.size(); ++i) {
         data.add_surface(i);
         data.add_true_curve(std::move(truths[i]), i);

@@ -6,7 +6,7 @@
 namespace setae::simulation {
 namespace {
 
-/// Collects what has a name.
+/// Collects named inputs.
 class Inputs {
 public:
     void add(const std::optional<StatedQuantity>& quantity) {

@@ -108,7 +108,7 @@ LoopRecipe read_loops(TomlReader& reader) {
     return loops;
 }
 
-/// What is shared is drawn once all the same, but the study is told it anew at every place.
+/// Shared inputs are still drawn once, but the study has a separate input at each position.
 void forget_names(Recipe& recipe) {
     const auto forget = [](std::optional<StatedQuantity>& quantity) {
         if (quantity) quantity->input.clear();
@@ -127,7 +127,7 @@ void forget_names(Recipe& recipe) {
     }
 }
 
-/// The pairs of a list name what there is.
+/// Checks that the pairs of a list are declared.
 void require_declared(const std::vector<SpecimenPair>& pairs, const char* key, const Recipe& recipe,
                       const TomlReader& reader) {
     for (const auto& pair : pairs) {
@@ -140,7 +140,7 @@ void require_declared(const std::vector<SpecimenPair>& pairs, const char* key, c
     }
 }
 
-/// Pairs without a loop leave the study a modulus of every elastomer, and get no further one.
+/// Checks that pairs without a loop leave a loop for the modulus of every elastomer, and have no further one.
 void require_consistent(const LoopRecipe& loops, const Recipe& recipe, const TomlReader& reader) {
     require_declared(loops.unmeasured, "unmeasured", recipe, reader);
     require_declared(loops.further, "further", recipe, reader);

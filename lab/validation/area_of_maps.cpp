@@ -53,7 +53,7 @@ figures::Figure area_figure(const std::vector<MeanArea>& areas) {
                              .x = slope,
                              .y = {.quantity = "deviation from Eq. 9", .unit = "%"},
                              .horizontal_lines = {0.0}};
-    // the hollow symbols last, so that they show what they lie on
+    // the hollow symbols last, so that those below stay visible
     for (const double hurst : {0.8, 0.3}) {
         const auto rows = of_exponent(areas, hurst);
         const auto n = static_cast<Index>(rows.size());

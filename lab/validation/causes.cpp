@@ -26,11 +26,11 @@ namespace {
 using spectra::MeasuredSpectrum;
 using spectra::SpectralDensity;
 
-/// The planted surface as densities that may be asked anywhere.
+/// Densities of the true surface at any wavevector.
 struct TrueDensities {
     SpectralDensity C_iso, C1D;
     double shortest = 0.0;           ///< q_s [1/m]
-    double median_wavelength = 0.0;  ///< half of ∫ q C_iso dq lies below it [m]
+    double median_wavelength = 0.0;  ///< half of ∫ q C_iso dq is below it [m]
 };
 
 TrueDensities densities_of(const simulation::KnownSurface& surface) {
@@ -72,7 +72,7 @@ private:
     std::map<double, spectral_fit::TipResponse> responses_;
 };
 
-/// E[P_k]/C1D(q_k) of detrending and window alone, waves up to Nyquist.
+/// E[P_k]/C1D(q_k) of only detrending and window, waves up to Nyquist.
 Array1D trend_and_window_factor(const ArrayView1D& wavevectors, double pixel_size, int trend_degree,
                                 const TrueDensities& planted) {
     const spectral_fit::ScanShape shape{2 * wavevectors.size(), trend_degree};
@@ -89,8 +89,7 @@ Array1D trend_and_window_factor(const ArrayView1D& wavevectors, double pixel_siz
     const Array1D C_iso = nodes.unaryExpr(planted.C_iso);
     Array1D expected = (kernel.response.matrix() * C_iso.matrix()).array() / pixel_size;
     expected += kernel.flat_response * C_iso[0] / pixel_size;
-    // the ends of the nodes at Nyquist leave too little there: what the waves above it hold back is not this cause's
-    // doing
+    // the nodes end at Nyquist, where contributions of higher waves are missing; this is not an effect of this cause
     const spectral_fit::ModeBins bins(shape.points / 2);
     const double end = 0.5 * pi / pixel_size;
     Array1D factor = Array1D::Ones(wavevectors.size());
@@ -113,7 +112,7 @@ Array1D aliasing_factor(const ArrayView1D& wavevectors, double pixel_size, const
     });
 }
 
-/// What a measurement is expected to read under some causes: its spectrum with another C1D.
+/// Expected result of a measurement under some causes: its spectrum with another C1D.
 MeasuredSpectrum expected_spectrum(const study::MeasurementResult& measured, const topography::Measurement& data,
                                    const Causes& causes, const TrueDensities& planted, Tips& tips) {
     MeasuredSpectrum spectrum = measured.spectrum;
@@ -154,7 +153,7 @@ roughness::SpectralParameters mean_reading(const MeasuredSurface& surface, const
                                           causes.eq11 ? roughness::Conversion::eq11 : roughness::Conversion::exact);
 }
 
-/// W_int as these readings would have it, from the planted W_app of one elastomer and from the planted loss.
+/// W_int from these results, from the true W_app of one elastomer and from the true loss.
 void add_work(std::vector<Comparison>& rows, const Comparison& like, const roughness::SpectralParameters& found,
               const simulation::TrueSurfaceValues& truth, double work) {
     constexpr double contact_modulus = 1e6, surface_energy = 0.025;

@@ -15,7 +15,7 @@ namespace {
 using study::SpectrumResult;
 using study::StudyResult;
 
-/// What a spectrum can find: where it begins above the roll-off, the planted waves from there on.
+/// True values within the band of a spectrum: where it begins above the roll-off, of the waves from there on.
 simulation::TrueSurfaceValues true_values_within(const simulation::KnownSurface& known,
                                                  const simulation::TrueSurfaceValues& whole,
                                                  const SpectrumResult& spectrum) {
@@ -24,7 +24,7 @@ simulation::TrueSurfaceValues true_values_within(const simulation::KnownSurface&
     return simulation::true_surface_values(known, {lowest, known.band().upper});
 }
 
-/// Calls visit(surface's result, what is planted in it, truth) for every surface of the study that did not fail.
+/// Calls visit(surface's result, known surface, true values) for every surface of the study without failure.
 void for_each_surface(const simulation::Recipe& recipe, const TrueValues& planted, const StudyResult& study,
                       const std::function<void(const study::SurfaceResult&, const simulation::KnownSurface&,
                                                const simulation::TrueSurfaceValues&)>& visit) {
@@ -72,7 +72,7 @@ void add_work_of_adhesion(std::vector<Comparison>& rows, int run, double planted
     if (study.loop) add_work("work_of_adhesion_from_loss", generalised(study.loop->through_origin));
 }
 
-/// Calls visit(planted loop, what the study says of the pair) for every pair of the study that has one.
+/// Calls visit(known loop, result of the pair) for every pair of the study that has one.
 void for_each_pair(const TrueValues& planted, const study::Conclusions& study,
                    const std::function<void(const simulation::KnownLoop&, const study::PairResult&)>& visit) {
     for (const auto& loop : planted.loops) {
@@ -99,7 +99,8 @@ void add_predictions(std::vector<Comparison>& rows, int run, const TrueValues& p
     });
 }
 
-/// W_app of each pair by (7) as fitted to the pairs of the other surfaces, of the other elastomers.
+/// W_app of each pair by the full-contact balance (Eq. 7), fitted to the pairs of the other surfaces, of the other
+/// elastomers.
 void add_left_out(std::vector<Comparison>& rows, int run, const TrueValues& planted, const std::string& method,
                   const study::Conclusions& study) {
     for_each_pair(planted, study, [&](const simulation::KnownLoop& loop, const study::PairResult&) {
@@ -110,7 +111,7 @@ void add_left_out(std::vector<Comparison>& rows, int run, const TrueValues& plan
     });
 }
 
-/// What the study makes of all loops on a pair, and of all on an elastomer, with every input.
+/// Results for all loops on a pair, and for all on an elastomer, with every input.
 void add_measured(std::vector<Comparison>& rows, int run, const TrueValues& planted, const StudyResult& study) {
     for_each_pair(planted, study, [&](const simulation::KnownLoop& loop, const study::PairResult& pair) {
         if (const auto found = pair.traced_approach())

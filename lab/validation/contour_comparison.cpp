@@ -19,11 +19,11 @@ using topography::TracedCurve;
 
 constexpr double metres = 1e-9;        // a pixel is a nanometre
 constexpr double traced_within = 3.0;  // px
-constexpr double border = 4.0;         // px: a curve is not asked for closer to the picture's border
+constexpr double border = 4.0;         // px: the curve need not be found closer to the picture's border
 constexpr double min_false = 1.0;      // px
 constexpr double longest_noise_wave = 200.0, shortest_noise_wave = 50.0;  // px: smoothing leaves these as they are
 constexpr double above_floor = 10.0;
-constexpr double min_density = 1e-4;  // px³: that of a picture without noise says nothing
+constexpr double min_density = 1e-4;  // px³: lower limit for pictures without noise
 constexpr int cells_per_decade = 10;
 
 PixelCurve curve_of(const imaging::ContourSegment& segment) { return {segment.x, segment.y}; }
@@ -66,7 +66,7 @@ Array1D distances_of_true_curve(const imaging::ContourTrace& trace, const Render
 
 double rms(const Array1D& values) { return std::sqrt(values.square().mean()); }
 
-/// The part of the curve that the trace covers, between the places nearest to its ends.
+/// The part of the curve that the trace covers, between the positions nearest to its ends.
 PixelCurve covered_part(const PixelCurve& truth, NearestPlace begin, NearestPlace end) {
     if (begin.segment > end.segment) std::swap(begin, end);
     if (begin.segment == end.segment) return truth;
@@ -104,7 +104,7 @@ double mean_between(const spectra::MeasuredSpectrum& spectrum, double lower, dou
     return count > 0 ? sum / count : undefined;
 }
 
-/// Ratios of spectra in half decades, over tenths of a decade that hold waves of the curve and stand out of the floor.
+/// Ratios of spectra in half decades, over tenths of a decade with waves of the curve above the floor.
 std::array<double, 5> spectrum_ratios(const topography::Profile& traced, const topography::Profile& known,
                                       double shortest_wave) {
     const double length = traced.size(), shortest = shortest_compared_wave * metres;

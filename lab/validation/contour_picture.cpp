@@ -18,7 +18,7 @@ constexpr int enlarged = 2;
 const cv::Scalar true_curve_colour(255, 144, 64), trace_colour(40, 160, 255);  // blue, green, red
 
 void draw(cv::Mat& picture, const Array1D& x, const Array1D& y, bool closed, const cv::Scalar& colour) {
-    constexpr int shift = 4;  // 16ths of a pixel
+    constexpr int shift = 4;  // one sixteenth of a pixel
     // a pixel's centre is the middle of the square it became
     const auto place = [](double at) {
         return static_cast<int>(std::lround((enlarged * (at + 0.5) - 0.5) * (1 << shift)));

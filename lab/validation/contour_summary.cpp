@@ -15,7 +15,7 @@ constexpr double largest_rms_error = 0.5, height_tolerance = 0.02, spectrum_tole
 
 using Members = std::vector<const ContourTrial*>;
 
-/// Numbers of the runs that have one; `ideal`: what they should be.
+/// Numbers of the runs that have one; `ideal`: expected value.
 template <class Value>
 OverRuns over_runs(const Members& members, double ideal, Value value) {
     OverRuns result{.mean = undefined, .standard_error = undefined, .worst = undefined};

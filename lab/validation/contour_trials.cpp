@@ -49,8 +49,8 @@ Rendered rendered(const ContourKind& kind, const ContourTrialOptions& options, s
     if (kind.transposed) {
         result.pixels = imaging::FramePixels(result.pixels.transpose());
         auto& truth = result.contour.truth;
-        // mirrored at the diagonal the sample lies to the right: vacuum is on the left hand of who walks up the
-        // picture's columns
+        // mirrored at the diagonal, with the sample to the right: the vacuum is on the left of the upward direction of
+        // the picture's columns
         std::swap(truth.curve.x, truth.curve.y);
         truth.curve.x.reverseInPlace();
         truth.curve.y.reverseInPlace();
@@ -119,7 +119,7 @@ std::vector<ContourTrial> contour_trials(const ContourTrialOptions& options) {
     if (!options.tracer) throw InvalidArgument("no tracer; expected a function that traces a picture");
     const auto kinds = chosen_kinds(options);
     if (!options.pictures.empty()) {
-        std::error_code ignored;  // what cannot be made cannot be written to
+        std::error_code ignored;  // a folder that cannot be made gives an error on writing
         std::filesystem::create_directories(options.pictures, ignored);
     }
     const auto runs = static_cast<std::size_t>(options.runs);

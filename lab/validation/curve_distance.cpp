@@ -45,7 +45,7 @@ NearestPlace CurveIndex::nearest(double x, double y) const {
     };
     const long column = static_cast<long>(std::floor((x - left_) / square)),
                row = static_cast<long>(std::floor((y - top_) / square));
-    // rings of squares, until the next is further away than what was found
+    // rings of squares, until the next is further away than the nearest point found
     const long outside = std::max({0L, -column, column - columns_ + 1, -row, row - rows_ + 1});
     const long rings = std::max(columns_, rows_) + outside;
     for (long ring = outside; ring <= rings && static_cast<double>(ring - 1) * square <= std::sqrt(least); ++ring)

@@ -33,7 +33,7 @@ study::Study study_of_data_set(const std::string& folder) {
 
 std::vector<std::string> for_each_data_set(const DataSets& sets, const DataSetVisit& visit) {
     if (sets.runs < 1) throw InvalidArgument(fmt::format("{} runs; expected at least 1", sets.runs));
-    (void)simulation::read_recipe(sets.recipe);  // what is wrong in it is said once, not once a run
+    (void)simulation::read_recipe(sets.recipe);  // errors are reported once, not once per run
     std::error_code error;
     fs::create_directories(sets.folder, error);
     if (error) throw FileError(fmt::format("{}: cannot make the folder: {}", sets.folder, error.message()));

@@ -35,7 +35,7 @@ RetractionChoice planted_as(Law law) {
     }
 }
 
-/// What the crack tips of elastomers lose: what the recipe says of this kind, else smaller from one to the next.
+/// Crack tips of elastomers: as in the recipe, else decreasing from one elastomer to the next.
 void plant_tip(std::vector<simulation::ElastomerRecipe>& elastomers, Tip tip) {
     const bool told = std::ranges::any_of(elastomers, [&](const auto& e) {
         return tip == Tip::reference ? e.tip_factor > 1.0 : e.body.edge.has_value();
@@ -133,7 +133,7 @@ Recipe with_model(Recipe recipe, const RetractionModel& law) {
     if (law.law == Law::opening_work && !(loops.opening_work > 0.0))
         loops.opening_work = over_intrinsic * recipe.work_of_adhesion;
     if (law.law == Law::conformal_loss) loops.loss_factor = 1.0;
-    // an edge that is held on its way in leaves some pairs without any contact
+    // pinning on approach leaves some pairs without any contact
     if (law.law == Law::pinning) loops.nonconforming = simulation::PairsWithoutContact::skip;
     if (law.tip != Tip::none && !loops.reference_work)
         throw InvalidArgument(
@@ -146,7 +146,7 @@ ModelRecoveries model_recoveries(const std::string& recipe, const std::vector<Re
                                  const ModelRecoveryOptions& options) {
     if (options.runs < 1) throw InvalidArgument(fmt::format("{} runs; expected at least 1", options.runs));
     const auto runs = static_cast<std::size_t>(options.runs);
-    for (const auto& law : laws) (void)with_model(simulation::read_recipe(recipe), law);  // what is wrong is said once
+    for (const auto& law : laws) (void)with_model(simulation::read_recipe(recipe), law);  // errors are reported once
     std::filesystem::create_directories(options.folder);
     std::vector<ModelRecovery> found(laws.size() * runs);
     std::vector<std::string> failures(found.size());

@@ -81,7 +81,7 @@ BranchData with_noise(const BranchData& exact, const Noise& noise, numerics::Ran
     return noisy;
 }
 
-/// What one run compares; its comparisons in a fixed order.
+/// Comparisons of one run, in a fixed order.
 struct Comparisons {
     int run;
     std::string signal;  ///< "SNR 5"
@@ -97,7 +97,7 @@ struct Comparisons {
         try {
             found = fit();
         } catch (const UndefinedDataError&) {
-            return;  // refused, and said so by the number of comparisons
+            return;  // refused; visible in the number of comparisons
         }
         add(branch.name, "E*", method, "Pa", branch.contact.contact_modulus, found.contact_modulus);
         add(branch.name, "W", method, "J/m2", branch.contact.work_of_adhesion, found.work_of_adhesion);
@@ -195,7 +195,7 @@ std::vector<Comparison> record_coverage(const LoopCoverageOptions& options) {
                 to.add("record", "W (S2)", "analysis", "J/m2", s.work_retraction, found.retraction->work_of_adhesion);
             if (found.loop) to.add("record", "E_loss", "analysis", "J", truth.energy_loss(), found.loop->estimate());
         } catch (const UndefinedDataError&) {
-            // refused, and said so by the number of comparisons
+            // refused; visible in the number of comparisons
         }
     });
 }

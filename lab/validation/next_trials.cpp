@@ -21,7 +21,7 @@ using simulation::StatedQuantity;
 
 double square(double x) { return x * x; }
 
-/// Every quantity that a recipe tells under a name, wherever it stands.
+/// Every named quantity of a recipe.
 std::vector<StatedQuantity*> named(Recipe& recipe, const std::string& name) {
     std::vector<StatedQuantity*> found;
     const auto add = [&](StatedQuantity& quantity, const std::string& known) {
@@ -42,7 +42,7 @@ std::vector<StatedQuantity*> named(Recipe& recipe, const std::string& name) {
     return found;
 }
 
-/// Half the ±, and the true value half as far from what is told.
+/// Half the standard error, and half the deviation of the true value from the stated one.
 void halve(StatedQuantity& quantity) {
     auto& told = quantity.told;
     quantity.value = told.value + 0.5 * (quantity.value - told.value);
@@ -113,7 +113,7 @@ std::vector<Candidate> chosen(const std::vector<adhesion::NextMeasurement>& next
     return list;
 }
 
-/// Candidates of the first run that can be studied; what is wrong in the options is said before all others are made.
+/// Candidates of the first run; errors in the options are reported before all other runs.
 std::vector<Candidate> first_candidates(const std::string& recipe, const NextTrialOptions& options) {
     DataSets one{.recipe = recipe, .folder = options.folder, .runs = 1, .first_seed = options.first_seed};
     std::vector<Candidate> list;
@@ -195,7 +195,7 @@ NextTrials next_trials(const std::string& recipe, const NextTrialOptions& option
             const auto name = name_of(candidate);
             const auto promise = std::find_if(promises.begin(), promises.end(),
                                               [&](const auto& next) { return name_of(next.candidate) == name; });
-            if (promise == promises.end()) continue;  // a pair that does not conform in this run
+            if (promise == promises.end()) continue;  // a pair without contact in this run
             const auto changed = recipe_with(made, candidate);
             with_data_set(changed, folder + "_next", false, [&] {
                 const auto later = value_in(result_of(folder + "_next"), options.target);

@@ -35,7 +35,7 @@ void add_step(RecordInMaking& record, double share, double at) {
     force.tail(force.size() - first) += share * record.pull_off;
 }
 
-/// Where between first touch and parting: 0 … 1; −1 … 0: in the free flight before.
+/// Position between first contact and separation: 0 … 1; −1 … 0: in the free flight before.
 double place(const RecordInMaking& record, double share) {
     const auto [first, last] = contact_of(record.loop);
     const auto n = static_cast<double>(record.loop.force.size());

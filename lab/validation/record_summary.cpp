@@ -15,7 +15,7 @@ constexpr std::array<const char*, 6> route_names{"E*", "W", "W_ret", "W_pull_off
 
 double median_of(std::vector<double> values) { return values.empty() ? undefined : median(values); }
 
-/// Deviation from what was put in, of a known 0 from the work of retraction.
+/// Deviation from the true value; for a true value of 0 relative to the work of retraction.
 double relative_deviation(const RecordRoute& route, const RecordTrial& trial) {
     double scale = route.known;
     for (const auto& other : trial.routes)

@@ -74,7 +74,7 @@ RecordInMaking drawn_record(RandomKey key) {
     return record;
 }
 
-/// Speed and free flight, once the machine is known. The first sample lies anywhere in a step.
+/// Speed and free flight, for a known machine. The first sample is anywhere in a step.
 void set_pace(RecordInMaking& record) {
     auto& protocol = record.protocol;
     const double samples = std::floor(between(record.key, 4, 200.0, 600.0));
@@ -126,7 +126,7 @@ RecordInMaking made_record(const Combination& kinds, RandomKey key) {
     for (const auto* kind : kinds) change_experiment(kind->name, record);
     set_pace(record);
     simulate(record);
-    // contact is known by a force that is not 0: what changes the zero comes last
+    // contact is identified by a force that is not 0: changes of the zero are applied last
     const auto changes = [&](const std::string& group) {
         for (const auto* kind : kinds)
             if (kind->group == group) change_course(kind->name, record);

@@ -27,7 +27,7 @@ struct Chart {
         }
         std::reverse(quantities.begin(), quantities.end());
     }
-    /// Methods stand beside each other, not on top of each other.
+    /// Methods are next to each other, not on top of each other.
     [[nodiscard]] double place(const SummaryRow& row) const {
         constexpr double share_of_a_place = 0.6;
         const auto at = std::find(quantities.begin(), quantities.end(), row.quantity) - quantities.begin();

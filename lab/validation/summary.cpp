@@ -16,7 +16,7 @@ namespace {
 
 using Members = std::vector<const Comparison*>;
 
-/// Standard error of the mean deviation; what one run shares (an elastomer, a fitted W) makes its members alike.
+/// Standard error of the mean deviation; shared inputs of one run (an elastomer, a fitted W) correlate its members.
 double error_of_mean(const Members& members, double mean) {
     std::map<int, double> sums;
     for (const auto* m : members) sums[m->run] += m->deviation() - mean;
@@ -27,8 +27,8 @@ double error_of_mean(const Members& members, double mean) {
     return std::sqrt(squares * runs / (runs - 1.0)) / count;
 }
 
-/// How many independent comparisons would scatter in their share of hits as these do, whose runs share values; as many
-/// as there are runs where all hit, or none, and nothing can be told.
+/// Number of independent comparisons with the same scatter of the share of hits; comparisons of one run share values.
+/// It is the number of runs where all hit, or none, because the scatter is undefined then.
 double independent_of(const Members& members, double share) {
     std::map<int, double> sums;
     for (const auto* m : members) sums[m->run] += (m->covered() ? 1.0 : 0.0) - share;

@@ -11,7 +11,7 @@ using roughness::SpectralParameters;
 
 namespace {
 
-/// Planted parameters with the decades of the planted C1D.
+/// True parameters with the decades of the true C1D.
 SpectralParameters true_parameters(const simulation::TrueSurfaceValues& truth) {
     auto parameters = truth.parameters;
     if (truth.C1D.wavevector.size() > 1) parameters.decade_C1D = roughness::decade_means(truth.C1D);

@@ -49,7 +49,7 @@ void lag_line(Array2D& heights, Index line, double step, double lag) {
             held = true;
             continue;
         }
-        // across a hole nobody knows the surface: it steps to the new height
+        // across a hole the height is undefined: it steps to the new height
         if (held) before = target;
         if (!started) followed = target;
         started = true;

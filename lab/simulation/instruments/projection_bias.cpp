@@ -124,7 +124,7 @@ void fill_bins(ProjectionBias& bias, const std::vector<SurfaceSums>& surfaces, c
         const double wavevector = 2.0 * pi * static_cast<double>(mode) / options.grid.size_x;
         return static_cast<Index>(std::floor(std::log10(wavevector) * options.bins_per_decade + 1e-9));
     };
-    // what is left of lines beyond the spectrum's end is rounding
+    // lines have only rounding errors beyond the spectrum's end
     double strongest = 0.0;
     for (const auto& surface : surfaces)
         strongest = std::max(strongest, surface.lines.power.tail(modes - 1).maxCoeff());

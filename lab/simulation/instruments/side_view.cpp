@@ -16,7 +16,7 @@
 namespace setae::simulation {
 namespace {
 
-/// Which of the key's sequences draws what.
+/// Random sequences of the key.
 enum ViewStream : std::uint64_t { step_stream, trace_stream, reentrant_stream };
 
 void check(const FoilContourOptions& options) {
@@ -83,7 +83,7 @@ Array1D positions_of(const FoilContourOptions& options) {
     return Eigen::Map<const Array1D>(positions.data(), static_cast<Index>(positions.size()));
 }
 
-/// Heights smoothed by a Gaussian; at the ends of a line that is not periodic by the part of it that lies inside.
+/// Heights smoothed by a Gaussian; at the ends of a line that is not periodic, by the part of it inside.
 Array1D blurred(const topography::LineScan& line, double blur) {
     const double step = line.pixel_size();
     const auto n = line.heights.size(), reach = static_cast<Index>(std::ceil(6.0 * blur / step));

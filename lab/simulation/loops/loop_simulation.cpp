@@ -25,7 +25,7 @@ void require_valid(const LoopArtefacts& artefacts) {
     require_noise(artefacts.radius_noise, "radius");
 }
 
-/// Times at which the motor passes what it passes.
+/// Times of the positions of the motor.
 struct Schedule {
     double turn = 0.0;        ///< largest motor position reached [s]
     double retraction = 0.0;  ///< end of the hold [s]
@@ -58,7 +58,7 @@ struct Schedule {
 bool has_frame(Index sample, const LoadingProtocol& protocol) {
     if (sample == 0) return true;
     const double frames = protocol.camera_rate / protocol.force_rate;
-    constexpr double rounding = 1e-9;  // of a frame: multiples of the period that fall on a sample belong to it
+    constexpr double rounding = 1e-9;  // of a frame: multiples of the period within rounding of a sample belong to it
     const auto frame = [&](Index i) { return std::floor(static_cast<double>(i) * frames + rounding); };
     return frame(sample) > frame(sample - 1);
 }
@@ -91,7 +91,7 @@ double interpolated(const Array1D& x, const Array1D& y, double at) {
     return y[upper - 1] + share * (y[upper] - y[upper - 1]);
 }
 
-/// States behind the place where the edge lets go, by position of the motor.
+/// States after the first motion of the edge, by position of the motor.
 class EdgeRetraction {
 public:
     EdgeRetraction(const hysteresis::HystereticSphere& specimen, const LoadingProtocol& protocol,
@@ -129,7 +129,7 @@ private:
     Array1D motor_, contact_radius_, displacement_;
 };
 
-/// What the bulk adds to the force, counted from the jump in.
+/// Additional force of the bulk, counted from the jump in.
 void add_relaxation(loops::Loop& loop, double jump_in, const hysteresis::HystereticSphere& specimen,
                     const LoadingProtocol& protocol, const hysteresis::ViscousBody& body) {
     if (body.relaxation.empty()) return;

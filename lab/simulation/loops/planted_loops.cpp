@@ -23,13 +23,13 @@ double contact_modulus(const Recipe& recipe, const ElastomerRecipe& elastomer) {
         {.youngs_modulus = recipe.counter_youngs_modulus, .poisson_ratio = recipe.counter_poisson_ratio});
 }
 
-/// What a pair's loop is of, or why there is none.
+/// Inputs of a pair's loop, or the reason for which there is none.
 struct RoughPair {
     hysteresis::HystereticSphere specimen;
     std::string refusal;
 };
 
-/// W_ret with which the loop loses so much an area, or why it cannot.
+/// W_ret for a given loss per area, or the reason for which there is none.
 void lose(RoughPair& pair, const LoopRecipe& loops, double loss_per_area) {
     const hysteresis::SphereLoop least = true_loop(pair.specimen, loops.protocol);
     const double loss = loss_per_area * least.largest_contact_area();
@@ -54,9 +54,10 @@ hysteresis::Law law_of(RetractionChoice law) {
     throw InternalError("E_loss = f W_int A_true is no law of W_ret alone");
 }
 
-/// What W_app of a pair departs from its balance by, of the seed and the names alone.
+/// Deviation of W_app of a pair from its balance, from only the seed and the names.
 double departure(const Recipe& recipe, const std::string& surface, const std::string& elastomer) {
-    constexpr std::uint64_t scatter_streams = 3ull << 33;  // beside those of measurements, loops, ranges and inputs
+    constexpr std::uint64_t scatter_streams = 3ull
+                                              << 33;  // in addition to those of measurements, loops, ranges and inputs
     const auto stream = numerics::substream({.seed = recipe.seed}, scatter_streams);
     const auto normal = [&](const std::string& scope) {
         return numerics::normal_number(numerics::substream(stream, name_hash(scope)), 0);
@@ -71,8 +72,8 @@ double mean_wavelength(const roughness::SpectralParameters& p) {
     return p.rms_height > 0.0 ? crack_front::mean_wavelength(p.rms_height, p.elastic_energy_per_modulus) : 0.0;
 }
 
-/// The contact of a pair, W_app without scatter in it: full as (7) has it, or what simulated patches touch, gain and
-/// store.
+/// The contact of a pair, with W_app without scatter: full as in the full-contact balance (Eq. 7), or that of simulated
+/// patches.
 hysteresis::PairState contact_state(const Recipe& recipe, const TrueSurfaceValues& surface,
                                     const ElastomerRecipe& elastomer, double contact_modulus) {
     hysteresis::PairState state{.area_ratio = surface.area_ratio,
@@ -92,7 +93,7 @@ hysteresis::PairState contact_state(const Recipe& recipe, const TrueSurfaceValue
     return state;
 }
 
-/// Of JKR's contact of W, what the contact gains.
+/// For JKR's contact with W, the energy gained in contact.
 hysteresis::EdgeLengths edge_of(const hysteresis::PairState& state, const hysteresis::HystereticSphere& specimen,
                                 double maximum_force) {
     const contact::AdhesiveContact sphere{specimen.radius, specimen.contact_modulus,
@@ -111,7 +112,7 @@ RoughPair rough_pair(const Recipe& recipe, const std::string& name, const TrueSu
     auto state = contact_state(recipe, surface, elastomer, specimen.contact_modulus);
     if (loops.law == RetractionChoice::pinning && state.full_contact_gain() > 0.0)
         state.edge = edge_of(state, specimen, loops.protocol_on(name).pressing().maximum_force);
-    // an edge that roughness holds is held on its way in, too
+    // a pinned edge is also pinned on approach
     const double pinned = loops.law == RetractionChoice::pinning && state.full_contact_gain() > 0.0
                               ? hysteresis::pinned_on_approach({hysteresis::Law::pinning, Tip::none}, state, {}, 0.0)
                               : 0.0;
@@ -142,7 +143,7 @@ std::string file_of(const SpecimenPair& pair, int number) {
     return number == 1 ? stem + ".csv" : fmt::format("{}_{}.csv", stem, number);
 }
 
-/// Last, so that the noise of all others stays what it is without them. Pairs that do not conform have none.
+/// Called last, so that the noise of all other loops does not depend on these. Pairs without contact have none.
 void add_further(std::vector<KnownLoop>& loops, const std::vector<SpecimenPair>& pairs) {
     for (const auto& pair : pairs) {
         const auto last = std::find_if(loops.rbegin(), loops.rend(), [&](const KnownLoop& loop) {

@@ -115,8 +115,8 @@ struct Patch {
     double x, y, wave_x, wave_y, phase;
 };
 
-/// One patch in each square of a grid that surrounds the picture, at least a fifth of a square from its sides: the
-/// nearest to a place is then that of its square or of the eight around it.
+/// One patch in each square of a grid around the picture, at least a fifth of a square from its sides: the patch
+/// nearest to a position is then that of its square or of the eight around it.
 class Patches {
 public:
     explicit Patches(const MicrographOptions& options) : across_(count(options.width)) {

@@ -12,7 +12,7 @@ struct Place {
     double across, down;
 };
 
-/// Areas that a curve's segments add to each pixel and, by the row below, to all pixels further down.
+/// Areas of a curve's segments in each pixel and, in the row below, in all pixels further down.
 class SignedAreas {
 public:
     explicit SignedAreas(const PixelWindow& window)
@@ -47,7 +47,7 @@ private:
         const double begin = std::min(one, other), end = std::max(one, other);
         const double bottom = static_cast<double>(rows_);
         if (begin >= bottom) return;
-        // what lies above the window covers the whole column
+        // a segment above the window covers the whole column
         if (end <= 0.0) {
             steps_(0, column) += width;
             return;
@@ -74,7 +74,7 @@ Place place_of(const PixelCurve& curve, Index point, const PixelWindow& window) 
             curve.y[point] - static_cast<double>(window.top) + 0.5};
 }
 
-/// The curve's segments with a level one at either end, out of the window.
+/// The curve's segments with a horizontal one at either end, outside the window.
 template <class Body>
 void for_each_segment(const PixelCurve& curve, const PixelWindow& window, Body body) {
     const Index n = curve.x.size();
@@ -89,7 +89,7 @@ void for_each_segment(const PixelCurve& curve, const PixelWindow& window, Body b
 void lower_to_segment(Array2D& squared, const Place& from, const Place& to, double reach) {
     const double along_x = to.across - from.across, along_y = to.down - from.down;
     const double length_squared = along_x * along_x + along_y * along_y;
-    // centres of pixels lie half a pixel off the corner
+    // centres of pixels are half a pixel from the corner
     const auto first = [&](double one, double other) {
         return std::max(0L, static_cast<long>(std::ceil(std::min(one, other) - reach - 0.5)));
     };
@@ -117,7 +117,7 @@ Array2D crossings_above(const PixelCurve& curve, const PixelWindow& window) {
     for_each_segment(curve, window, [&](const Place& from, const Place& to) {
         const double left = std::min(from.across, to.across), right = std::max(from.across, to.across);
         const double sign = to.across > from.across ? 1.0 : -1.0;
-        // columns whose centre lies in (left, right]
+        // columns with their centre in (left, right]
         const long first = std::max(0L, static_cast<long>(std::floor(left - 0.5)) + 1),
                    last = std::min(window.width - 1, static_cast<long>(std::floor(right - 0.5)));
         for (long column = first; column <= last; ++column) {

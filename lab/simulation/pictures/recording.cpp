@@ -38,7 +38,7 @@ class FrameEdge {
 public:
     FrameEdge(const Array1D& radius, double pixel_size) : radius_(radius / pixel_size) {}
 
-    /// Distance of a place outside the edge [px], along the edge's normal.
+    /// Distance of a position outside the edge [px], along the edge's normal.
     [[nodiscard]] double outside(double x, double y) const {
         const auto n = static_cast<double>(radius_.size());
         const double turn = std::atan2(y, x) / (2.0 * pi), place = (turn - std::floor(turn)) * n;

@@ -16,7 +16,7 @@ namespace {
 constexpr double beyond = 60.0;                           // px of curve on either side of the picture
 constexpr double point_spacing = 0.25;                    // px
 constexpr double height_spacing = 0.0625;                 // px: straight between, 1e-4 px for a cutoff of 10 px
-constexpr double min_neck = 6.0, largest_neck = 9.0;      // px: half of it
+constexpr double min_neck = 6.0, largest_neck = 9.0;      // half of it in px
 constexpr double min_fillet = 5.0, largest_fillet = 8.0;  // px
 constexpr double apart = 20.0;                            // px of level line between bulges
 
@@ -83,7 +83,7 @@ struct Bulge {
     [[nodiscard]] double joint() const { return std::acos((neck + fillet) / (cap() + fillet)); }
 };
 
-/// Points of a curve as they are added.
+/// Points of a curve under construction.
 struct Points {
     std::vector<double> x, v;
 

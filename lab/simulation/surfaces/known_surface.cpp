@@ -24,7 +24,7 @@ double moment(const KnownSurface& surface, double order, const Band& band) {
         return spectral_moment(surface.C_iso, order, surface.band().lower, part);
     };
     if (surface.isotropic()) return isotropic(band);
-    constexpr int directions = 16;  // of a quarter turn, periodic: exact to the stretch to the power −32
+    constexpr int directions = 16;  // directions of a quarter turn, periodic: exact to the stretch to the power −32
     const double stretch = surface.anisotropy.stretch, whole = isotropic({0.0, surface.band().upper});
     double sum = 0.0;
     for (int i = 0; i < directions; ++i) {
@@ -38,7 +38,7 @@ double moment(const KnownSurface& surface, double order, const Band& band) {
     return sum / directions;
 }
 
-/// Mean of (9) over the directions of a slope whose two components differ: it is that of isotropic slopes √2 σ(θ).
+/// Mean of Eq. 9 over the directions of a slope whose two components differ: it is that of isotropic slopes √2 σ(θ).
 double area_ratio(const KnownSurface& surface, double rms_slope) {
     if (surface.isotropic()) return roughness::gaussian_area_ratio(rms_slope);
     constexpr int directions = 32;

@@ -10,7 +10,7 @@
 namespace setae::simulation {
 namespace {
 
-constexpr double nodes_per_unit = 100.0 / std::numbers::ln10;  // 100 a decade
+constexpr double nodes_per_unit = 100.0 / std::numbers::ln10;  // 100 per decade
 constexpr double below_rolloff = 1e-3;
 
 /// √(q_s² − q²), by which C1D goes to zero; kept off zero.
@@ -43,7 +43,7 @@ LineSpectrum::LineSpectrum(const KnownSurface& surface)
     spacing_ = std::log(upper_ / first_) / static_cast<double>(nodes);
     log_values_.resize(nodes + 1);
     for (Index i = 0; i <= nodes; ++i) {
-        // the last node stands just before the end, where C1D/√ has its limit
+        // the last node is just before the end, where C1D/√ has its limit
         const double q = std::min(first_ * std::exp(static_cast<double>(i) * spacing_), upper_ * (1.0 - 1e-9));
         log_values_[i] = std::log(std::max(profile_value(surface.C_iso, q, upper_), 1e-300) / end_factor(q, upper_));
     }
@@ -69,7 +69,7 @@ double LineSpectrum::along(double angle, double wavevector) const {
 
 double LineSpectrum::averaged(double wavevector) const {
     if (stretch_ == 1.0) return isotropic(wavevector);
-    constexpr int directions = 64;  // of a quarter turn
+    constexpr int directions = 64;  // directions of a quarter turn
     double sum = 0.0;
     for (int i = 0; i < directions; ++i) sum += along(0.5 * pi * (i + 0.5) / directions, wavevector);
     return sum / directions;

@@ -30,7 +30,7 @@ public:
     }
     [[nodiscard]] double required(const char* key, const Dimension& dimension) {
         if (const auto value = optional(key, dimension)) return *value;
-        return reader_->required_uncertain(key, dimension).value;  // says what is missing
+        return reader_->required_uncertain(key, dimension).value;  // reports the missing key
     }
     [[nodiscard]] double number_or(const char* key, double fallback) {
         return optional(key, dimension::none).value_or(fallback);
@@ -45,7 +45,7 @@ private:
     std::vector<SpectrumParameter>* taken_;
 };
 
-/// The density with the amplitude asked for; density_of_plateau: by C_0.
+/// The density with the given amplitude; density_of_plateau: by C_0.
 template <class Function>
 spectra::SpectralDensity with_amplitude(SpectrumNumbers& numbers, const Band& band,
                                         const Function& density_of_plateau) {
@@ -62,7 +62,7 @@ spectra::SpectralDensity with_amplitude(SpectrumNumbers& numbers, const Band& ba
     return density_of_plateau(wanted * wanted / unit);
 }
 
-/// C_iso ends where it has fallen to exp(−16) of the power law: 1e-7.
+/// C_iso ends where it has decreased to exp(−16) of the power law: 1e-7.
 constexpr double end_of_soft_cutoff = 4.0;
 
 spectra::SpectralDensity soft_cutoff(const spectra::SoftCutoff& model) {

@@ -25,12 +25,13 @@ namespace {
 using numerics::RandomKey;
 using numerics::substream;
 
-/// Streams of what one measurement draws.
+/// Random streams of one measurement.
 enum PatchStream : std::uint64_t { of_heights, of_level, of_tip, of_instrument, of_session, of_references };
 
 constexpr parallel::Threads one_thread{1};
 
-/// How many of its length a line of the surface is long: longer waves leave 1e-3 of what a parabola leaves.
+/// Length of a line of the surface divided by that of the measurement: longer waves contribute 1e-3 of the power after
+/// subtracting a parabola.
 constexpr double lengths_per_line = 8.0;
 
 /// The radius of the tip that a protocol uses, of all surfaces or drawn for the surface of the key.
@@ -61,7 +62,7 @@ StylusOptions stylus_options(const StylusProtocol& protocol, std::size_t scan, R
             .key = substream(substream(key, of_instrument), scan)};
 }
 
-/// C1D of points read a step apart: all waves shorter than two steps folded back.
+/// C1D of points sampled at a step: all waves shorter than two steps are aliased.
 spectra::SpectralDensity folded(const LineSpectrum& C1D, double step, double lowest) {
     constexpr int single = 16;  // aliases added one by one; beyond them their sum is an integral
     constexpr double nodes_per_e_fold = 40.0;
@@ -130,7 +131,7 @@ std::map<double, std::vector<std::size_t>, std::greater<>> by_length(const std::
     return groups;
 }
 
-/// Points of the fine grid to a pixel of a map.
+/// Points of the fine grid per pixel of a map.
 Index fine_points(const KnownSurface& surface, double tip_radius, double step, Index pixels) {
     constexpr double points_per_radius = 15.0;
     constexpr Index max_patches_per_side = 2048,

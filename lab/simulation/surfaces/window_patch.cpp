@@ -18,7 +18,7 @@ using numerics::substream;
 
 enum WindowStream : std::uint64_t { of_short_waves, of_window_level, of_long_waves, of_shorter_waves };
 
-/// Of a patch's narrower side; how much wider the next one is, and the last one than the window.
+/// Relative to a patch's narrower side; ratio of widths of the next patch, and of the last one to the window.
 constexpr double modes_below_crossover = 6.0, widening = 8.0, room = 1.25;
 
 topography::HeightMap random_patch(const spectra::SpectralDensity& C_iso, const spectra::Anisotropy& anisotropy,
@@ -31,7 +31,7 @@ topography::HeightMap random_patch(const spectra::SpectralDensity& C_iso, const 
 
 /// Variance of the heights' waves that a grid with this pixel does not hold [m²].
 double variance_between_pixels(const KnownSurface& surface, double pixel) {
-    constexpr int directions = 64;  // of half a turn
+    constexpr int directions = 64;  // directions of half a turn
     const double nyquist = pi / pixel, stretch = surface.anisotropy.stretch;
     double sum = 0.0;
     for (int i = 0; i < directions; ++i) {

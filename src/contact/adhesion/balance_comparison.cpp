@@ -31,7 +31,7 @@ void require_at_least(std::size_t pairs, std::size_t least) {
             fmt::format("{}; a comparison of balances needs at least {}", counted(pairs, "pair", "pairs"), least));
 }
 
-/// rms residual of each surface's pairs under what a fit to all others says; NaN where the others are too few to fit.
+/// rms residual of each surface's pairs under a fit to all others; NaN where the others are too few to fit.
 template <class SquaresOfOwn>
 double left_out(const std::vector<PairPoint>& pairs, SquaresOfOwn squares_of_own) {
     std::set<std::string> surfaces;

@@ -35,7 +35,7 @@ ContactShares contact_shares(const spectra::Spectrum& curve, const ContactScales
     for (Index i = 1; i < n; ++i) {
         const double left = below.wavevector[i - 1], right = below.wavevector[i];
         if (right <= first) continue;
-        // of the piece that holds the cut, the part above it in ln q
+        // for the piece that contains the cut, the part above it in ln q
         const double part = left < first ? std::log(right / first) / std::log(right / left) : 1.0;
         const double q = std::sqrt(std::max(left, first) * right);
         const double stiffness =

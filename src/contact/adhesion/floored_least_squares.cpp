@@ -40,7 +40,7 @@ FlooredMinimum floored_minimum(const std::vector<FlooredTerm>& terms, double low
         if (term.floored && kink > lower && kink < upper) kinks.push_back(kink);
     }
     std::sort(kinks.begin(), kinks.end());
-    // an open lower end: everything below the first kink is flat or one parabola; a point far below stands for it
+    // an open lower end: everything below the first kink is flat or one parabola; a distant point represents it
     if (lower == -std::numeric_limits<double>::infinity()) {
         double reach = kinks.empty() ? 0.0 : kinks.front();
         for (const auto& term : terms)

@@ -38,7 +38,7 @@ public:
         }
     }
 
-    /// Whether the pairs tell all parameters apart.
+    /// Whether the pairs determine all parameters.
     [[nodiscard]] bool find() {
         constexpr int rounds = 200;
         constexpr double settled = 1e-9;
@@ -50,7 +50,7 @@ public:
             scatter_ =
                 round == 0 ? model_.most_likely(residuals_, scatter_) : model_.nearest_summit(residuals_, scatter_);
             const VectorXd before = at_, found = minimum();
-            // shorter steps where a pair at its floor would make the answer swing
+            // shorter steps where a pair at its floor would make the solution oscillate
             at_ = round < rounds / 4 ? found : VectorXd(0.5 * (before + found));
             const VectorXd moved = (at_ - before).cwiseAbs(), size = at_.cwiseMax(before);
             if ((moved.array() <= settled * size.array()).all()) break;
@@ -124,7 +124,7 @@ private:
         return Eigen::SelfAdjointEigenSolver<MatrixXd>(design.transpose() * design).eigenvalues().minCoeff() > least;
     }
 
-    /// Of the squares with V and the pairs above their floor held.
+    /// Minimum of the squares with fixed V and fixed pairs above their floor.
     [[nodiscard]] VectorXd minimum() const {
         const auto columns = answered();
         const MatrixXd design = columns_of(slopes_, columns);
@@ -136,7 +136,7 @@ private:
         return all;
     }
 
-    /// What the pairs say of a parameter without its own floor, those of the others held.
+    /// Estimate of a parameter by the pairs without its own floor, with those of the others fixed.
     [[nodiscard]] TracedValue traced(Index parameter) const {
         auto columns = free();
         auto place = std::find(columns.begin(), columns.end(), parameter);
@@ -183,7 +183,7 @@ private:
     VectorXd at_;
     MatrixXd slopes_;
     ModelScatter scatter_;
-    std::vector<PairPoint> there_;  ///< pairs with what the parameters say that surfaces store
+    std::vector<PairPoint> there_;  ///< pairs with the stored energies of the parameters
     PairResiduals residuals_;
 };
 

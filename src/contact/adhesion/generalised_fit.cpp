@@ -17,8 +17,8 @@ namespace {
 
 using Eigen::MatrixXd, Eigen::VectorXd;
 
-/// The minimum of (y − f(W))ᵀ V⁻¹ (y − f(W)) over W >= 0 that lies next to `start`: with V held, another valley, of
-/// floored pairs alone, says nothing. Within a piece between two kinks of the floors the cost is one parabola.
+/// The minimum of (y − f(W))ᵀ V⁻¹ (y − f(W)) over W >= 0 next to `start`: with fixed V, another minimum with only
+/// floored pairs is meaningless. Between two kinks of the floors the cost is one parabola.
 double minimum_of(const std::vector<PairPoint>& pairs, const Eigen::LLT<MatrixXd>& factor, double start) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const auto n = static_cast<Index>(pairs.size());
@@ -112,7 +112,7 @@ private:
             at_ = inputs_.residuals_at(work_);
             if (with_scatter) scatter_ = model_.nearest_summit(at_, scatter_);
             const double before = work_, found = minimum_of(pairs_, factor_of(model_.covariance(at_, scatter_)), work_);
-            // halved steps where a pair at its floor would make W swing between two answers
+            // halved steps where a pair at its floor would make W oscillate between two solutions
             work_ = round < rounds / 2 ? found : 0.5 * (before + found);
             if (std::abs(work_ - before) <= settled * std::max(std::abs(work_), std::abs(before))) break;
         }

@@ -9,7 +9,7 @@
 namespace setae::adhesion {
 namespace {
 
-/// The one direction of an input; 0 where a value does not rest on it, NaN where it has several.
+/// The single direction of an input; 0 where a value does not depend on it, NaN where it has several.
 double direction_of(const Components& components, const std::string& input) {
     const auto found = components.find(input);
     if (found == components.end()) return 0.0;
@@ -40,13 +40,13 @@ bool has_one_direction(const std::vector<PairPoint>& pairs, const std::string& i
     return any;
 }
 
-/// From the parabola through three points one standard error apart.
+/// From the parabola through three points with a spacing of one standard error.
 Estimate maximum_of(const ProfilePoint& below, const ProfilePoint& middle, const ProfilePoint& above) {
     const double slope = 0.5 * (above.log_likelihood - below.log_likelihood);
     const double curvature = above.log_likelihood - 2.0 * middle.log_likelihood + below.log_likelihood;
     Estimate found{
         .value = 0.0, .standard_error = std::numeric_limits<double>::quiet_NaN(), .method = "profile likelihood"};
-    constexpr double least = 1e-6;  // of ln L: what rounding of the fits leaves
+    constexpr double least = 1e-6;  // in ln L: rounding errors of the fits
     if (!(curvature < -least)) return found;
     found.value = -slope / curvature;
     found.standard_error = 1.0 / std::sqrt(-curvature);

@@ -8,14 +8,14 @@
 namespace setae::adhesion {
 namespace {
 
-/// What the fitted W and the scatter add to the error of a pair's prediction.
+/// Contributions of the fitted W and of the scatter to the error of a pair's prediction.
 Components work_and_scatter(const GeneralisedFit& others, const PairPoint& pair) {
     const double share = share_through_floor(pair, others.work_of_adhesion.value);
     return combined(
         {{share * pair.slope, others.work_of_adhesion.components}, {1.0, departure_from(others, pair, share)}});
 }
 
-/// Of one pair that was not in the fit.
+/// Prediction of one pair that was not in the fit.
 LeftOutPrediction predicted_by(const GeneralisedFit& others, const PairPoint& pair, bool surface_left_out) {
     const double work = others.work_of_adhesion.value, share = share_through_floor(pair, work);
     const auto of_work = work_and_scatter(others, pair);

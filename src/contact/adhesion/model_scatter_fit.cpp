@@ -18,7 +18,7 @@ namespace {
 using Eigen::MatrixXd, Eigen::VectorXd;
 using Label = std::string PairPoint::*;
 
-/// Whether effects of a label can be told from those of pairs: three of them, and one with several pairs.
+/// Whether effects of a label can be distinguished from those of pairs: three of them, and one with several pairs.
 bool separable(const std::vector<PairPoint>& pairs, Label label) {
     std::map<std::string, int> counts;
     for (const auto& pair : pairs) ++counts[pair.*label];
@@ -137,7 +137,7 @@ ModelScatter ScatterFit::climbed(Restricted& restricted, ModelScatter scatter, d
 
 /// Points of a grid of all levels that no neighbour exceeds: from each a climb may end on another summit.
 std::vector<ModelScatter> ScatterFit::summits_of_grid(Restricted& restricted, double reach) const {
-    static constexpr std::array steps{0.0, 0.06, 0.16, 0.4, 1.0};  // of the reach
+    static constexpr std::array steps{0.0, 0.06, 0.16, 0.4, 1.0};  // shares of the reach
     constexpr Index side = steps.size();
     const auto levels = static_cast<Index>(levels_.size());
     const auto count = static_cast<Index>(std::llround(std::pow(side, levels)));
@@ -186,11 +186,11 @@ ModelScatter ScatterFit::most_likely(const PairResiduals& at, ModelScatter scatt
     auto best = climbed(restricted, scatter, reach);
     double highest = restricted.log_likelihood(best);
     for (auto summit : summits_of_grid(restricted, reach)) {
-        // of levels that the pairs do not tell, the given ones
+        // for levels that the pairs do not determine, the given ones
         for (const auto level : {&ModelScatter::pair, &ModelScatter::surface, &ModelScatter::elastomer})
             if (!tells(level)) summit.*level = scatter.*level;
         const auto found = climbed(restricted, summit, reach);
-        // of two that are alike the one that is near
+        // of two equal maxima the nearer one
         constexpr double alike = 1e-9;
         if (const double there = restricted.log_likelihood(found); there > highest + alike) {
             highest = there;

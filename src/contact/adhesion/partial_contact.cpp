@@ -26,7 +26,7 @@
 namespace setae::adhesion {
 namespace {
 
-/// What docs/validation/conformity.md makes of patches at ρ/h_rms = 0.05.
+/// Results of docs/validation/conformity.md for patches at ρ/h_rms = 0.05.
 struct SimulatedPatches {
     double energy_share, area_fraction, area_error, gain, gain_error, closing_pressure;
 };
@@ -48,9 +48,9 @@ constexpr std::array simulated{SimulatedPatches{0, 1, 0, 1, 0, 0},
                                SimulatedPatches{2, 0.12, 0.0305, 0.0201, 0.0175, 3.29},
                                SimulatedPatches{3, 0.031, 0.0035, 0.0049, 0.0052, 3.75}};
 constexpr double last_share = simulated.back().energy_share;
-constexpr double power_beyond = -3.0;  ///< of gain and area beyond the last
-/// Over U_el/(A h_rms): closes 99 % of a Gaussian surface that nothing attracts, erf(√2 p/(h'E*)) of it, in a band
-/// of 16.
+constexpr double power_beyond = -3.0;  ///< exponent of gain and area beyond the last
+/// Divided by U_el/(A h_rms): contact on 99 % of a Gaussian surface without attraction, erf(√2 p/(h'E*)) of it, in a
+/// band of 16.
 constexpr double closing_without_adhesion = 6.8;
 
 /// A column of the table as a curve.

@@ -19,7 +19,7 @@ namespace {
 
 using roughness::SpectralParameters;
 
-/// Everything a loop depends on beside the surface, without errors.
+/// All inputs of a loop in addition to the surface, without errors.
 struct Inputs {
     double contact_modulus, surface_energy, work, radius, patches;  ///< E*, γ1, W_int, R, simulated patches
 };
@@ -27,12 +27,12 @@ struct Inputs {
 /// A loop's numbers, without errors.
 struct Loop {
     double radius = 0.0, contact_radius = 0.0, work_approach = 0.0;
-    double ideal_loss = 0.0;                            ///< of the jumps with W_app
-    double conformal_loss = 0.0, conformal_work = 0.0;  ///< (10) and its W_ret
+    double ideal_loss = 0.0;                            ///< loss of the jumps with W_app
+    double conformal_loss = 0.0, conformal_work = 0.0;  ///< true-area loss (Eq. 10) and its W_ret
 };
 
-/// W_ret with which edge and jumps together lose so much: more than the jumps alone with W_app, for W_int r >= W_app
-/// and a_max is larger than after the jump into contact.
+/// W_ret for a given loss of edge and jumps: more than the jumps with W_app, since W_int r >= W_app and a_max is larger
+/// than after the jump into contact.
 double work_of_retraction(const contact::AdhesiveContact& approach, double contact_area, double loss) {
     const double jump_in = contact::jkr::ideal_loop_loss(approach).jump_in;
     const auto excess = [&](double work) {
@@ -45,7 +45,7 @@ double work_of_retraction(const contact::AdhesiveContact& approach, double conta
     return numerics::bracketed_root(excess, lower, upper, 50);
 }
 
-/// W_app, with something left for derivatives of a pair that hardly comes into contact.
+/// W_app, with a positive lower limit for derivatives of a pair with almost no contact.
 double work_approach(const ConformalState& state, const Inputs& inputs) {
     constexpr double min_share = 1e-6;
     const double gain = inputs.work * state.area_ratio - inputs.surface_energy * (state.area_ratio - 1.0);

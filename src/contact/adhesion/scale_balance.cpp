@@ -17,7 +17,7 @@ void extend(std::optional<Band>& band, double wavevector) {
     band->upper = wavevector;
 }
 
-/// Of simulated patches of the same energies and rms height.
+/// From simulated patches with equal energies and rms height.
 double pressure_to_close(double gained, double stored, double rms_height) {
     if (!(stored > 0.0 && rms_height > 0.0)) return 0.0;
     const double share = gained > 0.0 ? stored / gained : std::numeric_limits<double>::infinity();

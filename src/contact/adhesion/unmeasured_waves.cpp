@@ -8,7 +8,7 @@
 namespace setae::adhesion {
 namespace {
 
-/// What an end adds to the sums over waves.
+/// Contribution of one end to the sums over waves.
 struct Added {
     double squared_slope = 0.0, energy = 0.0;
 };

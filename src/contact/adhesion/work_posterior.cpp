@@ -23,7 +23,7 @@ namespace {
 
 using Eigen::MatrixXd, Eigen::VectorXd;
 
-/// Of nodes while inputs are looked for; the density itself takes all of them.
+/// Nodes while inputs are fitted; the density uses all of them.
 constexpr ScatterNodes coarse_nodes{5, 4, 4};
 
 std::vector<PairLabels> labels_of(const std::vector<PairPoint>& pairs) {
@@ -49,12 +49,12 @@ double prior_scale(const std::vector<PairPoint>& pairs) {
 /// exp(change) of a number above 0; one that is 0 or below moves in a straight line.
 double moved(double value, double change) { return value > 0.0 ? value * std::exp(change / value) : value + change; }
 
-/// What moved() changes by with `change`, from where it is.
+/// Change of moved() by `change`, from the present value.
 double response(double value, double at) { return value > 0.0 ? at / value : 1.0; }
 
 }  // namespace
 
-/// Pairs with what their lines rest on, standardised: four numbers a pair, all pairs of one kind after the other.
+/// Pairs with the inputs of their lines, standardised: four numbers per pair, all pairs of one kind in sequence.
 class WorkPosterior::Balance {
 public:
     enum Part : Index { slope, offset, measured, fitted, parts };
@@ -87,7 +87,7 @@ public:
         return most;
     }
 
-    /// What is missing of the measured values at changes x, the scatter and the own noise left out.
+    /// Residuals of the measured values at changes x, without the scatter and the own noise.
     [[nodiscard]] VectorXd residual_at(double work, const VectorXd& x) const {
         VectorXd result(size);
         for (Index i = 0; i < size; ++i) {
@@ -105,8 +105,8 @@ public:
     MarginalScatter scatter, coarse;
     MatrixXd covariance;  ///< of changes of slopes, offsets and measured values, [as these]
     VectorXd own;         ///< variance of each pair's own noise
-    /// Random numbers of the samples that correct the straight line, one column a sample: changes, and standard normal
-    /// noise and effects of the pairs. The same at every W, so that their noise moves no ratio of densities.
+    /// Random numbers of the samples that correct the linearisation, one column per sample: changes, and standard
+    /// normal noise and effects of the pairs. Equal at every W, so that their noise cancels in ratios of densities.
     MatrixXd samples, noise, of_pairs, of_surfaces, of_elastomers;
 
 private:
@@ -116,7 +116,7 @@ private:
     static MatrixXd normal_matrix(numerics::RandomKey key, Index rows) {
         return numerics::normal_numbers(key, 0, rows * sample_count).matrix().reshaped(rows, sample_count);
     }
-    /// The number of the first pair of each group for all of it.
+    /// Replaces each number by that of the first pair of its group.
     [[nodiscard]] MatrixXd grouped(MatrixXd numbers, std::string PairPoint::*label) const {
         for (Index i = 0; i < size; ++i)
             for (Index j = 0; j < i; ++j)
@@ -164,15 +164,15 @@ CumulativeScatter cumulative_scatter(const MarginalScatter& scatter, const Matri
 struct WorkPosterior::At {
     MatrixXd jacobian;  ///< pairs × changes
     VectorXd residual;  ///< at x = 0
-    VectorXd left;      ///< variance of what the line leaves of max(0, …)
-    MatrixXd shared;    ///< J cov Jᵀ, own noise and what the line leaves
-    /// Variance of each pair's own noise, at least a twentieth squared of what the inputs make of it: below that, the
-    /// curvature of what inputs do would count as a miss of the measurement.
+    VectorXd left;      ///< variance of the remainder of max(0, …) after linearisation
+    MatrixXd shared;    ///< J cov Jᵀ, own noise and remainder after linearisation
+    /// Variance of each pair's own noise, at least (1/20)² of the variance by the inputs: below that, the curvature of
+    /// the inputs' effects would be treated as a deviation of the measurement.
     VectorXd own;
 
     /// At one scatter.
     struct Factors {
-        Eigen::LLT<MatrixXd> shared, own, straight;  ///< of all errors; of the own noise; and of what the line leaves
+        Eigen::LLT<MatrixXd> shared, own, straight;  ///< of all errors; of the own noise; and of the linearised model
     };
     [[nodiscard]] Factors factors(const Balance& balance, const ModelScatter& scatter) const {
         const VectorXd straight = own + left;
@@ -218,7 +218,7 @@ WorkPosterior::At WorkPosterior::at(double work) const {
     const Index n = b.size;
     using B = Balance;
     VectorXd x = VectorXd::Zero(B::parts * n);
-    VectorXd variance;  // of slope · W − offset, as the pairs leave it
+    VectorXd variance;  // of slope · W − offset, in the posterior
     At found;
     const auto look = [&] {
         MatrixXd raw_jacobian = MatrixXd::Zero(n, B::parts * n);
@@ -243,7 +243,7 @@ WorkPosterior::At WorkPosterior::at(double work) const {
             const auto line = straight_floor(raw[i], std::sqrt(std::max(0.0, variance[i])), pair.floored);
             const double relative = pair.measured.value > 0.0 ? line.mean / pair.measured.value : 1.0;
             found.jacobian.row(i) = line.slope * raw_jacobian.row(i);
-            // errors of what was measured count on the side of the prediction
+            // errors of the measured value are included in the prediction
             found.jacobian(i, m) = relative;
             found.jacobian(i, e) = 1.0;
             const double errors = relative * x[m] + x[e];
@@ -322,8 +322,8 @@ WorkPosterior::~WorkPosterior() = default;
 WorkPosterior::WorkPosterior(WorkPosterior&&) noexcept = default;
 WorkPosterior& WorkPosterior::operator=(WorkPosterior&&) noexcept = default;
 
-/// ln densities on the grid, outward from the point nearest to where the pairs are likeliest: beyond one that they
-/// refuse, W is not looked for, since a straight line says nothing where all of it lies far from the pairs.
+/// ln densities on the grid, outward from the point nearest to the maximum: the search stops beyond a W that the pairs
+/// exclude, because the linearisation is meaningless far from the pairs.
 Array1D WorkPosterior::log_densities_about(double likeliest) {
     constexpr double refused = 50.0;
     const Index points = grid_.size();
@@ -391,10 +391,10 @@ public:
     DrawnEffects(const std::vector<PairPoint>& pairs, const ModelScatter& scatter, numerics::RandomKey key)
         : pairs_(pairs), scatter_(scatter), drawn_(scatter, key) {}
 
-    /// Of a pair before its measurement has a say.
+    /// Draw of a pair before it is conditioned on its measurement.
     [[nodiscard]] double prior(const PairPoint& pair) { return drawn_.of(pair.surface, pair.elastomer); }
 
-    /// pull: V⁻¹ (measured − drawn), one number a pair.
+    /// pull: V⁻¹ (measured − drawn), one number per pair.
     void take(const VectorXd& pull) { pull_ = pull; }
 
     [[nodiscard]] double operator()(const PairPoint& pair) {
@@ -469,7 +469,7 @@ BalanceDraws WorkPosterior::draw(const std::vector<PairPoint>& lines, int count,
         deviates.draw(substream(key, 0));
         DrawnEffects effects(b.pairs, scatter, substream(key, 1));
         const auto noise = numerics::normal_numbers(substream(key, 2), 0, b.size);
-        // what would have been measured at the drawn inputs, and how far that is from what was
+        // simulated measurements at the drawn inputs, and their difference from the measured values
         VectorXd change(B::parts * b.size);
         for (Index i = 0; i < b.size; ++i) {
             const auto& pair = b.pairs[B::to(i)];

@@ -31,13 +31,13 @@ double lost(double frequency, const std::vector<RelaxationTerm>& terms) {
     return modulus.imag() / std::norm(modulus);
 }
 
-/// f where the tip sees frequencies up to ω₁ [1/s].
+/// f where the tip reaches frequencies up to ω₁ [1/s].
 double factor_up_to(double highest, const std::vector<RelaxationTerm>& terms) {
     double longest = 0.0;
     for (const auto& term : terms)
         if (term.share > 0.0) longest = std::max(longest, term.time);
     if (!(longest > 0.0) || !(highest > 0.0)) return 1.0;
-    // in ln(ω/ω₁); what is lost falls as ω below 1/τ
+    // in ln(ω/ω₁); the loss is proportional to ω below 1/τ
     constexpr double below = 35.0, tolerance = 1e-11;
     constexpr unsigned depth = 15;
     const double slowest = std::min(0.0, -std::log(highest * longest)) - below;

@@ -11,7 +11,8 @@ namespace setae::contact {
 
 namespace {
 
-/// @throws InvalidArgument for what is no number, which users did not give: it follows from quantities out of range.
+/// @throws InvalidArgument for a value that is no number; users did not give it: it follows from quantities out of
+/// range.
 void require_number(double value, const char* what) {
     if (std::isnan(value))
         throw InvalidArgument(fmt::format(

@@ -28,7 +28,7 @@ double critical_radius(const Contact& contact) {
 }
 
 /// The root v >= 0 of v √(v² + 4 sign v + 6) = s, s >= 0: sign +1 on the outer branch, −1 on the inner one (v <= 1).
-/// The left side is convex (outer) or concave (inner) and increasing, and the start lies where Newton's steps approach
+/// The left side is convex (outer) or concave (inner) and increasing, and the start is where Newton's steps approach
 /// the root from one side.
 double distance_from_fold(double s, double sign) {
     double v = s / std::sqrt(6.0);

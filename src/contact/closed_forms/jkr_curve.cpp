@@ -22,7 +22,7 @@ double closer(double root, double value) {
 Array1D cube_roots(const Array1D& values) {
     // a third of the bits of exponent and mantissa is right to 3 %
     constexpr std::uint64_t offset = 0x2A9F7893'782DA1CE;
-    // with 17 bits the cube is exact, and so is what the last step takes off
+    // with 17 bits the cube is exact, and so is the correction of the last step
     constexpr std::uint64_t half = std::uint64_t{1} << 35, mask = ~((half << 1) - 1);
     Array1D roots(values.size());
     for (Index i = 0; i < values.size(); ++i)
@@ -47,7 +47,7 @@ Roots roots(double force, double shape) {
     return {.root = std::max(root, smallest), .sum = std::max(root + shape, smallest), .parted = square < 0.0};
 }
 
-/// The same along a branch, with √x.
+/// The roots along a branch, with √x.
 struct Roots1D {
     Array1D root, sum, cube_root;
 

@@ -65,7 +65,7 @@ double fold_of_displacement(double w) {
     return numerics::bracketed_root(slope, 1e-3 * upper, upper);
 }
 
-/// x where a curve that falls from 0 to its fold and rises beyond has a value; NaN where it does not reach it.
+/// x where a curve that decreases from 0 to its fold and increases beyond has a value; NaN where it does not reach it.
 template <class Curve>
 double share_at(double value, double fold, Branch branch, Curve&& curve) {
     const double end = branch == Branch::outer ? largest_share : 0.0;

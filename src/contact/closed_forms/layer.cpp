@@ -21,7 +21,7 @@ void require(const AdhesiveContact& contact) {
     require_not_negative(contact.work_of_adhesion, "work of adhesion");
 }
 
-/// What the edge's adhesion takes off the dry displacement [m].
+/// Decrease of the dry displacement by the adhesion at the edge [m].
 double stretch_at(double a, const AdhesiveContact& contact, const Factors& factors) {
     return std::sqrt(2.0 * pi * a * contact.work_of_adhesion / contact.contact_modulus) / factors.edge;
 }

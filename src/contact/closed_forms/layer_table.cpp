@@ -24,7 +24,8 @@ void require_poisson_ratio(double poisson_ratio) {
         throw InvalidArgument(fmt::format("poisson ratio must lie in (-1, 0.5], got {}", poisson_ratio));
 }
 
-/// How far the layer is from a half-space at x = qh: 1 − 1/stiffness_ratio. Falls like 2x² e^(−2x)·4/(3 − 4ν).
+/// Difference of the layer from a half-space at x = qh: 1 − 1/stiffness_ratio. Proportional to 2x² e^(−2x)·4/(3 − 4ν)
+/// for large x.
 double softening(double x, double poisson_ratio) {
     const double lead = 3.0 - 4.0 * poisson_ratio;
     const double rest = 2.0 * x * x + 8.0 * poisson_ratio * poisson_ratio - 12.0 * poisson_ratio + 5.0;

@@ -120,7 +120,7 @@ double zone_at_min_displacement(double lambda) {
     return numerics::bracketed_root(slope, zone_at_radius(2.0, lambda), upper);
 }
 
-/// What forces, or displacements, of a curve are compared with.
+/// Reference values of forces, or displacements, of a curve.
 struct Fold {
     double zone;      ///< s of the least value; NaN where that is at A = 0
     double least;     ///< the least value

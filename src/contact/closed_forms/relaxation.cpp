@@ -29,7 +29,7 @@ void require_valid(const ContactHistory& history, double radius, double contact_
 /// (1 − e^−x)/x.
 double mean_decay(double x) { return x < 1e-8 ? 1.0 - 0.5 * x : -std::expm1(-x) / x; }
 
-/// What lags behind a course that is straight between its samples: z' = (y − z)/τ, from z = 0 before the first.
+/// Relaxing part of a course that is linear between its samples: z' = (y − z)/τ, from z = 0 before the first.
 Array1D lagging(const Array1D& time, const Array1D& course, double relaxation_time) {
     Array1D lag(time.size());
     if (time.size() > 0) lag[0] = 0.0;
@@ -42,8 +42,8 @@ Array1D lagging(const Array1D& time, const Array1D& course, double relaxation_ti
 
 /// 2∫₀^a z dx of one term at every time.
 ///
-/// An element that touches since s has z = D(t) − x²/R − e^(−(t − s)/τ) [D(s) − x²/R], D the lagging δ. While the
-/// contact grows the sum over elements lags behind 2∫u dx itself; behind the turn it is the closed form's, with
+/// An element in contact since s has z = D(t) − x²/R − e^(−(t − s)/τ) [D(s) − x²/R], D the relaxing δ. While the
+/// contact grows the sum over elements follows the same equation with 2∫u dx; after the turn it has a closed form, with
 /// C(a) = ∫₀^a e^((s − T)/τ) [D(s) − x²/R] dx summed once over the loading.
 class LaggingElements {
 public:

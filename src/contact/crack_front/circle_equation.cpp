@@ -71,7 +71,7 @@ void CircleEquation::elastic_part(const Array1D& edge, const Array1D& bent, Bala
                 break;
         }
     }
-    if (model_ == FrontModel::mean_circle)  // the mean alone has a stiffness beside the waves'
+    if (model_ == FrontModel::mean_circle)  // only the mean has a stiffness in addition to that of the waves
         balance.coupling_factor = -(circle.slope * mean + circle.value) / static_cast<double>(n);
     if (machine_.holds_displacement) return;
     balance.coupling_factor = 2.0 * E * E / (pi * static_cast<double>(n) * (machine_.stiffness + 2.0 * E * mean));

@@ -14,7 +14,7 @@
 namespace setae::crack_front {
 namespace {
 
-/// a w [J/m], what holds the edge on a ray.
+/// a w [J/m], pinning force of the edge on a ray.
 Array2D line_forces(const WorkField& field) {
     require(field);
     Array2D forces = field.works;
@@ -83,7 +83,7 @@ public:
     Array1D edge;
 
 private:
-    /// Of a smooth contact before it parts: where bodies meet the edge begins far below, at one spacing.
+    /// Radius of a smooth contact before separation; on approach the edge starts far below, at one spacing.
     [[nodiscard]] double min_radius() const {
         return contact::jkr::pull_off_at_fixed_grips({sphere_.radius, sphere_.contact_modulus, mean_work_})
             .contact_radius;

@@ -49,8 +49,8 @@ public:
 private:
     [[nodiscard]] bool in_contact() const { return !loop_.steps.empty() && loop_.steps.back().state.in_contact; }
 
-    /// To a position, in halves where the front jumps, or until it has parted on its way back; false where it was told
-    /// to end.
+    /// Moves to a position, in halved steps where the front jumps, or until separation on retraction; false where it
+    /// was stopped.
     bool to(double target) {
         const bool first = loop_.steps.empty();
         for (;;) {

@@ -25,7 +25,7 @@ public:
         return kernel;
     }
 
-    /// Kernel at the `width` grid points about a place, t in [−1, 1] twice its distance from the middle of the gap.
+    /// Kernel at the `width` grid points about a position, t in [−1, 1] twice its distance from the middle of the gap.
     /// Taps on either side are mirrored: f(t) and f(−t) are E(t²) ± t O(t²).
     void taps(double t, std::array<double, width>& values) const {
         std::array<double, half> even = even_[terms - 1], odd = odd_[terms - 1];
@@ -76,7 +76,8 @@ private:
         }
     }
 
-    /// Of Chebyshev's polynomial c in tap i, which lies i + 1 − width/2 steps right of the grid point before the place.
+    /// Coefficient of Chebyshev's polynomial c in tap i, which is i + 1 − width/2 steps right of the grid point before
+    /// the position.
     [[nodiscard]] static double coefficient(std::size_t i, std::size_t c) {
         constexpr int nodes = 2 * terms;
         double sum = 0.0;

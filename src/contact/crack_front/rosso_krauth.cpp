@@ -53,7 +53,7 @@ private:
         found_.converged = found_.residual <= limits_.tolerance;
     }
 
-    /// Which of two cells a point between them is in is a matter of where it goes.
+    /// A point between two cells is in the cell ahead of its motion.
     void go(int way) {
         way_ = way;
         for (Index j = 0; j < front_.size(); ++j) {

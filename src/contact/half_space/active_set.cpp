@@ -8,13 +8,13 @@
 namespace setae::half_space {
 namespace {
 
-/// How many iterations a set gets at most before it is guessed anew.
+/// Largest number of iterations of a set before the next estimate of the set.
 constexpr Index max_per_set = 16;
 /// A new set whose gap is not smaller than this times the last one's was guessed too boldly.
 constexpr double progress_ratio = 0.7;
 /// Sets without a new best gap before the solution counts as stuck.
 constexpr Index patience = 100;
-/// Rounding of displacements, relative to heights and to what the mean pressure does to the longest wave.
+/// Rounding of displacements, relative to heights and to the response of the longest wave to the mean pressure.
 constexpr double rounding = 1e-13;
 
 ModelUnits units_of(double highest, const ElasticOperator& stiffness) {
@@ -39,7 +39,7 @@ ActiveSetSolver::ActiveSetSolver(ElasticOperator& response, const fourier::Multi
       p_(heights.rows(), heights.cols()),
       v_(heights.rows(), heights.cols()) {}
 
-/// p − d between 0 and the hardness, d what the model found.
+/// p − d between 0 and the hardness, d the result of the model.
 void ActiveSetSolver::cut_pressures() {
     rows_.each([&](Index i) {
         auto p = row(p_, i);
@@ -74,7 +74,7 @@ void ActiveSetSolver::carry_load() {
     }
 }
 
-/// v = G p − h, and what the certificate needs of it.
+/// v = G p − h, and the sums for the certificate.
 void ActiveSetSolver::respond() {
     const Index ny = p_.cols();
     auto sums = rows_.sums<6>();

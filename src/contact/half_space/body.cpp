@@ -18,7 +18,7 @@ double frictionless_ratio(double x) {
     return (std::sinh(2.0 * x) + 2.0 * x) / (2.0 * sinh * sinh);
 }
 
-/// Of the whole layer, its widths kept [Pa/m].
+/// Stiffness of the whole layer, with constant widths [Pa/m].
 double mean_stiffness(const Layer& layer, double contact_modulus) {
     const double nu = layer.poisson_ratio;
     if (nu == 0.5) return std::numeric_limits<double>::infinity();

@@ -15,7 +15,7 @@
 namespace setae::half_space {
 namespace {
 
-/// Which pixels belong together: a forest whose roots are the patches' first pixels.
+/// Connected pixels: a forest whose roots are the patches' first pixels.
 class Patches {
 public:
     explicit Patches(Index points) : parent_(extent(points)) { std::iota(parent_.begin(), parent_.end(), Index{0}); }
@@ -27,7 +27,7 @@ public:
         }
         return pixel;
     }
-    /// Whether they were apart.
+    /// Returns whether they were separate.
     bool join(Index a, Index b) {
         const Index first = root(a), second = root(b);
         parent_[extent(std::max(first, second))] = std::min(first, second);
@@ -38,7 +38,7 @@ private:
     std::vector<Index> parent_;
 };
 
-/// What the rows of one process have, numbers of pixels and of pixel edges.
+/// Numbers of pixels and of pixel edges of the rows of one process.
 struct Counts {
     double touching = 0.0, edges_along_x = 0.0, edges_along_y = 0.0, patches = 0.0, largest_patch = 0.0;
 };
@@ -89,7 +89,7 @@ std::pair<Counts, Rims> counted(const ArrayView2D& pressures, Index first_row, b
     return {counts, rims};
 }
 
-/// Of every process `each` numbers, told to all of them.
+/// Gathers `each` numbers of every process in all of them.
 Array1D told(const parallel::Slab& slab, const Array1D& own) {
     std::vector<Index> begins;
     for (int rank = 0; rank <= slab.ranks(); ++rank) begins.push_back(rank * own.size());
@@ -100,7 +100,7 @@ Array1D told(const parallel::Slab& slab, const Array1D& own) {
     return all;
 }
 
-/// Joins what the rows of one process and the next have in common.
+/// Joins patches across the boundary between the rows of two processes.
 class Seams {
 public:
     Seams(const parallel::Slab& slab, const Rims& own) {
@@ -139,7 +139,7 @@ private:
     }
 
     std::vector<Rims> rims_;
-    std::map<double, Index> numbers_;  ///< of the patches on rims
+    std::map<double, Index> numbers_;  ///< numbers of the patches on rims
     std::vector<double> sizes_;
 };
 

@@ -9,7 +9,7 @@
 namespace setae::half_space {
 namespace {
 
-/// Of the residual; what is asked for is then twice as exact in digits.
+/// For the residual; the result then has twice as many exact digits.
 constexpr double stiffness_tolerance = 1e-6;
 /// By how much gradients in float reduce it before it is found anew in double.
 constexpr double reduction = 1e-3;

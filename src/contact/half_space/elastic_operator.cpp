@@ -18,7 +18,8 @@ namespace {
 bool repeats_along_x(Edges edges) { return edges == Edges::periodic || edges == Edges::periodic_along_x; }
 bool repeats_along_y(Edges edges) { return edges == Edges::periodic || edges == Edges::periodic_along_y; }
 
-/// Along an axis that does not repeat, room for as many points without pressure, even and fast to transform.
+/// For an axis that is not periodic, as many additional points without pressure, with an even number suited to the
+/// transform.
 Index period(Index points, bool repeats) { return repeats ? points : 2 * fourier::fast_length(points); }
 
 const Grid& checked(const Grid& grid, const Body& body, Edges edges) {

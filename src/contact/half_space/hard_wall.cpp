@@ -18,14 +18,14 @@
 namespace setae::half_space {
 namespace {
 
-/// Of what a coarser grid hands on; its own error is larger.
+/// For results of a coarser grid, whose own error is larger.
 constexpr double coarse_tolerance = 1e-3;
 
 double mean_of(const Array2D& map, const RowPasses& rows) {
     return rows.sum([&](Index i) { return pairwise_sum(row(map, i)); }) / rows.points();
 }
 
-/// Says which pixel of the whole map is not finite, whoever of the processes holds it.
+/// Reports the pixel of the whole map that is not finite, from any of the processes.
 void require_heights(const Array2D& heights, const RowPasses& rows) {
     constexpr double none = -1.0;
     const auto found = rows.numbers<2>([&](Index i) {
@@ -51,7 +51,7 @@ void require_start(const Array2D& start, const Grid& grid, const parallel::Slab&
         throw InvalidArgument("the initial pressures are not finite or nowhere > 0; expected those of another load");
 }
 
-/// What the grids aim at, and whether the mean of the displacements is left out: as in MeanGap, which fixes it.
+/// Target of the grids, and whether the mean of the displacements is left out: as in MeanGap, which fixes it.
 struct Aim {
     Target target;
     bool without_mean = false;
@@ -112,7 +112,7 @@ std::optional<Level> coarser(const Grid& grid, const Array2D& heights) {
     return level;
 }
 
-/// Every pixel takes the pressure of the larger one it lies in.
+/// Every pixel gets the pressure of the larger one that contains it.
 void inject(const Array2D& coarse, Array2D& fine) {
     const Index step_x = fine.rows() / coarse.rows(), step_y = fine.cols() / coarse.cols();
     for (Index i = 0; i < fine.rows(); ++i)
@@ -166,7 +166,7 @@ std::optional<Array2D> first_guess(const HardWall& problem, const Aim& aim, cons
     return guess;
 }
 
-/// Pressure on the rim of a map with free edges says that contact goes on beyond it.
+/// Pressure on the rim of a map with free edges means that contact would continue beyond it.
 void require_free_rim(const Array2D& pressures, Edges edges) {
     const bool along_x = edges == Edges::free || edges == Edges::periodic_along_y,
                along_y = edges == Edges::free || edges == Edges::periodic_along_x;

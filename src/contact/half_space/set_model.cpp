@@ -26,7 +26,7 @@ SetModel::SetModel(const ElasticOperator& response, const fourier::Multiplier& c
         *map = MapOf<float>::Zero(shape.rows(), shape.cols());
 }
 
-/// w = z, the preconditioned residual, after what is left of the last step; sums of z and of w before.
+/// w = z, the preconditioned residual, after subtracting the last step; sums of z and of w before.
 SetModel::Preconditioned SetModel::precondition(float step, float mean_response) {
     auto sums = rows_.sums<3>();
     auto& filter = periodic_filter_ ? *periodic_filter_ : filter_;

@@ -51,7 +51,7 @@ void check_sensitivity(AlertList& list, const BranchAnalysis& loading, const Ale
         least = std::min(least, entry.fit->work_of_adhesion.value);
         most = std::max(most, entry.fit->work_of_adhesion.value);
     }
-    constexpr double deviations = 2.0;  // of noise, which lets W run, too
+    constexpr double deviations = 2.0;  // standard deviations of noise, which affects W, too
     const Estimate& work = loading.primary().work_of_adhesion;
     if (most - least > std::max(limits.work_spread * std::abs(work.value), deviations * std::sqrt(work.variance())))
         list.add("RANGE_SENSITIVE",
@@ -60,7 +60,7 @@ void check_sensitivity(AlertList& list, const BranchAnalysis& loading, const Ale
                  "report W together with its fit range");
 }
 
-/// What lies below a soft body of finite height stiffens the contact.
+/// A base below a soft body of finite height increases the contact stiffness.
 void check_height(AlertList& list, const LoopContext& context, const Loop& loop, const LensAndCounterBody& bodies,
                   const AlertLimits& limits) {
     const double a = context.largest_contact_radius;

@@ -18,7 +18,7 @@
 namespace setae::loops {
 namespace {
 
-/// The loop with the machine's own deflection taken off the displacement.
+/// The loop with the deflection of the machine subtracted from the displacement.
 Loop without_compliance(const Loop& loop, const std::optional<double>& machine_stiffness) {
     if (!machine_stiffness) return loop;
     if (!(*machine_stiffness > 0.0))
@@ -75,7 +75,7 @@ PreparedRecord prepared(const Loop& recorded, const RecordFaults& faults, const 
 
 namespace {
 
-/// Where the edges let go, in rising order.
+/// Samples at which the edges start to move, in increasing order.
 std::vector<Index> ends_of_pinning(const LoopAnalysis& analysis) {
     std::vector<Index> ends;
     const auto add = [&](const ContactAnalysis& contact) {

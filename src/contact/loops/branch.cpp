@@ -63,8 +63,8 @@ const char* why_not_joined(const BranchData& data) {
     return "the noise of force, displacement or contact radius is not known";
 }
 
-/// The largest force, or where a hold begins: noise puts the largest of held forces anywhere in it. A force that is the
-/// largest within three times what the ramp needs to rise so far is that of the ramp.
+/// The largest force, or the begin of a hold: because of noise the largest of held forces can be anywhere in it. A
+/// force that is the largest within three times the time of the ramp for this rise belongs to the ramp.
 Index end_of_loading(const Loop& loop, const ContactSegments& contact) {
     const Index first = contact.loading.first, peak = contact.loading.last;
     if (!contact.hold || contact.hold->first <= first || contact.hold->first >= peak) return peak;

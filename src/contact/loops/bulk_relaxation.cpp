@@ -42,7 +42,7 @@ Array1D radii_between_frames(const Loop& record, Index first, Index count, doubl
     return radii;
 }
 
-/// Radii that rise to the turn and fall behind it.
+/// Radii that increase to the turn and decrease after it.
 void make_monotonic(Array1D& radii, Index turn) {
     for (Index i = 1; i <= turn; ++i) radii[i] = std::max(radii[i], radii[i - 1]);
     for (Index i = turn + 1; i < radii.size(); ++i) radii[i] = std::min(radii[i], radii[i - 1]);

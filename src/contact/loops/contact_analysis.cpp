@@ -60,8 +60,8 @@ Outcome<BranchAnalysis> analyse_unloading(const PreparedRecord& record, const Co
     });
 }
 
-/// How far the motor moves from one sample to the next, from the free flight behind the contacts, where nothing bends;
-/// 0 where the record ends before.
+/// Motion of the motor from one sample to the next, from the free flight after the contacts, where nothing bends; 0
+/// where the record ends before.
 double motor_step(const Loop& loop, const Segments& segments, Index at) {
     if (!segments.after || !segments.after->range) return 0.0;
     const auto [first, last] = *segments.after->range;
@@ -130,7 +130,7 @@ double shared_noise(const Baseline& baseline, Index n) {
     return baseline.force_noise * std::sqrt(sum / count);
 }
 
-/// The last samples before pull-off in which the contact is seen: between camera frames there is no radius.
+/// The last samples before pull-off with a visible contact: between camera frames there is no radius.
 Selection last_points(const Loop& loop, const Segments& segments, const IndexRange& unloading, Index count) {
     Selection selection{.name = "last points before pull-off"};
     const bool measured = loop.contact_radius.size() > 0;
@@ -160,7 +160,7 @@ void require_resolved_radii(const BranchData& points, const ContactAnalysis& ana
                         100.0 * largest));
 }
 
-/// (S2) takes E* from loading. @throws UndefinedDataError where loading does not tell it.
+/// Eq. S2 uses E* of loading. @throws UndefinedDataError where loading does not determine it.
 void require_known_modulus(const JkrFit& loading) {
     constexpr double most = 0.3;
     const Estimate& modulus = loading.contact_modulus;
@@ -186,7 +186,7 @@ Outcome<RetractionFit> analyse_retraction(const PreparedRecord& record, const Co
                 as_half_space(points, contact::layer::Layer(*height, bodies.lens_poisson_ratio),
                               {bodies.radius, fit.contact_modulus.value, std::max(fit.work_of_adhesion.value, 0.0)});
         }
-        // creep and drift during the loop move the contact point: the unloading branch knows its own best
+        // creep and drift during the loop move the contact point: that of the unloading branch is best for unloading
         const bool known = analysis.unloading && analysis.unloading->force_displacement &&
                            analysis.unloading->force_displacement->converged;
         const double contact_point = known ? analysis.unloading->force_displacement->contact_point.value : undefined;
@@ -223,7 +223,7 @@ double stiffness_of_machine(const ContactAnalysis& analysis, const AnalysisOptio
     return INFINITY;
 }
 
-/// W_ret from where the edge lets go to the pull-off.
+/// W_ret from the first motion of the edge to the pull-off.
 Outcome<WorkAlongRetraction> analyse_work_along(const PreparedRecord& record, const ContactAnalysis& analysis,
                                                 double machine_stiffness, const LensAndCounterBody& bodies,
                                                 const AnalysisOptions& options) {
@@ -248,9 +248,9 @@ Outcome<WorkAlongRetraction> analyse_work_along(const PreparedRecord& record, co
     });
 }
 
-/// Contact radius at the largest force: that of the loading fit, moved by the mean of what the last frames before it
-/// differ from the fit, at the end of a hold, in which the contact may grow. The largest of noisy frames would be too
-/// large.
+/// Contact radius at the largest force: that of the loading fit, shifted by the mean difference of the last frames
+/// before it from the fit, at the end of a hold, in which the contact may grow. The largest of noisy frames would be
+/// too large.
 double radius_at_largest_force(const Loop& loop, const ContactSegments& contact, const contact::jkr::Contact& lens) {
     constexpr Index frames = 5;
     const IndexRange& loading = contact.loading;
@@ -341,7 +341,7 @@ void hold_contact_point(ContactAnalysis& analysis, const PreparedRecord& record,
     analysis.unloading = held.unloading;
 }
 
-/// What one standard error of the machine's stiffness changes; it joins the errors of the fits of force against
+/// Changes by one standard error of the machine stiffness, which are added to the errors of the fits of force against
 /// displacement.
 void add_compliance_error(ContactAnalysis& analysis, const PreparedRecord& record, const ContactSegments& contact,
                           const LensAndCounterBody& bodies, const AnalysisOptions& options) {

@@ -27,7 +27,7 @@ void add_energy(CycleAnalysis& result, const PreparedRecord& record, Index index
     } else if (const auto energy = partial_loop_energy(record.deflected, record.segments, index, drift)) {
         keep(*energy);
     } else if (result.cycle.ends_in_pull_off && contact.loop) {
-        // the last release closes the outer loop: what the partial loops leave of the whole
+        // the last unloading closes the outer loop: the whole minus the partial loops
         Estimate outer = contact.loop->estimate();
         for (const Index other : segments.cycles)
             if (const auto inner = partial_loop_energy(record.deflected, record.segments, other, drift))
@@ -38,7 +38,7 @@ void add_energy(CycleAnalysis& result, const PreparedRecord& record, Index index
     }
 }
 
-/// A branch between reversals, refused where its modulus says that the contact edge did not move.
+/// A branch between reversals, refused where its modulus shows that the contact edge did not move.
 Outcome<BranchAnalysis> analyse_partial(const PreparedRecord& record, const ContactAnalysis& contact,
                                         const IndexRange& range, const std::string& name,
                                         const LensAndCounterBody& bodies, const AnalysisOptions& options) {

@@ -54,7 +54,7 @@ void check_stretches(AlertList& list, const LoopAnalysis& analysis, double tensi
 }
 
 void check_steps(AlertList& list, const LoopAnalysis& analysis, const Loop& loop, double tension) {
-    constexpr double visible = 0.003;  // of the largest tension
+    constexpr double visible = 0.003;  // share of the largest tension
     for (const ForceStep& step : analysis.segments.steps)
         if (std::abs(step.size) > visible * tension)
             list.add(

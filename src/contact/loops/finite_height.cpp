@@ -19,8 +19,8 @@ namespace {
 
 using Spline = boost::math::interpolators::cardinal_cubic_b_spline<double>;
 
-/// JKR's curve on a half-space less that of a layer at the layer's contact radius, over √(F − F_fold), in which both
-/// are smooth, up to the largest force.
+/// JKR's curve on a half-space minus that of a layer at the layer's contact radius, against √(F − F_fold), in which
+/// both are smooth, up to the largest force.
 class Shift {
 public:
     Shift(const contact::layer::Layer& layer, const contact::AdhesiveContact& contact, double largest_force)
@@ -45,7 +45,7 @@ public:
 
 private:
     static constexpr int points = 129;
-    static constexpr double least = 1e-6;  ///< of the fold, where noise puts every force below it
+    static constexpr double least = 1e-6;  ///< distance from the fold, where noise puts every force below it
 
     [[nodiscard]] double root(double force) const {
         return std::min(std::sqrt(std::max(force - fold_, 0.0)), step_ * (points - 1));

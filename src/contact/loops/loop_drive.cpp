@@ -49,7 +49,7 @@ std::optional<LoopDrive> loop_drive(const LoopAnalysis& analysis, double machine
     const double sample = (record.time[record.time.size() - 1] - record.time[0]) /
                           static_cast<double>(std::max<Index>(1, record.time.size() - 1));
     LoopDrive drive{.approach_speed = coming->speed, .retraction_speed = -going->speed};
-    constexpr double between_samples = 3.0;  // the turn itself lies between two
+    constexpr double between_samples = 3.0;  // the turn itself is between two samples
     if (left - arrived > between_samples * sample) drive.hold_time = left - arrived;
     return drive;
 }

@@ -14,11 +14,11 @@
 namespace setae::loops {
 namespace {
 
-/// By how much the samples of a branch lie away from those of an edge that is pinned, and what of it is no motion.
+/// Differences of the samples of a branch from those of a pinned edge, and the limit below which they are no motion.
 struct Departure {
     std::vector<Index> samples;
-    Array1D values;   ///< grows once the edge recedes
-    Array1D allowed;  ///< up to which it may be noise or what is not known of the contact
+    Array1D values;   ///< increases once the edge retracts
+    Array1D allowed;  ///< upper limit of noise and of the uncertainty of the contact
 
     /// The last sample of a pinned edge, counted among them; −1: none.
     [[nodiscard]] Index last_pinned() const {
@@ -30,7 +30,7 @@ struct Departure {
 
 constexpr double deviations = 4.0;
 
-/// How many neighbours to average so that noise does not hide a departure, at most a tenth of them all; 1: none.
+/// Number of neighbours to average so that a departure exceeds the noise, at most a tenth of them all; 1: none.
 Index averaged_neighbours(double noise, double visible, Index samples) {
     const double wanted = std::pow(deviations * noise / visible, 2);
     return wanted > 1.0 ? static_cast<Index>(std::min(wanted, 0.1 * static_cast<double>(samples))) | 1 : 1;
@@ -48,7 +48,7 @@ Departure by_measured_radius(const Loop& loop, const IndexRange& range, double l
     const Index window = averaged_neighbours(noise, visible_share * largest, radii.size());
     double allowed = std::max(deviations * std::hypot(noise, by_force), rounding * largest);
     if (window > 1) {
-        // the averaged radii know the largest better than a fit at one noisy force does
+        // the averaged radii give the largest radius better than a fit at one noisy force
         radii = local_means(radii, window / 2);
         largest = radii.segment(window / 2, radii.size() - 2 * (window / 2)).maxCoeff();
         allowed = deviations * noise / std::sqrt(static_cast<double>(window));
@@ -58,7 +58,7 @@ Departure by_measured_radius(const Loop& loop, const IndexRange& range, double l
     return departure;
 }
 
-/// What the error of W makes of the largest radius; near W = 0 it goes as the root of W.
+/// Effect of the error of W on the largest radius; near W = 0 it is proportional to the root of W.
 double error_of_largest_radius(double largest_force, const JkrFit& fit, double sphere_radius) {
     const Estimate& work = fit.work_of_adhesion;
     if (!work.uncertain()) return 0.0;

@@ -21,7 +21,7 @@ struct Start {
     AnalysisOptions options;
 };
 
-/// The options with what was decided in an analysis held, and without what no number depends on.
+/// The options with the decisions of an analysis fixed, and without those that do not affect any number.
 AnalysisOptions as_decided(AnalysisOptions options, const LoopAnalysis& analysis) {
     using Mode = ContactPointChoice::Mode;
     if (analysis.contact_points && analysis.contact_points->chosen)
@@ -169,7 +169,7 @@ InputDerivative::InputDerivative(const Loop& recorded, const LensAndCounterBody&
 }
 
 double InputDerivative::of(const std::function<double(const ContactAnalysis&)>& number) const {
-    // differences: exactly 0 of what does not move
+    // differences: exactly 0 for unchanged numbers
     const double here = number(here_);
     return weights_[0] * (number(beside_[0]) - here) + weights_[1] * (number(beside_[1]) - here);
 }

@@ -31,7 +31,7 @@ ConditionedValues::ConditionedValues(const std::vector<TracedValue>& residuals) 
         sensitivities.row(i) = directions_of(residual).transpose();
         values[i] = residual.value;
     }
-    // in units of each residual's own error, so that rounding does not see that one is in J and another in J/m²
+    // in units of each residual's own error, so that rounding is independent of units such as J and J/m²
     const Eigen::VectorXd scale = sensitivities.rowwise().norm();
     if (!(scale.minCoeff() > 0.0))
         throw UndefinedDataError("a residual without any standard error fixes its inputs; give the residual an error");
@@ -39,7 +39,7 @@ ConditionedValues::ConditionedValues(const std::vector<TracedValue>& residuals) 
     const Eigen::VectorXd scaled_values = values.cwiseQuotient(scale);
     const auto root = numerics::cholesky(numerics::product(scaled, scaled.transpose()));
     if (!root) throw UndefinedDataError("residuals that are linearly dependent cannot be fitted together");
-    // Cᵀ = Q R: P = 1 − Q Qᵀ keeps what S⁻¹ would lose where an input is known far better afterwards
+    // Cᵀ = Q R: P = 1 − Q Qᵀ keeps digits that S⁻¹ would lose where an input is known much better afterwards
     basis_ = numerics::orthonormal(scaled.transpose());
     const Eigen::VectorXd along = numerics::solved(numerics::product(scaled, basis_), scaled_values);
     shift_ = -numerics::product(basis_, along);
@@ -68,7 +68,7 @@ TracedValue ConditionedValues::updated(const TracedValue& value) const {
         directions - numerics::product(basis_, numerics::transposed_product(basis_, directions)).col(0);
     TracedValue result(value.value + directions.dot(shift_), value.components);
     for (const auto& [name, place] : places_) {
-        auto& component = result.components[name];  // an input that the value did not rest on may correlate now
+        auto& component = result.components[name];  // an input of which the value was independent may correlate now
         component.directions = left.segment(place.first, place.second).array();
     }
     return result;

@@ -69,11 +69,11 @@ Rows rows_that(const ReplicateData& data, const Condition& condition) {
     return rows;
 }
 
-/// A design with its maximum and what follows from it.
+/// A design with its maximum and further results.
 struct Fitted {
     NestedDesign design;
     LikelihoodMaximum maximum;
-    std::optional<DesignInformation> information;  ///< where a variance could be told
+    std::optional<DesignInformation> information;  ///< where a variance can be estimated
 
     /// Satterthwaite's ν of a variance with a gradient by θ, variances at 0 as cut there; at least 1.
     [[nodiscard]] double degrees_of_freedom(double variance, const Array1D& gradient) const {
@@ -104,7 +104,7 @@ Estimate with_freedom(Estimate estimate, double degrees_of_freedom, double level
     return estimate;
 }
 
-/// The mean of a surface; where no variance between replicates is known, of one row its own, of several the weighted
+/// The mean of a surface; without a known variance between replicates, for one row its own, for several the weighted
 /// one.
 Estimate mean_of(const Fitted& fit, const std::string& surface, double level) {
     const auto place = fit.place(surface);
@@ -113,7 +113,7 @@ Estimate mean_of(const Fitted& fit, const std::string& surface, double level) {
         return with_freedom({mean.value, std::sqrt(mean.variance), "mixed model"},
                             fit.degrees_of_freedom(mean.variance, mean.gradient), level);
     }
-    // one row a surface, or rows all alike
+    // one row per surface, or all rows equivalent
     const auto at = std::find(fit.design.surface.begin(), fit.design.surface.end(), static_cast<int>(place)) -
                     fit.design.surface.begin();
     const double error = std::sqrt(fit.design.known_variance[at]);
@@ -187,7 +187,7 @@ VarianceFit variance_fit(const ReplicateData& data, const Fitted& fit) {
     return result;
 }
 
-/// How rows become means: the part of the model that is repeated with other rows.
+/// Estimation of means from rows: the part of the model that is repeated with other rows.
 class Fits {
 public:
     Fits(const ReplicateData& data, const Rows& rows, Pooling pooling) {
@@ -220,7 +220,7 @@ private:
     std::vector<Fitted> fits_;
 };
 
-/// The outermost level at which a surface has two groups or more, and their labels; the rows' names where it has none.
+/// The outermost level at which a surface has at least two groups, and their labels; the rows' names where it has none.
 struct OuterGroups {
     std::size_t level = 0;  ///< the number of levels: each row
     std::vector<std::string> labels;

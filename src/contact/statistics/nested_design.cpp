@@ -49,7 +49,7 @@ std::vector<int> groups_at(const std::vector<Path>& ordered, std::size_t depth) 
     return group;
 }
 
-/// Number of the group of each row by its label alone, in order of first appearance.
+/// Number of the group of each row by its label only, in order of first appearance.
 std::vector<int> groups_by_label(const ReplicateData& data, const std::vector<std::size_t>& rows, std::size_t level) {
     std::map<std::string, int> numbers;
     std::vector<int> group;
@@ -61,10 +61,10 @@ std::vector<int> groups_by_label(const ReplicateData& data, const std::vector<st
 
 int count_of(const std::vector<int>& group) { return *std::max_element(group.begin(), group.end()) + 1; }
 
-/// What the groups of surfaces and levels span: a level's degrees of freedom are the dimensions it adds.
+/// Span of the groups of surfaces and levels: a level's degrees of freedom are the dimensions it adds.
 class Span {
 public:
-    /// nested: every grouping lies within the one before.
+    /// nested: every grouping is within the one before.
     Span(const std::vector<int>& surface, bool nested) : nested_(nested) { (void)dimensions_added_by(surface); }
 
     int dimensions_added_by(const std::vector<int>& group) {
@@ -89,7 +89,7 @@ std::string one_per_surface(const std::string& level) {
     return fmt::format("one {} per surface: the variation between several is not in the standard error", level);
 }
 
-/// Adds the levels across surfaces whose variances can be told.
+/// Adds the levels across surfaces whose variances can be estimated.
 void add_crossed(NestedDesign& design, const ReplicateData& data, Span& span) {
     for (std::size_t level = 1; level < data.levels.size(); ++level) {
         if (level_missing(data, level) || !is_crossed(data, data.levels[level])) continue;
@@ -157,7 +157,7 @@ NestedDesign nested_design(const ReplicateData& data, const std::vector<std::siz
         else if (!is_crossed(data, names[k])) design.not_estimable.push_back(one_per_surface(names[k]));
     }
     if (!design.crossed() || design.levels.back().groups == design.size()) return design;
-    // rows and crossed groups are one for one: nothing is left to tell repeats by
+    // rows and crossed groups are identical: repeats cannot be estimated
     auto nested = data;
     nested.crossed.clear();
     design = nested_design(nested, rows);

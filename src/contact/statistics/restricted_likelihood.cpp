@@ -28,7 +28,7 @@ struct GroupSums {
     }
 };
 
-/// Of one row: V = v.
+/// Sums of one row: V = v.
 GroupSums of_row(double value, const Jet& variance) {
     const Jet weight = reciprocal(variance);
     return {log(variance), weight, value * weight, value * value * weight};
@@ -45,7 +45,7 @@ GroupSums with_common(const GroupSums& sums, const Jet& theta) {
 /// ln L_R of a design whose levels nest. `value`: deviations from the surfaces' plain means, so that little cancels.
 Jet log_likelihood_of_nested(const NestedDesign& design, const Array1D& value, const std::vector<Jet>& theta) {
     const std::size_t depth = std::max<std::size_t>(theta.size(), 1);
-    // open[k]: rows of the group that stands open at level k − 1; 0 is the surface
+    // open[k]: rows of the open group at level k − 1; 0 is the surface
     std::vector<GroupSums> open(depth);
     Jet total;
     const auto n = static_cast<std::size_t>(design.size());
@@ -84,7 +84,7 @@ Eigen::MatrixXd indicators(const std::vector<int>& group, const Block& block) {
     return Z;
 }
 
-/// V⁻¹ of a block and what means and likelihood take of it.
+/// V⁻¹ of a block and its sums for means and likelihood.
 struct BlockInverse {
     std::vector<Eigen::MatrixXd> groups;  ///< Z of each level
     Eigen::MatrixXd surfaces;             ///< X
@@ -95,7 +95,7 @@ struct BlockInverse {
     double log_determinants = 0.0;        ///< ln det V + ln det XᵀV⁻¹X
 };
 
-/// ln det of what has a root.
+/// ln det of a matrix with the given root.
 double log_determinant(const Eigen::MatrixXd& root) { return 2.0 * root.diagonal().array().log().sum(); }
 
 /// Nothing where V is singular to rounding.
@@ -249,7 +249,7 @@ Climb climb(const Scaled& scaled, const std::vector<std::size_t>& free, Array1D 
                 here = there;
             }
         }
-        // at a bound, or as high as rounding tells
+        // at a bound, or at the maximum within rounding
         if (!better) return {x, here.value, gain < 1e-7 || (x <= lowest).any()};
     }
     return {x, here.value, false};
@@ -339,7 +339,7 @@ std::vector<Block> independent_groups(const NestedDesign& design) {
     return blocks;
 }
 
-/// V⁻¹ of an independent group as a surface's sums need it.
+/// V⁻¹ of an independent group for the sums of a surface.
 struct GroupInverse {
     Eigen::VectorXd weighted;              ///< w = V⁻¹ 1
     std::vector<Eigen::VectorXd> sums;     ///< Z_jᵀ w of each level
@@ -363,7 +363,7 @@ GroupInverse group_inverse(const NestedDesign& design, const Block& block, const
     return result;
 }
 
-/// What the groups of one surface add up to.
+/// Sums over the groups of one surface.
 struct SurfaceSums {
     double weight = 0.0, plain = 0.0;  ///< 1ᵀ V⁻¹ 1; sum of values
     Index rows = 0;
@@ -389,8 +389,8 @@ struct SurfaceSums {
     }
 };
 
-/// The same as information_of_crossed() where levels nest: V is inverted group by group of the outermost level. With
-/// P = V⁻¹ - φ w wᵀ of a surface, w = V⁻¹1, φ = 1/(1ᵀV⁻¹1):
+/// The information as in information_of_crossed() for nested levels: V is inverted group by group of the outermost
+/// level. With P = V⁻¹ - φ w wᵀ of a surface, w = V⁻¹1, φ = 1/(1ᵀV⁻¹1):
 ///
 ///   tr(P K_j P K_k) = |Z_jᵀ V⁻¹ Z_k|² - 2 φ (Z_jᵀ w)^T (Z_jᵀ V⁻¹ Z_k) (Z_kᵀ w) + φ² |Z_jᵀ w|² |Z_kᵀ w|²
 ///
@@ -467,7 +467,7 @@ DesignInformation information_of_crossed(const NestedDesign& design, const Array
 }  // namespace
 
 DesignInformation information_of(const NestedDesign& design, const Array1D& variances) {
-    // in units that keep squares of small numbers apart from 0
+    // in units in which squares of small numbers differ from 0
     const double unit = variances.sum() + design.known_variance.mean();
     if (!(unit > 0.0)) throw InternalError("a mixed model without any variance");
     return design.crossed() ? information_of_crossed(design, variances, unit)

@@ -17,7 +17,7 @@
 namespace setae::answers {
 namespace {
 
-/// Stored energy by the routes the prediction does not use: Eq. (11), and for one map its own transform.
+/// Stored energy by the routes that the prediction does not use: Eq. 11, and for one map its own transform.
 void add_other_routes(std::vector<Quantity>& list, const study::StudyResult& result,
                       const std::optional<topography::HeightMap>& map, parallel::Threads threads) {
     const double modulus = result.elastomers.front().contact_modulus.value;

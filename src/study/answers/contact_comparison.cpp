@@ -24,7 +24,7 @@
 namespace setae::answers {
 namespace {
 
-/// What is compared, in the order of the table.
+/// Compared quantities, in the order of the table.
 struct Compared {
     const char *name, *unit;
 };
@@ -50,7 +50,7 @@ synthesis::SurfaceGrid grid_of(const ComparisonRequest& request, const Band& ban
     return grid;
 }
 
-/// Mean and its standard error down each column, a surface a row.
+/// Mean and its standard error down each column, one surface per row.
 void add_statistics(Table& load, const Compared& what, const Array2D& values, const Array1D& theory) {
     const auto n = static_cast<double>(values.rows());
     const Array1D mean = values.colwise().mean().transpose();

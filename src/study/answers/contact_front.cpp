@@ -43,7 +43,7 @@ double given(const char* option, const std::string& text, const Expected& expect
     return parse_quantity(text, expected);
 }
 
-/// Where a loop turns, as displacement and force of a smooth sphere.
+/// Turning point of a loop, as displacement and force of a smooth sphere.
 struct TurningPoint {
     double displacement = 0.0, force = 0.0;
 };
@@ -80,7 +80,7 @@ const HeightMap& map_of(const std::string& file, const topography::Measurement& 
     return *map;
 }
 
-/// How far rays must reach: the edge of a contact half as sticky again, and a few waves.
+/// Required length of rays: the edge of a contact with 1.5 times the work, and a few waves.
 double reach_of(const FrontRequest& request, const TurningPoint& turn, contact::AdhesiveContact contact,
                 double shortest) {
     contact.work_of_adhesion *= 1.5;
@@ -90,7 +90,7 @@ double reach_of(const FrontRequest& request, const TurningPoint& turn, contact::
     return radius + 4.0 * shortest;
 }
 
-/// What all surfaces of an answer have alike.
+/// Common data of all surfaces of an answer.
 struct Plan {
     const FrontRequest& request;
     contact::AdhesiveContact contact;
@@ -109,7 +109,7 @@ Plan plan_of(const std::string& file, const HeightMap& map, const FrontRequest& 
                         ? pixels_per_wave * std::max(pixel[0], pixel[1])
                         : parse_quantity(request.shortest_wavelength, positive(dimension::length));
     const double reach = reach_of(request, turn, plan.contact, plan.shortest);
-    constexpr double seen = 0.9;  // of the largest circle of a map that ends
+    constexpr double seen = 0.9;  // share of the largest circle of a map that is not periodic
     const double limit = 0.5 * seen * std::min(map.size[0], map.size[1]);
     if (!map.periodic && reach > limit)
         throw InvalidArgument(fmt::format(
@@ -161,7 +161,7 @@ private:
     std::vector<Array1D> edges_;
 };
 
-/// contact_line::as_table() of a run, with what held it.
+/// contact_line::as_table() of a run, with its controlled quantity.
 Table edge_table(const FrontRun& run) {
     std::vector<long> numbers(static_cast<std::size_t>(run.edge.frames()));
     std::iota(numbers.begin(), numbers.end(), 1L);
@@ -205,7 +205,7 @@ FrontRun run_of(const HeightMap& map, const Plan& plan, parallel::Threads thread
     return run;
 }
 
-/// Of all surfaces; without ± of a single one.
+/// Mean of all surfaces; without a standard error for a single one.
 Estimate mean_of(const std::vector<FrontRun>& runs, const std::function<double(const FrontRun&)>& number) {
     std::vector<double> values;
     for (const auto& run : runs)
@@ -218,7 +218,7 @@ Estimate mean_of(const std::vector<FrontRun>& runs, const std::function<double(c
     return mean;
 }
 
-/// What a loop is read for.
+/// A quantity that is read from a loop.
 struct Reading {
     const char *name, *symbol, *unit;
     std::function<double(const FrontRun&)> value;

@@ -18,7 +18,7 @@
 namespace setae::answers {
 namespace {
 
-/// What `find` finds; where it is undefined nothing, and why.
+/// Result of `find`; where it is undefined empty, with the reason.
 template <class Find>
 auto if_defined(Find&& find, std::string* reason = nullptr) -> std::optional<decltype(find())> {
     try {
@@ -70,8 +70,8 @@ std::optional<Array1D> displacement_of(const RecordedEdge& edge, const LineReque
     });
 }
 
-/// Variance of G along the edge by white noise of its places, in each frame: of the modes of r, each of variance σ²/N,
-/// G takes (∂G_J/∂r + (G_J/r) |n|)² up to the largest that it is told, and (∂G_J/∂r)² of the others.
+/// Variance of G along the edge by white noise of its positions, in each frame: for the modes of r, each of variance
+/// σ²/N, G has (∂G_J/∂r + (G_J/r) |n|)² up to the largest mode, and (∂G_J/∂r)² of the others.
 Array1D noise_variance(const contact_line::ContactLine& line, const Array1D& mean_radius, const Array1D& displacement,
                        const contact::SphereOnFlat& sphere, Index largest_mode) {
     const Index n = line.angles(), last = largest_mode > 0 ? std::min(largest_mode, n / 2) : n / 2;

@@ -18,7 +18,7 @@
 namespace setae::answers {
 namespace {
 
-/// The value for a file: that given for it, else that given for all.
+/// The value for a file: the one given for it, else the one given for all.
 std::string value_for(const std::string& file, const std::vector<std::string>& values) {
     const auto base = std::filesystem::path(file).filename().string();
     std::string for_all;
@@ -30,7 +30,7 @@ std::string value_for(const std::string& file, const std::vector<std::string>& v
     return for_all;
 }
 
-/// An option for a file that is not among those named is a slip.
+/// An option for a file that is not named is an error.
 void require_files(const ContainerRequest& request, const std::vector<std::string>& values, const char* option) {
     for (const auto& value : values) {
         const auto at = value.rfind('=');
@@ -98,7 +98,7 @@ void name_surfaces(const std::string& name, formats::ContainerDraft& draft) {
     }
 }
 
-/// Adds what is named, item by item: one that cannot be read is named and the others are added.
+/// Adds the named contents, item by item: one that cannot be read is reported and the others are added.
 class ContainerWriter {
 public:
     explicit ContainerWriter(const ContainerRequest& request) : request_(request) {}

@@ -14,7 +14,7 @@
 namespace setae::answers {
 namespace {
 
-/// Larger files are not read without being asked to.
+/// Larger files are not read without a request.
 constexpr std::uint64_t largest_read = 64'000'000;
 
 HeightSummary summary_of(const Eigen::Ref<const Array1D>& heights) {
@@ -28,7 +28,7 @@ HeightSummary summary_of(const Eigen::Ref<const Array1D>& heights) {
     return summary;
 }
 
-/// Reads the heights of a channel. What keeps it from that stands in the result.
+/// Reads the heights of a channel. An error is stated in the result.
 HeightSummary summarise(const formats::Channel& channel) {
     try {
         const auto measurement = channel.read();
@@ -82,7 +82,7 @@ void add_study(output::Json& json, const study::Study& study) {
     json["experiments"] = study.experiments.size();
 }
 
-/// A channel with all that is known of it; null where that is nothing.
+/// A channel with all its known properties; null where they are unknown.
 output::Json channel_json(const std::string& file, const ListedChannel& channel) {
     using output::number;
     const auto& info = channel.info;
@@ -119,7 +119,7 @@ output::Json channel_json(const std::string& file, const ListedChannel& channel)
     return json;
 }
 
-/// A file: its kind, format and verbs, and what its kind has to say.
+/// A file: its kind, format and commands, and further properties of its kind.
 output::Json file_json(const ListedFile& file) {
     const auto& content = file.content;
     output::Json json{{"file", content.file},

@@ -23,7 +23,7 @@ void set_tip(topography::Instrument& instrument, const Estimate& radius) {
     if (radius.uncertain()) instrument.tip_radius_standard_error = radius.standard_error;
 }
 
-/// What was made of the heights when they were read.
+/// Findings from reading the heights.
 std::vector<diagnostics::Finding> of_reading(const topography::Measurement& measurement) {
     std::vector<diagnostics::Finding> findings;
     for (const auto& alert : topography::metadata(measurement).alerts) findings.push_back({alert, {}});

@@ -47,7 +47,7 @@ bool CurveRequest::concerns(const std::string& file) const {
     try {
         return curve || tables::force_curve_format(bytes::file_source(file)).has_value();
     } catch (const FileError&) {
-        return false;  // whoever opens it says why
+        return false;  // opening the file later reports the reason
     }
 }
 
@@ -76,7 +76,7 @@ bool CurveRequest::concerns_map(const std::string& file, const LoopFiles& loops)
     try {
         return tables::open_force_curves(file).numbers.size() > 1;
     } catch (const FormatError&) {
-        return false;  // a table taken for a curve, or what whoever reads it says
+        return false;  // a table that is treated as a curve, or an error that is reported on reading
     }
 }
 

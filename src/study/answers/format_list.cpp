@@ -10,7 +10,7 @@
 namespace setae::answers {
 namespace {
 
-/// Formats that are read alone.
+/// Formats that are only read.
 template <class Formats>
 output::Json list_of(const Formats& formats) {
     output::Json list = output::Json::array();

@@ -22,7 +22,7 @@ using Function = scales::FunctionOfScale (*)(const topography::Measurement&, con
 using FunctionOfTiledMap = scales::FunctionOfScale (*)(const topography::TiledMap&, const ScaleRequest&,
                                                        parallel::Threads);
 
-/// Functions of a command; `of_tiled_map` is null where a map has to be held as a whole.
+/// Functions of a command; `of_tiled_map` is null where a map must be in memory as a whole.
 struct ScaleCommand {
     Function of_measurement;
     FunctionOfTiledMap of_tiled_map;
@@ -143,7 +143,7 @@ FunctionsOfScale functions_of(const ScaleRequest& request, parallel::Threads thr
     return found;
 }
 
-/// Combines what was found.
+/// Combines the results.
 void combine(FunctionsOfScale& found, const ScaleRequest& request) {
     const scales::CombinationOptions options{spectra::LogGrid{request.bins_per_decade},
                                              scales::weighting_from_name(request.weighting)};

@@ -24,7 +24,7 @@ std::string ending_of(const std::string& path) {
     return ending;
 }
 
-/// Of formats that are written; .csv, which several are read from, comes last.
+/// Endings of formats that are written; .csv, which several formats use, is last.
 std::vector<std::string> written_endings() {
     std::vector<std::string> endings;
     for (const auto& format : formats::formats()) {

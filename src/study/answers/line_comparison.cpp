@@ -20,7 +20,7 @@ namespace {
 
 using contact_line::ContactLine;
 
-/// The frames of a line that lie within a stretch of time.
+/// The frames of a line within a range of time.
 ContactLine within(const ContactLine& line, double from, double to) {
     std::vector<Index> kept;
     for (Index i = 0; i < line.frames(); ++i)
@@ -48,7 +48,7 @@ std::string number_of(const std::optional<double>& value, const char* unit) {
     return value ? format_value(*value, unit, 3) : "–";
 }
 
-/// What is said of one edge, in a text.
+/// A result of one edge, as text.
 struct Statement {
     std::string quantity;
     std::function<std::string(const LineAnswer&)> text;

@@ -47,7 +47,8 @@ std::optional<Estimate> length(const std::string& text) {
     return text.empty() ? std::nullopt : std::optional(parse_uncertain_quantity(text, positive(dimension::length)));
 }
 
-/// Whether a table has any column that is named as one of a loop, but the time; of named columns whether it is a table.
+/// Whether a table has any column with the name of a loop's column, except time; for given columns whether it is a
+/// table.
 bool is_like_loop(const std::string& path, bool columns_are_named) {
     try {
         const auto table = tables::read_raw_table(bytes::file_source(path));
@@ -61,8 +62,8 @@ bool is_like_loop(const std::string& path, bool columns_are_named) {
     }
 }
 
-/// Whether a file of a folder is meant where loops are asked for: a loop, or a table with a column of one, whose fault
-/// is then told; every table where the user names the columns.
+/// Whether a file of a folder may be a loop: a loop, or a table with a column of one, whose fault is then reported;
+/// every table where the user gives the columns.
 bool may_be_loop(const std::string& path, bool columns_are_named) {
     try {
         const auto kind = study::file_content(path).kind;

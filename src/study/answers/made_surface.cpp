@@ -24,7 +24,7 @@
 namespace setae::answers {
 namespace {
 
-/// C_iso as power laws between nodes; of one measurement, whose modes scatter as much as they hold, from their means
+/// C_iso as power laws between nodes; for one measurement, whose modes have a relative scatter of 1, from their means
 /// over bins, from its longest wave to its shortest.
 spectra::Spectrum isotropic(const study::SurfaceResult& surface) {
     const auto& used = surface.used().curve;

@@ -29,7 +29,7 @@ std::vector<Quantity> named(std::vector<Quantity> quantities, const char* suffix
     return quantities;
 }
 
-/// Spectral parameters by the conversion that was not asked for.
+/// Spectral parameters by the other conversion.
 std::optional<ParameterGroup> by_other_conversion(const study::SurfaceResult& surface, const ParameterGroup& spectral,
                                                   roughness::Conversion conversion) {
     if (!surface.used().other_conversion) return std::nullopt;

@@ -22,9 +22,10 @@ using patches::PatchDesign;
 using patches::PatchMean;
 using patches::SurveyRow;
 
-constexpr double right_balance = 0.05;  ///< (7) counts as right where it is that close to what contact gains
+/// relative error up to which the full-contact balance (Eq. 7) is treated as correct
+constexpr double right_balance = 0.05;
 
-/// What share of U_el bands hold.
+/// Share of U_el in bands.
 class StoredEnergy {
 public:
     explicit StoredEnergy(const spectra::Spectrum& curve) : cumulative_(roughness::cumulative_parameters(curve)) {}
@@ -43,7 +44,7 @@ private:
     roughness::CumulativeParameters cumulative_;
 };
 
-/// Of the bands of a ratio the one that holds most of U_el: where it begins.
+/// Lower end of the band with a given ratio that contains most of U_el.
 double richest_band(const StoredEnergy& stored, double ratio) {
     constexpr int places = 200;
     const double room = std::max(1.0, stored.highest() / stored.lowest() / ratio);
@@ -55,7 +56,7 @@ double richest_band(const StoredEnergy& stored, double ratio) {
     return best;
 }
 
-/// What the patches of a pair are, or why there are none.
+/// Design of the patches of a pair, or the reason for which there are none.
 struct PairDesign {
     PatchDesign design;
     PatchPair pair;
@@ -179,7 +180,7 @@ output::Json json_of(const std::vector<patches::JumpClass>& classes) {
     return list;
 }
 
-/// The pair's answers with the simulated cell of a row.
+/// The pair's results with the simulated cell of a row.
 study::ContactAnswers answers_with(const SurveyRow& row, const PatchPair& pair) {
     auto answers = pair.answers;
     answers.answers.push_back({study::ContactTheory::simulated_cell,

@@ -14,7 +14,7 @@ namespace setae::answers {
 
 namespace {
 
-constexpr std::time_t last_second = 253402300799;  // of the year 9999
+constexpr std::time_t last_second = 253402300799;  // end of the year 9999
 
 /// Seconds since 1970 that $SOURCE_DATE_EPOCH sets, or now. @throws InvalidArgument for a value that is no such number.
 std::time_t seconds_of_run() {

@@ -93,7 +93,7 @@ study::SurfaceAnalysisOptions AnalysisRequest::analysis() const {
     if (!(memory > 0.0)) throw InvalidArgument(fmt::format("memory {} GiB; expected more than 0", memory));
     if (resamples < 0) throw InvalidArgument(fmt::format("{} resamples; expected 0 or more", resamples));
     study::SurfaceAnalysisOptions options;
-    options.spectrum = study::SpectrumMethod::average;  // what these verbs show is the combined spectrum
+    options.spectrum = study::SpectrumMethod::average;  // these commands show the combined spectrum
     if (!longest.empty()) options.longest_wavelength = parse_uncertain_quantity(longest, positive(dimension::length));
     if (!shortest.empty())
         options.shortest_wavelength = parse_uncertain_quantity(shortest, positive(dimension::length));
@@ -110,7 +110,7 @@ bool SurfaceRequest::is_spectrum() const {
         if (file.as == "spectrum") return true;
         try {
             return tables::is_power_spectrum_table(bytes::file_source(path));
-        } catch (const FileError&) {  // whoever reads it says why, and the others are done
+        } catch (const FileError&) {  // reading the file later reports the reason, and the others are processed
             return false;
         }
     };

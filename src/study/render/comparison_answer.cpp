@@ -15,10 +15,10 @@
 namespace setae::output {
 namespace {
 
-/// A column in words; values of "1" are printed in per cent.
+/// A column in words; values of unit "1" are printed in per cent.
 struct Told {
     const char *column, *words, *unit;
-    bool when_full;  ///< in full contact there is no gap and no finite stiffness
+    bool when_full;  ///< whether it is defined in full contact, where there is neither a gap nor a finite stiffness
 };
 constexpr std::array<Told, 4> told{{{"area_fraction", "area", "1", true},
                                     {"mean_gap", "mean gap", "m", false},

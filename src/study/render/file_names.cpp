@@ -13,10 +13,10 @@
 namespace setae::output {
 namespace {
 
-// with what goes before and behind them, names stay below the 255 bytes of common file systems
+// with prefixes and suffixes, names stay below the 255 bytes of common file systems
 constexpr std::size_t max_bytes = 120;
 
-/// Letters beyond ASCII, as far as their place in Unicode tells: none of signs, blanks, punctuation and private marks.
+/// Letters beyond ASCII, by their position in Unicode: without signs, blanks, punctuation and private characters.
 bool is_letter_beyond_ascii(std::string_view character) {
     constexpr std::string_view no_letters[][2] = {
         {"\u0080", "\u00bf"}, {"\u00d7", "\u00d7"}, {"\u00f7", "\u00f7"},        {"\u2000", "\u206f"},
@@ -45,7 +45,7 @@ std::string readable(std::string_view name) {
     return result.empty() ? "_" : result;
 }
 
-/// As file systems see it that do not tell large letters from small ones.
+/// The name without case, for file systems that ignore case.
 std::string folded(std::string name) {
     std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) {
         return c < 0x80 ? static_cast<char>(std::tolower(c)) : static_cast<char>(c);
@@ -63,7 +63,7 @@ std::vector<std::string> file_names(std::span<const std::string> names) {
         result[i] = name;
         return true;
     };
-    // what is a file's name as it stands stays what it is
+    // a valid file name is unchanged
     for (std::size_t i = 0; i < names.size(); ++i)
         if (readable(names[i]) == names[i]) take(i, names[i]);
     for (std::size_t i = 0; i < names.size(); ++i) {

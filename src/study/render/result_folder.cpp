@@ -23,14 +23,14 @@ namespace fs = std::filesystem;
 
 constexpr const char* list_name = study::result_list;
 
-/// What says, where it exists, that all results do.
+/// Files whose existence marks complete results.
 constexpr const char* marks[] = {"report.html", "study.json"};
 
 /// Where a study has no path, its results are named by its title.
 constexpr std::string_view by_title = "titled ";
 
-/// How the list names a study: its path as seen from the folder, which exists, so that both may be moved together.
-/// @throws FileError where that cannot be told.
+/// Name of a study in the list: its path relative to the existing folder, so that both may be moved together. @throws
+/// FileError where the path cannot be determined.
 std::string identity_of(const study::Study& study, const std::string& folder) {
     if (study.path.empty()) return std::string(by_title) + one_line(study.title);
     std::error_code of_study, of_folder;
@@ -142,7 +142,7 @@ void ResultFolder::begin() const {
     require_own_folder();
     for (const char* mark : marks)
         if (listed_.contains(mark)) remove(mark);
-    std::map<fs::path, std::set<std::string>> names;  // by the folder below
+    std::map<fs::path, std::set<std::string>> names;  // by subfolder
     for (const auto& name : listed_)
         if (is_inside(name)) names[fs::path(name).parent_path()].insert(fs::path(name).filename().string());
     names[{}].insert(list_name);

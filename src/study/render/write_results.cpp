@@ -22,7 +22,8 @@
 namespace setae::output {
 namespace {
 
-/// The curve as the study used it, with what the combination knows of each bin; C_iso by (11) with the surface's q_s.
+/// The curve as used by the study, with the data of each bin of the combination; C_iso by Eq. 11 with the surface's
+/// q_s.
 Table spectrum_table(const study::SurfaceResult& surface, double shortest_wavelength) {
     Table table;
     table.metadata["surface"] = surface.name;
@@ -42,7 +43,7 @@ Table spectrum_table(const study::SurfaceResult& surface, double shortest_wavele
             {"C_iso", "m4",
              spectra::isotropic_from_profile_eq11(c.wavevector, c.density, 2.0 * pi / shortest_wavelength)}};
     } else if (surface.average.curve.kind == spectra::Density::C_iso) {
-        // few nodes hold the model; readers get ten a decade, up to where C1D falls to zero
+        // few nodes represent the model; the output has ten per decade, up to where C1D decreases to zero
         const auto& curve = surface.average.curve;
         const auto n = static_cast<Index>(std::ceil(10.0 * std::log10(curve.band.upper / curve.band.lower)));
         const Array1D q =

@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::MatrixXd, Eigen::VectorXd;
 
-/// Stretching may not cost more than conforming gains while inputs are looked for.
+/// Limits the cost of stretching to the gain of full contact while inputs are fitted.
 double bounded_surface_energy(double surface_energy, double work, double area_ratio) {
     constexpr double most = 0.999;
     return area_ratio > 1.0 ? std::min(surface_energy, most * work * area_ratio / (area_ratio - 1.0)) : surface_energy;
@@ -87,7 +87,7 @@ BothBranches::BothBranches(const RetractionModel& model, const std::vector<Ranke
             if (const double deviation = pairs_[static_cast<std::size_t>(i)].deviations[k]; deviation > 0.0)
                 factor_.row(i * number_count + k) /= deviation;
     covariance_.noalias() = factor_ * factor_.transpose();
-    constexpr double wide = 1.0;  // of ln W_int
+    constexpr double wide = 1.0;  // width of ln W_int
     const double start = known_work ? known_work->value : pairs.front().pair.work_of_adhesion.value;
     const double relative = known_work ? std::sqrt(known_work->variance()) / start : wide;
     work_ = {.value = start, .standard_error = relative};
@@ -167,7 +167,7 @@ double BothBranches::predicted(Branch branch, Index i, const VectorXd& x, double
         moved(i, reference, own.reference_work, x) * work_.value * std::exp(work_.standard_error * x[work]);
     in[F::surface_energy] = bounded_surface_energy(in[F::surface_energy], in[F::work_of_adhesion], rough.area_ratio);
     in[F::parameter] = model_.fitted() ? number_.value + number_.standard_error * x[number] : 0.0;
-    // what was measured is off by the errors of its inputs: the truth is the measured value less these
+    // measured values include the errors of their inputs: the true value is the measured value minus these
     const auto error = [&](Number of) { return own.deviations[of] * x[first_of(i) + of]; };
     if (branch == Branch::approach) {
         const double work_approach = own.by_roughness.predicted_approach(model_, rough, in);

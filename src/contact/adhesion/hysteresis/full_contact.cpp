@@ -15,7 +15,7 @@
 namespace setae::hysteresis {
 namespace {
 
-/// ln U_el/(A W) with what it rests on; infinite where conforming gains nothing.
+/// ln U_el/(A W) with its inputs; infinite where full contact gains nothing.
 TracedValue log_share(const RetractionPair& pair) {
     return adhesion::traced_function(
         pair.rough, {pair.soft.contact_modulus, pair.soft.surface_energy, pair.work_of_adhesion},

@@ -18,7 +18,7 @@ namespace {
 using adhesion::ScatterEffects;
 using numerics::RandomKey;
 
-/// What one run says of the model that was planted.
+/// Result of one run for the known model.
 struct TrialOutcome {
     RetractionModel best;
     bool possible = false;

@@ -18,8 +18,8 @@ using States = std::vector<State>;
 /// A loop's states, branch by branch.
 struct LoopStates {
     States approach;    ///< from the jump in to the turning point
-    States retraction;  ///< from where the edge lets go to the last contact
-    State parted;       ///< force 0 at the motor's position of parting
+    States retraction;  ///< from the first motion of the edge to the last contact
+    State parted;       ///< force 0 at the motor's position of separation
 };
 
 void require_points(int points) {
@@ -28,7 +28,7 @@ void require_points(int points) {
         throw InvalidArgument(fmt::format("a loop of {} points per branch; expected {} or more", points, fewest));
 }
 
-/// Equilibrium at contact radii evenly apart.
+/// Equilibrium at evenly spaced contact radii.
 States along(double from, double to, const contact::jkr::Contact& contact, int points) {
     States states;
     for (int i = 0; i < points; ++i) states.push_back(equilibrium(from + (to - from) * i / (points - 1), contact));

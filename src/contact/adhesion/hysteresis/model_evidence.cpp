@@ -16,7 +16,7 @@ using Eigen::MatrixXd, Eigen::VectorXd;
 
 using Places = std::vector<Index>;
 
-/// Of the density; while inputs are looked for fewer do.
+/// Nodes for the density; the fit of inputs uses fewer.
 constexpr adhesion::ScatterNodes density_nodes{8, 6, 6}, search_nodes{4, 3, 3};
 
 /// Scatter of some of the pairs.
@@ -38,11 +38,11 @@ private:
     }
 };
 
-/// The most likely inputs given a branch of some pairs, and what is known then.
+/// The most likely inputs for a branch of some pairs, and their distribution.
 struct Step {
-    BranchLines lines;  ///< of all pairs, about the inputs that the seen ones lead to
+    BranchLines lines;  ///< of all pairs, about the inputs from the pairs in the fit
     Knowledge known;    ///< after them
-    MatrixXd gain;      ///< what the mean moves by with the residual of each seen pair
+    MatrixXd gain;      ///< shift of the mean per residual of each pair in the fit
     adhesion::ModelScatter scatter;
 };
 
@@ -77,7 +77,7 @@ Places all_of(Index n) {
     return places;
 }
 
-/// ln m(all) − ln m(seen) of residuals, one column each.
+/// ln m(all) − ln m(pairs in the fit) of residuals, one column each.
 VectorXd log_density_of_rest(const BranchLines& lines, const MatrixXd& residuals, const Places& seen,
                              const Scatter& of_all, const Scatter& of_seen) {
     return of_all.density.log_densities(lines.covariance, residuals) -
@@ -159,7 +159,7 @@ VariedEvidence varied_evidence(const LeftOutEvidence& evidence, const std::vecto
         const Scatter seen_approach(pairs, seen, scales.approach), seen_retraction(pairs, seen, scales.retraction);
         varied.approach += log_density_of_rest(on_approach, columns(on_approach.residual, noise.approach), seen,
                                                all_approach, seen_approach);
-        // noise of W_app moves the inputs that retraction begins with, and W_app as it is told
+        // noise of W_app shifts the initial inputs of retraction, and the measured W_app
         const MatrixXd of_approach = noise.approach(seen, Eigen::all), moved = gain * of_approach;
         const MatrixXd shift =
             noise.retraction - on_retraction.by_approach.asDiagonal() * noise.approach - on_retraction.jacobian * moved;
@@ -189,7 +189,7 @@ WholeEvidence whole_evidence(const BothBranches& model, const std::vector<Ranked
     evidence.work_of_adhesion = model.value_of(BothBranches::work, on_retraction.known);
     evidence.approach_scatter = on_approach.scatter;
     if (!with_constant) return evidence;
-    // of every scatter the constant is normal; its tail is a mixture
+    // for each scatter the constant is normal; its tail is a mixture
     const auto& lines = on_retraction.lines;
     const VectorXd with = lines.covariance_with.row(BothBranches::constant).transpose();
     const double prior = on_approach.known.covariance(BothBranches::constant, BothBranches::constant),

@@ -52,7 +52,7 @@ public:
     /// 2π a G da = E* s² da.
     [[nodiscard]] double work_per_radius(double opening) const { return modulus_ * opening * opening; }
 
-    /// ln v/v0 at the end of a step to a < before: m(a, G(v)) + V da/v = m before. The left side falls as v grows.
+    /// ln v/v0 at the end of a step to a < before: m(a, G(v)) + V da/v = m before. The left side decreases with v.
     [[nodiscard]] double log_speed_after(double a, double step, double motor_before, double start) const {
         const double ratio = edge_.motor_speed * step / edge_.law.reference_speed;
         const auto residual = [&](double x) {
@@ -115,7 +115,7 @@ EdgeRetractionCourse course_of(const HystereticSphere& sphere, const Pressing& p
     return course;
 }
 
-/// Value at a place between the states i and i + 1.
+/// Value at a position between the states i and i + 1.
 double between(const Array1D& values, Index i, double share) { return values[i] + share * (values[i + 1] - values[i]); }
 
 /// Mean of G over the motor's way to `end` from at most `way` before.
@@ -145,7 +145,7 @@ EdgeRetraction summary(const EdgeRetractionCourse& course, const HystereticSpher
     Index smallest = 0;
     course.force.minCoeff(&smallest);
     const double radius = radius_of_smallest(course, smallest);
-    // by the parabola through the same three states
+    // by the parabola through these three states
     const auto at_smallest = [&](const Array1D& values) {
         if (smallest == 0 || smallest + 1 == values.size()) return values[smallest];
         const double x = (course.contact_radius[smallest] - radius) /
@@ -188,7 +188,7 @@ double resting_equivalent(double largest, HystereticSphere sphere, const Pressin
         const double separation = std::min(largest, machine.instability_radius(retraction));
         return work * area + machine.energy(equilibrium(separation, retraction), retraction) - edge_work;
     };
-    constexpr double least = 1e-9;  // of what the edge takes
+    constexpr double least = 1e-9;  // share of the work at the edge
     return numerics::bracketed_root(excess, least * edge_work / area, edge_work / area, 50);
 }
 

@@ -10,7 +10,7 @@
 namespace setae::hysteresis {
 namespace {
 
-/// Of the area, so that laws have a contact to speak of where simulated patches have next to none.
+/// Smallest share of the area, so that models have a contact where simulated patches have almost none.
 constexpr double min_contact = 1e-6;
 
 /// 0 of an edge so short that nothing pins it: the error of k over such a k is no number.
@@ -88,7 +88,7 @@ PairState PairFunctions::contact_state(const Roughness& rough, const Inputs& in)
     const auto contact = adhesion::unloaded_contact(state.stored_energy / gain);
     const double gained = contact.gain + in[patches] * contact.gain_error;
     state.contact_fraction = std::clamp(contact.area_fraction + in[patches] * contact.area_error, min_contact, 1.0);
-    // a contact gains its share of W less what it stores
+    // a contact gains its share of W minus its stored energy
     state.stored_energy = std::max(0.0, state.contact_fraction - gained) * gain;
     state.work_approach = gained * gain;
     return state;
@@ -103,7 +103,7 @@ PairState PairFunctions::contact_state(const RetractionModel& model, const Rough
     return state;
 }
 
-/// That W is what the contact gains, which the works of both branches lie about.
+/// That W is the energy gained in contact; the works of both branches are about it.
 contact::AdhesiveContact PairFunctions::sphere_of(const PairState& state, const Inputs& in) const {
     return {in[radius], in[contact_modulus], state.contact_fraction * state.full_contact_gain()};
 }
@@ -158,7 +158,7 @@ double PairFunctions::work_retraction(const RetractionModel& model, const Roughn
     return std::max(at.work_approach, work + in[scatter]);
 }
 
-/// What roughness asks for times the factor of the speed at which the edge then recedes.
+/// W_ret from roughness times the factor at the resulting speed of the edge.
 double PairFunctions::at_speed(double of_roughness, double factor_as_read) const {
     return of_roughness * pair_.speed_factor->at(factor_as_read, of_roughness);
 }
@@ -173,7 +173,8 @@ double PairFunctions::work_at_rest(const RetractionModel& model, const Roughness
 }
 
 HystereticSphere PairFunctions::sphere(const RetractionModel& model, const Roughness& rough, const Inputs& in) const {
-    const double least = 1e-6 * in[work_of_adhesion];  // of W_app, for derivatives of a pair that hardly conforms
+    const double least =
+        1e-6 * in[work_of_adhesion];  // share of W_app, for derivatives of a pair with almost no contact
     HystereticSphere sphere{in[radius], in[contact_modulus], std::max(least, state(model, rough, in).work_approach),
                             0.0};
     sphere.work_retraction = std::max(sphere.work_approach, work_at_rest(model, rough, in));
@@ -186,7 +187,8 @@ ViscousBody PairFunctions::body(const RetractionModel& model) const {
     return viscous_body(model, {in[reference_speed], in[exponent]}, terms);
 }
 
-/// Of (10): the edge loses W_int A_true/A of the contact less these, which depend on W_ret themselves.
+/// For the true-area loss (Eq. 10): the edge loses W_int A_true/A of the contact minus these losses, which depend on
+/// W_ret themselves.
 double PairFunctions::jumps_per_area(const PairState& state, const Inputs& in) const {
     const bool known = pair_.radius && (pair_.contact_area || pair_.pressing);
     if (!known || !(state.work_approach > 0.0)) return 0.0;
@@ -205,7 +207,7 @@ double PairFunctions::jumps_per_area(const PairState& state, const Inputs& in) c
                                            0.0, lost, bits);
 }
 
-/// Of both jumps [J]: closed forms under fixed grips.
+/// Loss of both jumps [J]: closed forms under fixed grips.
 double PairFunctions::jump_loss(const HystereticSphere& sphere, const Pressing& pressing) {
     if (std::isinf(pressing.machine_stiffness))
         return contact::jkr::ideal_loop_loss(sphere.approach()).jump_in +

@@ -50,7 +50,7 @@ double fitted_value(double energy_share, double shortness) {
 PinningCoefficient fitted(double energy_share, double larkin_lengths) {
     constexpr double other_bands = 0.35, of_fits = 0.04, least = 0.02;
     const double short_of = shortness(energy_share, larkin_lengths), k = fitted_value(energy_share, short_of);
-    // dk/d ln N times what other bands do to N
+    // dk/d ln N times the effect of other bands on N
     const double of_band = k > 0.0 ? of_length * short_of * other_bands * k : 0.0;
     return {k, std::hypot(of_band, of_fits * k, least)};
 }
@@ -69,7 +69,7 @@ double simulated_share(double energy_share) { return std::min(energy_share, long
 
 PinningConstants pinning_constants(double energy_share, double larkin_lengths) {
     require_front(energy_share, larkin_lengths);
-    constexpr double beyond_share = 0.3;  // of k
+    constexpr double beyond_share = 0.3;  // error of k
     const double share = simulated_share(energy_share), longest = longest_front(share),
                  shortest = shortest_front * min_length(share);
     auto k = fitted(share, larkin_lengths);

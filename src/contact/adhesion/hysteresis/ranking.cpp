@@ -53,7 +53,7 @@ double rms_left_out(const std::vector<adhesion::LeftOutPrediction>& predictions,
     return count == 0 ? undefined : std::sqrt(sum / count);
 }
 
-/// What a pair of a new surface and a new elastomer scatters by.
+/// Scatter of a pair of a new surface and a new elastomer.
 Estimate scatter_of_next(const GeneralisedFit& fit) {
     const auto& s = fit.scatter;
     const double variance = s.pair * s.pair + s.surface * s.surface + s.elastomer * s.elastomer;
@@ -62,14 +62,14 @@ Estimate scatter_of_next(const GeneralisedFit& fit) {
     return scatter;
 }
 
-/// One model on its way to its score.
+/// One model during its evaluation.
 struct Judged {
     std::unique_ptr<BothBranches> model;
     ModelScore score;
     double rms_approach = 0.0;  ///< measured − fitted W_app, at the widest scales [J/m²]
     LeftOutEvidence surfaces;   ///< each left out
-    VectorXd log_likelihood;    ///< of the data and of each draw
-    VectorXd approach;          ///< of approach alone
+    VectorXd log_likelihood;    ///< for the data and for each draw
+    VectorXd approach;          ///< for approach only
     std::string reason;         ///< why it cannot be judged
 
     [[nodiscard]] bool ok() const { return reason.empty(); }
@@ -146,7 +146,7 @@ private:
         return {of_median * median(approach), of_median * median(retraction)};
     }
 
-    /// Where the best model misses less, twice what it misses by: the prior must have room for small scatter, too.
+    /// Twice the deviation of the best model, where this is smaller: the prior must include small scatter, too.
     void find_scales() {
         scales_ = widest_scales();
         constexpr double of_residual = 2.0, least = 1e-5;
@@ -194,9 +194,9 @@ private:
         return model.law == Law::pinning || model.law == Law::pinning_by_bands || model.law == Law::fitted_pinning;
     }
 
-    /// The same with noise added to the data, of models that are not far behind.
+    /// The ranking with noise added to the data, for models close to the best.
     void vary() {
-        constexpr double far = 25.0;  // in ln L: no noise brings them back
+        constexpr double far = 25.0;  // difference in ln L that no noise compensates
         double most = -std::numeric_limits<double>::infinity();
         for (const auto& of : judged_)
             if (of.ok()) most = std::max(most, of.log_likelihood[0]);
@@ -224,7 +224,7 @@ private:
     /// 5 and 95 % points of exp(one − other).
     static Odds odds_of(const VectorXd& one, const VectorXd& other) {
         const auto number = [](double difference) {
-            constexpr double most = 600.0;  // of a logarithm, for odds that are a number
+            constexpr double most = 600.0;  // largest logarithm of odds that are a finite number
             return std::exp(std::clamp(difference, -most, most));
         };
         const double odds_of_data = number(one[0] - other[0]);
@@ -292,7 +292,7 @@ private:
                                 odds_of(other.both(), one.both())};
     }
 
-    /// Of approach alone: `reversible` and `pinning` differ by what pins.
+    /// For approach only: `reversible` and `pinning` differ by the pinning.
     static std::optional<Odds> against_pinning(const std::vector<Judged*>& ranked) {
         const auto find = [&](Law law) -> const Judged* {
             for (const auto* of : ranked)
@@ -311,7 +311,7 @@ private:
     ScatterScales scales_;
 };
 
-/// What a fitted model is where its number is 0.
+/// The model that a fitted model equals for a parameter of 0.
 RetractionModel parent_of(const RetractionModel& model) { return {Law::reversible, model.tip}; }
 
 /// The first, or its parent where its number may be 0 and the parent is among them.

@@ -15,7 +15,7 @@ constexpr std::array laws{Law::reversible,     Law::pinning,      Law::pinning_b
                           Law::conformal_loss, Law::opening_work, Law::fitted_conformal_loss};
 
 struct ModelText {
-    const char *name, *works;  ///< works: what φ multiplies
+    const char *name, *works;  ///< works: works multiplied by φ
 };
 
 ModelText text_of(Law law) {

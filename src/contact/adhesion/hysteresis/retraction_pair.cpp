@@ -19,10 +19,10 @@ namespace {
 using adhesion::PairPoint;
 using contact::jkr::Contact;
 
-/// One loop, of whose numbers each is wanted with everything it rests on.
+/// One loop, whose results are computed with all their inputs.
 ///
-/// A loop in closed form is followed from the pair's own inputs. One that time has a part in is dear: it is followed
-/// from the few numbers that make it, which know what they rest on, and kept for its other numbers.
+/// A loop in closed form is computed from the pair's own inputs. A loop with time dependence is expensive: it is
+/// computed from its few parameters, which have their own inputs, and stored for its other results.
 class TracedLoop {
 public:
     TracedLoop(const PairFunctions& functions, const RetractionModel& model, const RetractionPair& pair)
@@ -47,7 +47,7 @@ public:
         makers_.insert(makers_.end(), inputs.begin() + F::input_count, inputs.end());
     }
 
-    /// number(loop, sphere, what a smooth edge at rest needs over W_app)
+    /// number(loop, sphere, work of a smooth edge at zero speed divided by W_app)
     template <class Number>
     [[nodiscard]] TracedValue traced(const Number& number) {
         if (makers_.empty())

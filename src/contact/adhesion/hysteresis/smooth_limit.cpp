@@ -11,7 +11,7 @@ namespace {
 /// Inputs of a mirror, in their order.
 enum MirrorInput : std::size_t { mirror_approach, mirror_retraction, mirror_work, mirror_parameter };
 
-/// A mirror: nothing is stored, and all of it is in contact.
+/// A smooth surface: no stored energy, and full contact.
 PairState mirror(const RetractionModel& model, const std::vector<double>& in, double jumps_per_area) {
     PairState state;
     state.work_of_adhesion = in[mirror_work];

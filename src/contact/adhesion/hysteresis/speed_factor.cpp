@@ -19,7 +19,7 @@ enum Input : std::size_t {
     rest_factor
 };
 
-/// The sphere under the force that holds a contact radius without adhesion: where the edge begins is all that counts.
+/// The sphere under the force for a contact radius without adhesion: only the start of the edge is relevant.
 struct Pulled {
     HystereticSphere sphere;
     Pressing pressing;

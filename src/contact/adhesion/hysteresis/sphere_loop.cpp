@@ -72,7 +72,7 @@ double work_retraction_for_loss(HystereticSphere sphere, const Pressing& pressin
         return sphere_loop(sphere, pressing).energy_loss() - energy_loss;
     };
     const double lower = sphere.work_approach;
-    // the edge alone then loses all of it, and the jump apart adds
+    // upper limit: the edge dissipates all of it, in addition to the jump out
     const double upper = lower + energy_loss / least.largest_contact_area();
     return numerics::bracketed_root(excess, lower, upper, 50);
 }

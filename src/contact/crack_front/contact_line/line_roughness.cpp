@@ -56,7 +56,7 @@ public:
 private:
     [[nodiscard]] Array1D shape(double exponent) const { return (-(1.0 + 2.0 * exponent) * log_mode_).exp(); }
 
-    /// The likelihood's maximum for a given ζ, by Fisher's scoring; 0 where noise alone is more likely.
+    /// The likelihood's maximum for a given ζ, by Fisher's scoring; 0 where only noise is more likely.
     [[nodiscard]] double amplitude(const Array1D& shape) const {
         double a = (power_ / shape).mean();
         if (noise_ == 0.0) return a;

@@ -26,8 +26,8 @@ double suggested_width(const ContactLine& line) {
     return std::max(median(steps), 3.0 * line.place_error);
 }
 
-/// When the edge at one angle first passes each of the bounds, which stand in the order of the motion; NaN for never,
-/// and where it is beyond a bound from the first frame on.
+/// Time at which the edge at one angle first passes each of the bounds, which are in the order of the motion; NaN for
+/// never, and where it is beyond a bound from the first frame on.
 Array1D first_passages(const ContactLine& line, Index angle, const Array1D& bounds, double sign) {
     Array1D times = Array1D::Constant(bounds.size(), undefined);
     Index next = 0;

@@ -24,8 +24,7 @@ ContactLine at_fewer_angles(const ContactLine& line, Index angles) {
     for (Index i = 0; i < line.frames(); ++i) {
         std::copy_n(line.radius.data() + i * line.angles(), line.angles(), radii.begin());
         forward.forward(radii.data(), modes.data());
-        if (angles % 2 == 0 && angles < line.angles())
-            modes[extent(angles / 2)] = 0.0;  // neither sine nor cosine alone
+        if (angles % 2 == 0 && angles < line.angles()) modes[extent(angles / 2)] = 0.0;  // neither sine nor cosine only
         back.apply(modes.data(), radii.data());
         for (Index j = 0; j < angles; ++j) result.radius(i, j) = radii[extent(j)] / static_cast<double>(line.angles());
     }

@@ -93,7 +93,7 @@ public:
     [[nodiscard]] Array2D pressures() const { return here_.stiff - tension_; }
     [[nodiscard]] double conformal_energy() const { return conformal_energy_; }
     [[nodiscard]] double touching_gap() const { return highest_ - mean_height_; }
-    /// 1/k(0): what the mean of the body gives by itself, nothing where it is blocked or not counted [m/Pa].
+    /// 1/k(0): compliance of the mean of the body, zero where it is blocked or not included [m/Pa].
     [[nodiscard]] double mean_compliance() const {
         return elastic_.mean_displacement() == MeanDisplacement::finite
                    ? 1.0 / half_space::stiffness(0.0, elastic_.body())
@@ -125,15 +125,15 @@ public:
     }
 
 private:
-    /// A state, and what follows from its gaps.
+    /// A state, and quantities computed from its gaps.
     struct Place {
         Array2D gaps;        ///< g
         Array2D stiff;       ///< K (g + h)
         Array2D gradient;    ///< K (g + h) + V'
         MapOf<float> slope;  ///< V'' in the model's units
         Array1D energy;      ///< Σ V of each row
-        double mean = 0.0;   ///< of g
-        /// Of the gradient, where gaps are free: its sum, and of how many; its least anywhere.
+        double mean = 0.0;   ///< mean of g
+        /// For the gradient at free gaps: its sum and number; its smallest value anywhere.
         struct {
             double sum = 0.0, count = 0.0, least = 0.0;
         } free;
@@ -160,7 +160,7 @@ private:
     [[nodiscard]] auto sloped(Index i, const auto& d) const {
         return (units_.pressure / units_.length) * row(here_.slope, i).template cast<double>() * d;
     }
-    /// The gradient of a row from its gaps and stresses, and what take_sums() wants of it.
+    /// The gradient of a row from its gaps and stresses, and the sums for take_sums().
     std::array<double, 4> sum_up(Place& place, Index i) const {
         attract_row(place, i);
         const auto g = row(place.gaps, i);
@@ -173,16 +173,16 @@ private:
         place.mean = sums.sum(0) / points_;
         place.free = {.sum = sums.sum(1), .count = sums.sum(2), .least = sums.least(3)};
     }
-    /// Gaps over a level: Σ max(g, 0), and how many.
+    /// Gaps above a level: Σ max(g, 0), and their number.
     static std::array<double, 2> above(const auto& gaps) { return {gaps.max(0.0).sum(), above_zero(gaps).sum()}; }
-    /// Shifts gaps so that, cut at 0, their mean is as given; `shift` is about by how much, `shifted` what is then
-    /// above 0.
+    /// Shifts gaps so that, cut at 0, they have the given mean; `shift` is the approximate shift, `shifted` the sums
+    /// above 0 after it.
     void move_to_mean(Place& place, double mean, double shift, std::array<double, 2> shifted);
     void move_to_mean(Place& place, double mean, double shift) {
         const auto sums = rows_.numbers<2>([&](Index i) { return above(row(place.gaps, i) + shift); });
         move_to_mean(place, mean, shift, {sums.sum(0), sums.sum(1)});
     }
-    /// Cuts the gaps of `trial_` at 0, with the mean where it is held; `over`: what is above 0.
+    /// Cuts the gaps of `trial_` at 0, with the mean where it is fixed; `over`: sums above 0.
     void cut_trial(std::array<double, 2> over) {
         if (mean_held()) move_to_mean(trial_, here_.mean, 0.0, over);
         else rows_.each([&](Index i) { row(trial_.gaps, i) = row(trial_.gaps, i).max(0.0); });
@@ -191,7 +191,7 @@ private:
     double energy_to_trial(bool stiff_known);
 
     [[nodiscard]] bool mean_held() const { return std::holds_alternative<HeldGap>(control_); }
-    /// Φ' and Φ'' of what holds the mean: E + Φ(⟨g⟩) is lowered.
+    /// Φ' and Φ'' of the control of the mean: E + Φ(⟨g⟩) is lowered.
     [[nodiscard]] double control_tension(double mean) const {
         if (const auto* load = std::get_if<DeadLoad>(&control_)) return -load->tension;
         if (const auto* stage = std::get_if<Stage>(&control_)) return stage->stiffness * (mean - stage->position);
@@ -210,7 +210,8 @@ private:
     double residual();
     bool gradient_step();
     bool newton_step(double residual);
-    /// Steps until what is left is as wanted, there is none, or there were too many; what is left.
+    /// Steps until the remainder is as requested, or no step is possible, or the limit is reached; returns the
+    /// remainder.
     double approach_equilibrium(double left, double wanted, int& iterations);
     void take_trial() { std::swap(here_, trial_); }
     AdhesiveState state(double residual, int iterations, std::int64_t transforms);
@@ -227,8 +228,8 @@ private:
     double points_, mean_height_, highest_, radius_;
     double conformal_energy_ = 0.0, multiplier_ = 0.0, tension_ = 0.0;
     double level_ = 0.0;  ///< that the gradient is at where free, in equilibrium
-    /// Of points that are free or would become so: how many, and of the gradient less its level the sum and that of
-    /// squares.
+    /// For points that are free or would become so: their number, and for the gradient minus its level the sum and that
+    /// of squares.
     struct {
         double count = 0.0, gradient = 0.0, square = 0.0;
     } in_face_;
@@ -396,7 +397,7 @@ AdhesiveState AdhesiveCell::Work::solve(const AdhesiveControl& control) {
     const double wanted = options_.tolerance * law_.greatest_tension();
     double left = residual();
     int iterations = 0, before = -1;
-    // Newton steps leave stresses the rounding of float: equilibrium is what it is with stresses found anew
+    // Newton steps leave rounding errors of float in stresses: equilibrium is tested with newly computed stresses
     while (left > wanted && iterations < options_.max_iterations && iterations > before) {
         before = iterations;
         left = approach_equilibrium(left, wanted, iterations);
@@ -423,8 +424,8 @@ AdhesiveCell::Tangent AdhesiveCell::Work::find_tangent() {
         else row(tangent_, i) = face * (points_ / free);
     });
     apply_stiffness(tangent_, stiff_tangent_);
-    // of a mean gap that changes by ρ. V'' is 0 of constant tension: what the longest wave answers is the least that
-    // counts
+    // for a mean gap that changes by ρ. V'' is 0 for constant tension: the response of the longest wave is the lower
+    // limit
     const double least = elastic_.min_stiffness();
     const auto sums = rows_.numbers<2>([&](Index i) {
         auto G = row(trial_.gradient, i);

@@ -14,8 +14,8 @@ namespace {
 constexpr double ladder = 0.5;        ///< ratio of mean gaps close to full contact
 constexpr double last_rung = 1e-3;    ///< over ρ
 constexpr double min_halved = 1e-4;   ///< a step is not halved below this, over ρ
-constexpr double closed_step = 0.25;  ///< of a stage over full contact, over ρ
-constexpr double max_beyond = 10.0;   ///< of where it began, over the way from there to the turn
+constexpr double closed_step = 0.25;  ///< step of a stage beyond full contact, divided by ρ
+constexpr double max_beyond = 10.0;   ///< distance beyond the start, divided by the distance from the start to the turn
 constexpr std::size_t steps_between_checkpoints = 20;
 
 /// Steps of one loop.
@@ -33,8 +33,8 @@ public:
         add({.state = cell_.solve(control(first)), .position = first});
     }
 
-    /// Approaches to `turn`, goes back to `first` and, where it still holds on there, on until it parts and back; false
-    /// where it was told to end.
+    /// Approaches to `turn`, returns to `first` and, where there is still contact, continues until separation and
+    /// returns; false where it was stopped.
     bool there_and_back(double turn, double first) {
         const auto never = [] { return false; };
         if (here().approaching && !to(turn, true, [&] { return pressed(); })) return false;
@@ -46,7 +46,7 @@ public:
     [[nodiscard]] std::vector<LoopStep>& steps() { return steps_; }
 
 private:
-    /// How far to go: the position, and the mean gap that follows by the tangent.
+    /// Next step: the position, and the corresponding mean gap by the tangent.
     struct Advance {
         double position = 0.0, mean_gap = 0.0;
     };
@@ -58,7 +58,8 @@ private:
     }
 
     [[nodiscard]] bool pressed() const { return here().state.tension <= -options_.max_pressure; }
-    /// In the state it began with, as far as the ledger sees: a neck that is drawn out passes its energy, too.
+    /// Whether the state is the initial one within the precision of the energy balance: a neck that is drawn out passes
+    /// its energy, too.
     [[nodiscard]] bool parted() const {
         const double touched = steps_.front().state.area_fraction;
         return here().state.area_fraction <= touched &&
@@ -102,7 +103,7 @@ private:
         return {.position = position, .mean_gap = stretch > 0.0 ? std::min(step, position / stretch) : step};
     }
 
-    /// The position a step leads to; near full contact gaps go by halves.
+    /// The position after a step; near full contact gaps are halved.
     [[nodiscard]] double next(double target, double length) const {
         const double position = here().position;
         const bool approaching = target < position;
@@ -118,7 +119,7 @@ private:
         return position <= rung ? target : std::max({ladder * position, target, 0.0});
     }
 
-    /// Sets the dissipation of a step; whether it hides a jump that a shorter one would show.
+    /// Sets the dissipation of a step; returns whether it contains a jump that a shorter one would resolve.
     bool halve(LoopStep& step, double length) const {
         const AdhesiveState &before = here().state, &after = step.state;
         const double tolerance = options_.jump_share * cell_.interaction().work_of_adhesion;
@@ -135,7 +136,7 @@ private:
         steps_.push_back(step);
         if (options_.progress && !options_.progress(step)) return false;
         if (steps_.size() % steps_between_checkpoints == 0) {
-            cell_.begin_with(Array2D(cell_.gaps()));  // forgets what a loop that is resumed does not know
+            cell_.begin_with(Array2D(cell_.gaps()));  // removes the state that a resumed loop does not have
             if (options_.checkpoint) options_.checkpoint({steps_, cell_.gaps(), halved_});
         }
         return true;

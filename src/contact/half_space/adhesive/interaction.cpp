@@ -19,7 +19,7 @@ constexpr std::array<std::pair<std::string_view, AttractionLaw>, 4> names{
      {"dugdale", AttractionLaw::dugdale},
      {"lennard_jones", AttractionLaw::lennard_jones}}};
 
-/// Of every law one number a gap tells the rest: V = −w e(b), V' = σ t(b), V'' = −σ/ρ s(b).
+/// For every law one number per gap determines V = −w e(b), V' = σ t(b), V'' = −σ/ρ s(b).
 struct Exponential {
     static auto base(const auto& g, double range) { return (g * (-1.0 / range)).exp(); }
     static auto energy(const auto& b) { return b + 0.0; }
@@ -48,7 +48,7 @@ struct LennardJones {
     static auto slope(const auto& b) { return 1.5 * b.square().square(); }
 };
 
-/// compute(law) of the law that a name stands for.
+/// compute(law) for the law of a name.
 template <class Compute>
 auto with_model(AttractionLaw law, const Compute& compute) {
     switch (law) {

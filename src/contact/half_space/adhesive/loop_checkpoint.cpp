@@ -23,7 +23,7 @@ void put(std::string& bytes, const Value& value) {
     bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
-/// Takes values from bytes, one behind the other.
+/// Reads values from bytes in sequence.
 class Taker {
 public:
     Taker(std::string_view bytes, const std::string& path) : bytes_(bytes), path_(path) {}

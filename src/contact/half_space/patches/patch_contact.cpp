@@ -18,7 +18,7 @@ using half_space::AdhesiveCell;
 using half_space::DeadLoad;
 
 constexpr double first_pressure = 0.05;  ///< over h'_rms E*
-constexpr double pressure_ratio = 1.5;   ///< of a ladder …
+constexpr double pressure_ratio = 1.5;   ///< ratio of a sequence …
 constexpr int halvings = 4;              ///< … and of its last rung, to 3 %
 /// Edges of the classes of jumps, D/w.
 constexpr std::array jump_edges{0.001, 0.003, 0.01, 0.03, 0.1, 0.3, 1.0};

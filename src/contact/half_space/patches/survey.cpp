@@ -12,7 +12,7 @@
 namespace setae::patches {
 namespace {
 
-constexpr double large_jump = 0.01;  ///< of w
+constexpr double large_jump = 0.01;  ///< share of w
 
 void require(const SurveyDesign& design) {
     if (design.designs.empty() || design.seeds < 1)

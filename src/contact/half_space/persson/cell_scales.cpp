@@ -14,7 +14,7 @@ namespace {
 
 constexpr double step = 0.01;  ///< of V from node to node, over V
 
-/// What modes of a length add.
+/// Contribution of modes of one length.
 struct Shell {
     double wavevector, variance, energy;
 };

@@ -19,7 +19,7 @@ void require_positive(double value, const char* name, const char* unit) {
         throw InvalidArgument(fmt::format("{} is {} {}; expected > 0", name, value, unit));
 }
 
-/// ∫_s^∞ erf(x)² exp(−x²) dx/x; what lies beyond s + 6 is below 1e-16 of it.
+/// ∫_s^∞ erf(x)² exp(−x²) dx/x; the part beyond s + 6 is below 1e-16 of it.
 double squared_error_integral(double s) {
     const auto integrand = [](double x) { return x > 0.0 ? std::pow(std::erf(x), 2) * std::exp(-x * x) / x : 0.0; };
     return boost::math::quadrature::gauss<double, 30>::integrate(integrand, s, s + 6.0);
@@ -70,7 +70,7 @@ ContactAtScales contact_at_scales(double pressure, const Scales& scales, double 
     for (Index i = 1; i < n; ++i) {
         contact.area_fraction[i] = persson::area_fraction(pressure, scales.pressure_variance[i]);
         const double energy = scales.stored_energy[i] - scales.stored_energy[i - 1];
-        // middle in √V: exact for what goes as 1/√V, as dW/dp does at low load
+        // middle in √V: exact for functions proportional to 1/√V, such as dW/dp at low load
         const double width =
             0.5 * (std::sqrt(scales.pressure_variance[i - 1]) + std::sqrt(scales.pressure_variance[i]));
         const Share share = width > 0.0 ? share_at(pressure, width * width, energy_factor) : Share{1.0, 0.0, 0.0};

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double nodes_per_decade = 100.0;
 
-/// Power laws through the usable nodes of a curve, the outer ones continued.
+/// Power laws through the usable nodes of a curve, extrapolated at the ends.
 class PowerLaws {
 public:
     explicit PowerLaws(const spectra::Spectrum& curve) {
@@ -54,7 +54,7 @@ std::vector<double> refined(const std::vector<double>& nodes, double lower) {
     return q;
 }
 
-/// The same curve with more nodes on its power laws.
+/// The curve with more nodes on its power laws.
 spectra::Spectrum refined(const spectra::Spectrum& curve) {
     const PowerLaws laws(curve);
     if (curve.nodes == spectra::Nodes::modes || laws.nodes().size() < 2) return curve;

@@ -38,7 +38,7 @@ void add_spread(ContactPoints& points) {
     points.chi2 = std::max(squares - sum * sum / weight, 0.0);
 }
 
-/// The method that decides. @throws UndefinedDataError where the one asked for says nothing.
+/// The method that is used. @throws UndefinedDataError where the requested one has no result.
 std::optional<ContactPointMethod> decided(const ContactPoints& points, const ContactPointChoice& choice,
                                           double penetration) {
     const auto must = [&](ContactPointMethod method) {
@@ -51,7 +51,8 @@ std::optional<ContactPointMethod> decided(const ContactPoints& points, const Con
     if (choice.mode == Mode::value) return std::nullopt;
     if (choice.mode == Mode::estimator) return must(choice.estimator);
     if (choice.mode == Mode::fit) return must(ContactPointMethod::force_displacement);
-    constexpr double determined = 0.5;  // of the penetration: beyond, the fit knows as good as nothing of it
+    constexpr double determined =
+        0.5;  // share of the penetration above which the fit does not determine the contact point
     const auto& fitted = points.of(ContactPointMethod::force_displacement).contact_point;
     if (fitted && fitted->standard_error < determined * penetration) return ContactPointMethod::force_displacement;
     std::optional<ContactPointMethod> best;

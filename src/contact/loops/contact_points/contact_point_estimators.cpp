@@ -48,7 +48,7 @@ public:
     [[nodiscard]] double zero_error(Index i) const { return in.force_zero.modes.row(i).matrix().norm(); }
     [[nodiscard]] double displacement(Index i) const { return in.loop.displacement[i]; }
 
-    /// Motion from sample to sample in free flight up to a sample, or behind it [m].
+    /// Motion from sample to sample in free flight before or after a sample [m].
     [[nodiscard]] double free_step(Index at, Index direction) const {
         constexpr Index most = 40, fewest = 3;
         const auto next = static_cast<std::size_t>(in.contact) + 1;
@@ -64,8 +64,8 @@ public:
         return (displacement(end) - displacement(at)) / static_cast<double>(end - at);
     }
 
-    /// The sample before a jump that lies in the stretch given: between two frames where the camera sees each sample,
-    /// else the largest step of the force. @throws UndefinedDataError for one that does not stand out from the noise.
+    /// The sample before a jump in the given section: between two frames where the camera records each sample, else at
+    /// the largest step of the force. @throws UndefinedDataError for one that does not exceed the noise.
     [[nodiscard]] Index before_jump(const IndexRange& stretch, bool into_contact) const {
         const Array1D& radius = in.loop.contact_radius;
         const auto touching = [&](Index i) { return radius[i] > 0.0; };
@@ -82,7 +82,7 @@ public:
     [[nodiscard]] Index before_jump_in() const {
         if (!contact.jump_in && in.loop.contact_radius.size() == 0)
             throw UndefinedDataError("the record has no jump into contact");
-        // the trough of noisy forces may lie behind the jump
+        // the minimum of noisy forces may be after the jump
         return before_jump({contact.extent.first, contact.jump_in ? contact.jump_in->last : contact.loading.first},
                            true);
     }
@@ -91,7 +91,7 @@ public:
         return before_jump(*contact.pull_off, false);
     }
 
-    /// Compliance 1/k of what holds the bodies [m/N]: given, else from the jump out, in which the stage moves on as in
+    /// Compliance 1/k of the testing machine [m/N]: given, else from the jump out, in which the stage continues as in
     /// free flight.
     [[nodiscard]] Estimate compliance() const {
         if (in.machine_stiffness) return measured(1.0 / *in.machine_stiffness, 0.0, "given");
@@ -102,22 +102,21 @@ public:
             throw UndefinedDataError(
                 "the jump out of contact is too small to give the stiffness of the testing machine");
         const double value = (free_step(at + 1, 1) - moved) / rise;
-        // softer than the noise of the jump's ends tells is as good as rigid
+        // a compliance below the noise of the jump's ends is treated as rigid
         return measured(std::max(value, 0.0),
                         std::sqrt(2.0) * std::hypot(noise.displacement_noise, value * noise.force_noise) / rise,
                         "jump out");
     }
 };
 
-/// @throws UndefinedDataError where adhesion pulls by more than the noise hides: no power law begins at the contact
-/// point then.
+/// @throws UndefinedDataError where adhesion exceeds the noise: no power law begins at the contact point then.
 void require_repulsion(const Touch& touch, double radius) {
     if (touch.contact.jump_in)
         throw UndefinedDataError(
             "this estimator fits a power law without adhesion, and the approach jumps into contact");
     const double largest = touch.force(touch.contact.loading.last);
     if (touch.in.loop.contact_radius.size() > 0) {
-        // the camera sees contact in samples that the force cannot tell from free flight: do they pull?
+        // the camera shows contact in samples whose force cannot be distinguished from free flight: tests for tension
         constexpr double clear = 3.0, sure = 2.0;
         double sum = 0.0, n = 0.0;
         for (Index i = touch.contact.loading.first;
@@ -138,8 +137,7 @@ void require_repulsion(const Touch& touch, double radius) {
                         attraction));
 }
 
-/// Straight line through F^(2/3), which Hertz's force makes of the depth, from where the force stands out from its
-/// noise.
+/// Straight line through F^(2/3), which is linear in depth for Hertz's force, from where the force exceeds its noise.
 Estimate first_touch(const Touch& touch, double radius) {
     require_repulsion(touch, radius);
     const double largest = touch.force(touch.contact.loading.last);
@@ -169,7 +167,7 @@ Estimate first_touch(const Touch& touch, double radius) {
     const double slope = line.parameters[0], level = line.parameters[1];
     if (!(slope > 0.0)) throw UndefinedDataError("the force does not rise after first touch");
     const Eigen::Vector2d by(level / (slope * slope), -1.0 / slope);
-    // a zero of force wrong by its error moves F^(2/3) of the samples by 2/3 F^(−1/3) of it
+    // an error of the zero of force shifts F^(2/3) of the samples by 2/3 F^(−1/3) of it
     const double zero = touch.zero_error(first) * 2.0 / 3.0 / (std::cbrt(least) * slope);
     return measured(origin - level / slope, std::hypot(std::sqrt(by.dot(line.uncertainty.covariance * by)), zero),
                     "F^(2/3) extrapolated to 0");
@@ -228,7 +226,7 @@ Estimate behind_jump_in(const Touch& touch) {
     return measured(stage - 0.5 * step, error, "line of the testing machine through the first sample after the jump");
 }
 
-/// A quadratic through samples: its value and slope at a place, and the standard error of the value.
+/// A quadratic through samples: its value and slope at a position, and the standard error of the value.
 struct Parabola {
     LeastSquaresSolution solution;
     double origin, unit;

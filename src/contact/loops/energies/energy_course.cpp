@@ -17,13 +17,13 @@ IndexRange touching(const Loop& loop, const ContactSegments& contact) {
     if (contact.unloading) range.last = contact.unloading->last;
     if (contact.pull_off) range.last = largest_step(loop.force, *contact.pull_off);
     if (loop.contact_radius.size() == 0) return range;
-    // the frames know better where contact ends
+    // frames determine better where contact ends
     for (Index i = contact.pull_off ? contact.pull_off->last : range.last; i >= range.first; --i)
         if (loop.contact_radius[i] > 0.0) return {range.first, std::max(i, contact.loading.last)};
     return range;
 }
 
-/// Radii between frames on straight lines, before the first and behind the last as there.
+/// Radii between frames by linear interpolation, constant before the first and after the last.
 Array1D between_frames(const Array1D& radius, const IndexRange& range) {
     Array1D filled(range.count());
     Index before = -1;

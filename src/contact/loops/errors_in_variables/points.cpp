@@ -29,12 +29,12 @@ struct Weighed {
     double displacement = 0.0;  ///< [m]
 };
 
-/// The noise of both channels, neither below a twentieth of what the other makes of it along the branch:
+/// The noise of both channels, neither below a twentieth of the effect of the other along the branch:
 ///
-///   σ_δ >= σ_F/(20k),  σ_F >= kσ_δ/20,  k = range of F over range of δ
+///   σ_δ >= σ_F/(20k),  σ_F >= kσ_δ/20,  k = range of F divided by range of δ
 ///
-/// A channel so exact is as good as exact: the residual's variance σ_F² + (F'σ_δ)² grows by 1/400. Without the floor
-/// its weight in units of the other's would depend on digits that no instrument has, and the normal equations on
+/// A channel of this precision is practically exact: the residual's variance σ_F² + (F'σ_δ)² increases by 1/400.
+/// Without the floor its relative weight would depend on digits that no instrument has, and the normal equations on
 /// rounding.
 Weighed weighed_noise(const BranchData& data) {
     constexpr double share = 0.05;
@@ -45,7 +45,7 @@ Weighed weighed_noise(const BranchData& data) {
 
 using Single = Eigen::Array<double, 1, 1>;
 
-/// What `straightened` changes of the residual across the curve.
+/// Change of the residual across the curve by `straightened`.
 template <class Curve>
 auto change_across(const Curve& curve) {
     const Single inverse = Single::Ones() / curve.dot(curve.tangent, curve.tangent);
@@ -93,7 +93,7 @@ Points points(const BranchData& data, const LensAndCounterBody& bodies, Channels
     if (channels.displacement) {
         require_noise(noise.displacement, "displacement");
         const double shared = data.force_displacement_covariance / (noise.force * noise.force);
-        // a displacement whose noise is that of the force alone keeps a twentieth of it
+        // a displacement with only the noise of the force keeps a twentieth of it
         constexpr double least = 1.0 / 400.0;
         const double variance = noise.displacement * noise.displacement;
         const double own = std::max(variance - shared * data.force_displacement_covariance, least * variance);

@@ -20,7 +20,8 @@ Eigen::Vector3d units_of(const Points& points) {
             points.force_unit / std::sqrt(8.0 * pi * cubed), points.depth_unit};
 }
 
-/// Inverse of the information without what noise along the curve only pretends; undefined where nothing is left.
+/// Inverse of the information without the apparent information by noise along the curve; undefined where nothing is
+/// left.
 Eigen::MatrixXd inverse_information(const Fitted& fitted, const Across& noise) {
     const Eigen::MatrixXd all = across_information(noise),
                           left = all - along_the_curve(fitted.points, fitted.solution).pretended;
@@ -30,8 +31,8 @@ Eigen::MatrixXd inverse_information(const Fitted& fitted, const Across& noise) {
     return scale.asDiagonal() * *inverse * scale.asDiagonal();
 }
 
-/// A fit's numbers in SI units: everything but its residuals (of force unless said otherwise), and what `complete`
-/// adds. noise: of all samples.
+/// A fit's numbers in SI units: all except its residuals (of force unless stated otherwise), and the results of
+/// `complete`. noise: of all samples.
 JkrFit finished(const Fitted& fitted, const Across& noise, std::string method) {
     const Points& points = fitted.points;
     const Solution& solution = fitted.solution;
@@ -96,7 +97,7 @@ Route effective_variance_route(const BranchData& data, const LensAndCounterBody&
     return radius_route(data, bodies, {.contact_radius = true}, "radius_force_effective_variance");
 }
 
-// the fold at pull-off, where δ(F) is vertical, is a point of the curve like others
+// the fold at pull-off, where δ(F) is vertical, is a regular point of the curve
 Route force_displacement_route(const BranchData& data, const LensAndCounterBody& bodies) {
     const Points all = points(data, bodies, {.displacement = true});
     const Index neighbours = neighbours_of_a_first_solution(data.force.size());

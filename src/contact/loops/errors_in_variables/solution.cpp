@@ -16,9 +16,9 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double closest = 0.25;  ///< a round leaves a radius at least this share of what it was
+constexpr double closest = 0.25;  ///< an iteration reduces a radius at most to this share
 
-/// Normal equations of the parameters, the radii eliminated, and what moves each radius.
+/// Normal equations of the parameters, with the radii eliminated, and the step of each radius.
 struct Round {
     Matrix3d normal = Matrix3d::Zero();
     Vector3d gradient = Vector3d::Zero();
@@ -30,7 +30,7 @@ struct Round {
         : along(samples), by_parameter{Array1D(samples), Array1D(samples), Array1D(samples)} {}
 };
 
-/// Sums of two neighbouring samples at a time: the compiler may not reorder them by itself.
+/// Sums of two neighbouring samples at a time: the compiler may not reorder them.
 template <bool depth, bool radius>
 void evaluate(const Points& points, const Parameters& at, const Array1D& x, bool curvature, Round& round) {
     constexpr int parameters = depth ? 3 : 2;
@@ -48,7 +48,7 @@ void evaluate(const Points& points, const Parameters& at, const Array1D& x, bool
         for (Index i = first; i < last; i += width) {
             const auto curve = curve_at<depth, radius, Lane>(points, at, x.segment<width>(i), i);
             const Lane length = curve.dot(curve.tangent, curve.tangent), inverse = Lane::Ones() / length;
-            // Newton's step where the sample lies outside the bend, at most twice that of Gauss inside it
+            // Newton's step where the sample is outside the bend, at most twice that of Gauss inside it
             const Lane newton = Lane::Ones() / (length - curve.dot(curve.residual, curve.second).min(0.5 * length));
             round.along.segment<width>(i) = newton * curve.dot(curve.tangent, curve.residual);
             const auto offset = curvature ? curve.straightened(inverse) : curve.residual;
@@ -123,7 +123,7 @@ Vector3d within_reach(const Parameters& at, const Vector3d& step) {
     return reach > furthest ? Vector3d(step * (furthest / reach)) : step;
 }
 
-/// Parameters by a step, W kept exactly where it is held, and the radii with them.
+/// Moves the parameters by a step, with W exactly constant where it is fixed, and the radii with them.
 void move(Solution& solution, const Round& round, const Vector3d& step, Held held) {
     const Parameters before = solution.parameters;
     solution.parameters += step;
@@ -133,7 +133,7 @@ void move(Solution& solution, const Round& round, const Vector3d& step, Held hel
     solution.x = moved.max(closest * solution.x);
 }
 
-/// Whether a step is far below the standard errors, or nothing at all.
+/// Whether a step is far below the standard errors, or zero.
 bool small(const Vector3d& step, const Parameters& at, const Round& round, double freedom) {
     constexpr double of_value = 1e-13;
     return far_below_errors(step, round.normal, round.squares, freedom) || change(at, step) <= of_value;

@@ -58,7 +58,7 @@ Solution without_adhesion(const Points& points, const Solution& below) {
     return solution;
 }
 
-/// By how much the variance of the noise exceeds what the fit's corrections bear.
+/// Ratio by which the variance of the noise exceeds the range of the fit's corrections.
 double excess(const Fitted& fitted) {
     constexpr double curvature = 0.1, pretended = 0.05;
     const AlongTheCurve along = along_the_curve(fitted.points, fitted.solution);

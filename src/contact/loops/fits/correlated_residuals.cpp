@@ -136,7 +136,7 @@ double correlated_samples(const Autoregression& process, Index samples) {
     return std::max(1.0, sum);
 }
 
-/// One series of residuals, its part of the Jacobian's orthonormal basis B and the process found behind it.
+/// One series of residuals, its part of the Jacobian's orthonormal basis B and its process.
 struct Series {
     const VectorXd* residuals = nullptr;
     MatrixXd basis;
@@ -180,7 +180,7 @@ MatrixXd sum_of(const std::vector<Series>& series, MatrixXd Series::*part) {
     return sum;
 }
 
-/// Finds the processes behind the residuals, corrected for what the fit takes from them.
+/// Determines the processes of the residuals, corrected for the effect of the fit.
 void find_processes(std::vector<Series>& series) {
     const Index n = series.front().basis.rows(), most = std::min<Index>(10, n / 8);
     const VectorXd shares =

@@ -75,7 +75,7 @@ Array1D smoothed(const Array1D& time, const Array1D& values) {
     return result;
 }
 
-/// Radii that a law predicts, and where they lie among those measured.
+/// Radii predicted by a law, and their positions among the measured ones.
 class Problem {
 public:
     Problem(const RetractingEdge& edge, double radius, const Estimate& contact_modulus,
@@ -108,7 +108,7 @@ public:
     }
 
     /// Integrated, the law is linear in its scale: a(0) − a(t) = c ∫(G − G0)^m dt, m = 1/n, G from smoothed radii. Of
-    /// many G0 and m, each with the best c, the one whose course comes nearest to the radii.
+    /// many G0 and m, each with the best c, the one whose course is nearest to the radii.
     [[nodiscard]] EdgeParameters start() const {
         std::vector<double> powers{1.0, 1.25, 1.6, 2.0, 2.8, 4.5, 8.0};
         if (exponent_) powers = {1.0 / *exponent_};
@@ -174,7 +174,7 @@ public:
 private:
     [[nodiscard]] Index unknowns(bool tied) const { return 3 + (exponent_ ? 0 : 1) + (tied ? 1 : 0); }
 
-    /// Of EdgeCourse's derivatives, in the order of the unknowns.
+    /// Columns of EdgeCourse's derivatives, in the order of the unknowns.
     [[nodiscard]] std::vector<int> columns(bool tied) const {
         std::vector<int> kept{0, 2, 3};
         if (!exponent_) kept.push_back(4);
@@ -207,7 +207,7 @@ private:
     double unit_ = 1.0;
 };
 
-/// What E* of another branch, known to `standard_error` in ln E*, adds to a covariance whose last parameter is ln E*.
+/// Contribution of E* of another branch, with `standard_error` in ln E*, to a covariance whose last parameter is ln E*.
 Eigen::MatrixXd with_modulus(const Eigen::MatrixXd& covariance, double standard_error) {
     const Eigen::VectorXd shared = covariance.col(covariance.cols() - 1);
     return covariance - shared * shared.transpose() / (standard_error * standard_error + shared[shared.size() - 1]);
@@ -246,7 +246,7 @@ CrackSpeedFit fit_crack_speed(const RetractingEdge& edge, double radius, const E
     const Problem problem(edge, radius, contact_modulus, options);
     const Index n = problem.measured().size();
 
-    // E* as given first: its residuals tell the noise where nothing else does
+    // E* as given first: its residuals give the noise where it is unknown
     LeastSquaresSolution solution = solve_nonlinear(problem.function(0.0), problem.logarithms(problem.start(), false));
     CrackSpeedFit fit{.n = n};
     fit.iterations = solution.iterations;

@@ -13,7 +13,7 @@ namespace {
 using Slopes = Eigen::Matrix<double, 1, EdgeCourse::parameters>;
 enum : int { by_first_radius, by_modulus, by_threshold, by_reference_speed, by_exponent };
 
-/// Speed of receding, its derivative by the radius, and by the logarithms of the parameters at a given radius.
+/// Speed of retraction, its derivative by the radius, and by the logarithms of the parameters at a given radius.
 struct Receding {
     double speed = 0.0, by_radius = 0.0;
     Slopes by_logarithm = Slopes::Zero();
@@ -36,7 +36,7 @@ Receding receding(double a, double force, double radius, const EdgeParameters& a
     return result;
 }
 
-/// The radius a step later by the trapezoidal rule; NaN where there is none: the edge ran away.
+/// The radius a step later by the trapezoidal rule; NaN where there is none: the edge is unstable.
 double next_radius(double a, double step, const Receding& now, double force, double radius, const EdgeParameters& at) {
     constexpr int max_rounds = 30;
     constexpr double settled = 1e-13;

@@ -86,7 +86,7 @@ Estimate youngs_modulus(const Estimate& contact_modulus, const LensAndCounterBod
 
 namespace {
 
-/// From 0 to what a W of 0 could be by chance, where the best W is below 0.
+/// Interval from 0 to the largest W that is compatible with 0, where the best W is below 0.
 void bound_interval(JkrFit& fit) {
     if (!fit.unbounded_work) return;
     Estimate zero = fit.work_of_adhesion;

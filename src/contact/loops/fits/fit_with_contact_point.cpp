@@ -24,7 +24,7 @@ struct HeldProblem {
     double shape_unit;    ///< λ of a contact whose adhesion is as deep as its penetration
     double modulus_unit;  ///< [Pa]
 
-    /// λ of the second parameter, which is 1 where W = 0, so that steps can be told to be small beside it.
+    /// λ of the second parameter, which is 1 where W = 0, so that steps can be compared with it.
     [[nodiscard]] double shape_of(const Eigen::Vector2d& at) const { return (at[1] - 1.0) * shape_unit; }
 
     /// The best of many shapes, E* by linear regression, on some hundred of the samples.

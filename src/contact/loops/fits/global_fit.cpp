@@ -21,7 +21,7 @@ constexpr std::array<const char*, 4> slot_names{"contact_modulus", "work_of_adhe
                                                 "contact_point"};
 constexpr Index none = -1;
 
-/// Which unknown of the global fit each slot of each branch is.
+/// Unknown of the global fit for each slot of each branch.
 struct Layout {
     std::vector<std::array<Index, 4>> columns;
     std::vector<std::string> names;

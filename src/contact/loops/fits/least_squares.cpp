@@ -57,7 +57,7 @@ LeastSquaresSolution solve_nonlinear(const ResidualFunction& function, const Eig
     options.function_tolerance = 1e-15;
     options.parameter_tolerance = 1e-14;
     options.gradient_tolerance = 1e-16;
-    // the default of 5 ends, with a line on stderr, what a smaller step mends
+    // the default of 5 ends, with a line on stderr, where a smaller step is sufficient
     options.max_num_consecutive_invalid_steps = 100;
     ceres::Solver::Summary summary;
     ceres::Solve(options, &problem, &summary);

@@ -28,7 +28,7 @@ struct EdgeTerms {
 };
 
 EdgeTerms half_space_terms(double a, double radius) {
-    // E* = 1 and W = 1: every term by itself
+    // E* = 1 and W = 1: every term separately
     const contact::jkr::CurveAt<double> jkr(a);
     const double e = contact::jkr::press_coefficient(1.0, radius), g = contact::jkr::pull_coefficient(1.0),
                  p = 2.0 / 3.0 * g / e / radius;

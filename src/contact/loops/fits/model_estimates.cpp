@@ -44,7 +44,7 @@ contact::transition::RadiusCurve curve_of_slots(const FitParameters& at) {
             .transition_share = 1.0 / (1.0 + std::exp(-at[2]))};
 }
 
-// where α gives no λ to speak of
+// share for which α gives no useful λ
 constexpr double min_share = 0.01, max_share = 0.98;
 
 /// The contact of a transition curve; its limits are JKR's and DMT's.
@@ -71,7 +71,7 @@ void fill_transition(ModelFit& fit, const PreparedFit& prepared, const FitSoluti
     fit.pull_off_force = estimate(curve.pull_off_force, -curve.pull_off_force * std::sqrt(slots(1, 1)));
     fit.transition_share = estimate(share, share_error);
     const bool determined = share_error <= 0.25 && std::isfinite(contact.cohesive_stress);
-    // steps well above what the inverse through Maugis' model resolves
+    // steps well above the resolution of the inverse through Maugis' model
     constexpr double step = 1e-4;
     const Index rows = determined ? 3 : 2;
     Eigen::MatrixXd slopes(rows, 3);

@@ -65,7 +65,7 @@ void add_force_zero(ModelFit& fit, const BranchData& data, Index mode, const Len
     fit.correlations = correlations(fit.covariance);
 }
 
-/// Where λ ran off, W holds in that limit alone: is it told apart from W in the middle, at λ = 0.7?
+/// Where λ diverges, W is that of the limit: tests whether it can be distinguished from W in the middle, at λ = 0.7.
 void question_work(ModelFit& fit, const PreparedFit& prepared, const FitSolution& solution) {
     PreparedFit middle = prepared;
     middle.hold(2, std::log(0.7));
@@ -114,7 +114,7 @@ void fill_residuals(ModelFit& fit, const PreparedFit& prepared, const FitSolutio
 std::optional<contact::tabor::Verdict> verdict(const ModelFit& fit, const BranchData& data, double radius,
                                                double range) {
     if (!fit.work_of_adhesion || !(fit.work_of_adhesion->value > 0.0)) return std::nullopt;
-    // of equal largest attraction, σ0 = 16W/(9√3 z0): the relation turns σ0 into z0, too
+    // for equal largest attraction, σ0 = 16W/(9√3 z0): the relation also converts σ0 to z0
     if (fit.cohesive_stress)
         range = contact::tabor::lennard_jones_stress(fit.work_of_adhesion->value, fit.cohesive_stress->value);
     return contact::tabor::which_model(data.force.maxCoeff(),

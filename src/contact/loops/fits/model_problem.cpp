@@ -130,7 +130,7 @@ CurveTable BranchProblem::table(const FitParameters& at, Index entries) const {
         table.min_t = table.t.front();
     }
     const auto by_force = [](const CurvePoint& one, const CurvePoint& other) { return one.force < other.force; };
-    // of equal forces (bodies apart) the last
+    // of equal forces (separated bodies) the last
     const auto least = std::min_element(table.points.rbegin(), table.points.rend(), by_force);
     table.min_force = static_cast<std::size_t>(table.points.rend() - least - 1);
     return table;
@@ -163,8 +163,9 @@ BranchProblem::Foot BranchProblem::foot(Index sample, const FitParameters& at, c
         }
     }
     move(std::clamp(start, lowest, highest));
-    // the distance falls while tangent · error, here the pull, points along t; where it turns round lies the foot
-    double below = lowest, above = highest;  // of the foot
+    // the distance decreases while tangent · error, here the pull, points along t; the nearest point is where it
+    // changes its sign
+    double below = lowest, above = highest;  // bounds of the nearest point
     double pull_below = undefined, pull_above = undefined;
     double last_pull = std::numeric_limits<double>::infinity();
     for (int round = 0; round < 100; ++round) {
@@ -311,7 +312,8 @@ CurvePoint BranchProblem::point_at(double depth, const FitParameters& at, const 
 void BranchProblem::evaluate_at_displacement(const FitParameters& at, Eigen::Ref<VectorXd> residuals,
                                              MatrixXd* jacobian) const {
     const CurveTable curve_table = table(at, entries_of_table);
-    std::array<double, 3> end_by{};  // of the force where the curve ends: the end moves with the parameters
+    std::array<double, 3>
+        end_by{};  // derivatives of the force at the end of the curve: the end moves with the parameters
     for (Index p = 0; jacobian && p < curve_.parameters(); ++p) {
         const double step = 1e-5 * std::max(1.0, std::abs(at[p]));
         FitParameters more = at, less = at;

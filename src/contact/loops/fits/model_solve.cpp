@@ -306,7 +306,8 @@ FitParameters find_start(const PreparedFit& fit, const BranchData& data) {
     }
     std::sort(nearest.begin(), nearest.end(), by_distance);
     if (fit.is_free(2)) {
-        // of all: force and displacement have two least squares in λ, about 0.4 and 0.75, as good to 1e-5 of the range
+        // refined for all: force and displacement have two minima in λ, about 0.4 and 0.75, which agree to 1e-5 of the
+        // range
         for (Candidate& candidate : nearest) candidate = refined(fit, candidate.at);
         std::sort(nearest.begin(), nearest.end(), by_distance);
     }

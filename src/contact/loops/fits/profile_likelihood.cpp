@@ -23,7 +23,8 @@ using eiv::Solution;
 /// χ² against one parameter held, from one value to the next.
 class LikelihoodProfile {
 public:
-    /// straight: the samples fitted, with the offset of the curvature taken off. unit: variance the rise is counted in.
+    /// straight: the fitted samples, with the offset of the curvature subtracted. unit: variance in units of which the
+    /// rise is given.
     LikelihoodProfile(Points straight, const Solution& best, Held held, double unit)
         : points_(std::move(straight)), best_(best), held_(held), unit_(unit) {
         best_ = eiv::solve_carefully(points_, best.parameters, best.x);

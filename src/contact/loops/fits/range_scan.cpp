@@ -12,7 +12,7 @@
 namespace setae::loops {
 namespace {
 
-/// What every fit of the scan shares.
+/// Common data of all fits of the scan.
 struct Scan {
     const LoopAnalysis& analysis;
     const LensAndCounterBody& bodies;

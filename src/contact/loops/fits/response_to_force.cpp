@@ -14,8 +14,8 @@ namespace {
 
 namespace jkr = contact::jkr;
 
-/// What a contact answers to force, in reduced units: c M(f; p) with parameters c and p, M the contact radius; or, with
-/// three parameters, c M(f; p) + δ0, M the depth. Least squares in the answer.
+/// Response of a contact to force, in reduced units: c M(f; p) with parameters c and p, M the contact radius; or, with
+/// three parameters, c M(f; p) + δ0, M the depth. Least squares in the response.
 template <int parameters>
 struct Response {
     static constexpr bool is_depth = parameters == 3;
@@ -101,9 +101,9 @@ struct Response {
     }
 };
 
-/// What leads back to SI units.
+/// Conversion to SI units.
 struct Scales {
-    double radius, force, unit;  ///< of the sphere [m], of forces [N], of the answer [m]
+    double radius, force, unit;  ///< radius of the sphere [m], scale of forces [N], of the response [m]
     double modulus;              ///< E* of the solution [Pa]
     double modulus_power;        ///< E* ∝ c to this power
 };

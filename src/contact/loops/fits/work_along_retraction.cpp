@@ -35,7 +35,7 @@ struct Line {
     }
 };
 
-/// A retraction along a line, W_app and E* as given.
+/// A retraction along a line, with given W_app and E*.
 struct Retraction {
     const RetractionCourse& course;
     double contact_modulus = 0.0, work_approach = 0.0;
@@ -43,7 +43,7 @@ struct Retraction {
     [[nodiscard]] contact::jkr::Contact contact_at(double a, const Line& line) const {
         return {course.radius, contact_modulus, std::max(0.0, line(a))};
     }
-    /// Where motor and spring stand: δ + F/k.
+    /// Position of the motor: δ + F/k.
     [[nodiscard]] double stage(double a, const Line& line) const {
         const auto contact = contact_at(a, line);
         return contact::jkr::displacement(a, contact) + contact::jkr::force(a, contact) / course.machine_stiffness;
@@ -98,7 +98,7 @@ FittedLine fitted_line(const BranchData& data, const RetractionCourse& course, d
     line.largest_radius = course.largest_contact_radius;
     const Array1D along = (a - line.smallest_radius) / (line.largest_radius - line.smallest_radius);
     const bool noise_known = data.force_noise > 0.0 && data.contact_radius_noise > 0.0;
-    const int rounds = noise_known ? 4 : 1;  // of the weights, which have the slope
+    const int rounds = noise_known ? 4 : 1;  // iterations of the weights, which depend on the slope
     for (int round = 0; round < rounds; ++round) {
         Array1D deviation = Array1D::Ones(n);
         if (noise_known)
@@ -116,7 +116,7 @@ FittedLine fitted_line(const BranchData& data, const RetractionCourse& course, d
     return fitted;
 }
 
-/// Numbers of a line and their standard errors.
+/// Results of a line and their standard errors.
 struct Numbers {
     enum Which : Eigen::Index { at_pull_off, at_largest_contact, slope, loss, constant_loss, count };
     using Values = Eigen::Array<double, count, 1>;

@@ -85,7 +85,7 @@ std::vector<Index> chosen(const CurveSegment& segment, const ForceCurveFitOption
     return samples;
 }
 
-/// Hertz's law of any tip: E* and the offset are linear, the contact point is not.
+/// Hertz's law for any tip: E* and the offset are linear, the contact point is not.
 class DryProblem {
 public:
     DryProblem(Array1D displacement, Array1D force, const TipLaw& law, bool offset)
@@ -109,7 +109,7 @@ public:
         double best = displacement_.minCoeff(), least = std::numeric_limits<double>::infinity();
         constexpr int candidates = 200;
         for (int k = 0; k < candidates; ++k) {
-            // before the range too: a range of contact alone begins after the contact point
+            // also before the range: a range within contact begins after the contact point
             const double point = displacement_.minCoeff() + (2.0 * k / candidates - 1.0) * depth_unit_;
             const LeastSquaresSolution linear = plain(design(point));
             const double cost = linear.residuals.squaredNorm();
@@ -145,7 +145,7 @@ private:
         if (offset_) columns.col(1).setOnes();
         return columns;
     }
-    /// solve_linear without what the residuals say of errors.
+    /// solve_linear without the errors from the residuals.
     [[nodiscard]] LeastSquaresSolution plain(const Eigen::MatrixXd& columns) const {
         LeastSquaresSolution solution{.parameters = numerics::least_squares(columns, (force_ / force_unit_).matrix())};
         solution.residuals = (force_ / force_unit_).matrix() - columns * solution.parameters;

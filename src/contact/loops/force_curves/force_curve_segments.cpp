@@ -103,7 +103,7 @@ std::vector<CurveSegment> segments_of_curve(const Table& curve, const ForceCurve
         const Index middle = segment.baseline.range.first - range.first;
         const double zero = segment.displacement.segment(middle, segment.baseline.range.count()).mean();
         segment.force -= segment.baseline.force + segment.baseline.slope * (segment.displacement - zero);
-        // from the turning point outwards, the first sample that does not stand out of the noise
+        // from the turning point outwards, the first sample that does not exceed the noise
         const double level =
             std::max({3.0 * segment.baseline.force_noise, 1e-6 * segment.force.abs().maxCoeff(), rounding});
         Index at = approach ? n - 1 : 0;

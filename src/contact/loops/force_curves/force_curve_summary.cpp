@@ -13,7 +13,7 @@
 namespace setae::loops {
 namespace {
 
-/// The ways of a curve; nothing where it lacks one.
+/// The branches of a curve; empty where it lacks one.
 struct Ways {
     const CurveSegment* approach = nullptr;
     const CurveSegment* retraction = nullptr;
@@ -94,7 +94,7 @@ Estimate loss_of(const CurveSegment& approach, const CurveSegment& retraction, b
                         retraction.name, ratio));
     const double from = std::max(approach.displacement.minCoeff(), retraction.displacement.minCoeff());
     const Work in = work_of(approach, from, sloped), out = work_of(retraction, from, sloped);
-    // what the sample creeps while the base is held joins the two ways
+    // creep of the sample while the base is held connects the two branches
     const double held = 0.5 * (in.last_force + out.first_force) * (out.first_displacement - in.last_displacement);
     return {in.energy + held + out.energy, std::sqrt(in.variance + out.variance), "baseline noise"};
 }

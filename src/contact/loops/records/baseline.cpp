@@ -19,8 +19,7 @@ Array1D second_differences(const ArrayView1D& series) {
     return series.head(n - 2) - 2.0 * series.segment(1, n - 2) + series.tail(n - 2);
 }
 
-/// Covariance of two channels, from second differences as white noise has it, in proportion to what their noise exceeds
-/// that by.
+/// Covariance of two channels, from second differences as for white noise, in proportion to the excess of their noise.
 double covariance_of(const Array1D& x, const FreeFlightNoise& of_x, const Array1D& y, const FreeFlightNoise& of_y) {
     const double white = white_noise(x) * white_noise(y);
     if (!(white > 0.0)) return 0.0;

@@ -32,7 +32,7 @@ std::string message_of(ChannelFault fault) {
 
 /// A contact with a jump of the right sign: slopes also come from drift, and small jumps from a change of speed.
 bool makes_sense(const Loop& loop) {
-    constexpr double min_share = 0.01;  // of the range of the force
+    constexpr double min_share = 0.01;  // share of the range of the force
     const double range = loop.force.maxCoeff() - loop.force.minCoeff();
     const ContactEdges edges = find_contact_edges(loop);
     const auto jumps = [&](const std::optional<ForceJump>& jump) {
@@ -73,7 +73,7 @@ private:
     double n_ = 0.0, x_ = 0.0, y_ = 0.0, xx_ = 0.0, xy_ = 0.0, yy_ = 0.0;
 };
 
-/// Share of a series' variance that the best two straight lines, one after the other, leave.
+/// Share of a series' variance that remains after the best two straight lines in sequence.
 double left_by_two_lines(const Array1D& series) {
     constexpr Index fewest = 3;
     const Index n = series.size();

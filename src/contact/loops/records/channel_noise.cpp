@@ -59,7 +59,7 @@ FreeFlightNoise free_flight_noise(const ArrayView1D& series) {
     const Array1D at = Array1D::LinSpaced(n, -0.5 * (count - 1.0), 0.5 * (count - 1.0));
     Array1D rest = series - series.mean();
     rest -= (at * rest).sum() / at.square().sum() * at;
-    constexpr double rounding = 1e-24;  // of the squares: a straight line without noise
+    constexpr double rounding = 1e-24;  // share of the squares: a straight line without noise
     const double squares = rest.square().sum();
     if (!(squares > rounding * (series - series.mean()).square().sum())) return noise;
     const double neighbours = (rest.head(n - 1) * rest.tail(n - 1)).sum() / squares;

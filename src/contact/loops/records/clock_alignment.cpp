@@ -18,9 +18,9 @@ namespace setae::loops {
 namespace {
 
 constexpr Index min_frames = 20;
-constexpr Index max_frames_at_first = 2000;  ///< of the search over all offsets
-constexpr double onset_reach = 3.0;          ///< frames to both sides of the offset by the onset alone
-constexpr int fine_steps = 40;               ///< of the refined search, each frame
+constexpr Index max_frames_at_first = 2000;  ///< limit of the search over all offsets
+constexpr double onset_reach = 3.0;          ///< frames to both sides of the offset from the onset
+constexpr int fine_steps = 40;               ///< steps of the refined search per frame
 
 void require_clock(const Array1D& time, Index size, const char* subject) {
     if (time.size() != size || size < 2)
@@ -49,7 +49,7 @@ struct Frames {
     double interval = 0.0;
 };
 
-/// Three standard deviations of the noise of radii, from their second differences: what is below counts as no contact.
+/// Three standard deviations of the noise of radii, from their second differences: smaller radii are no contact.
 double min_radius(const std::vector<double>& radii) {
     std::vector<double> differences;
     for (std::size_t i = 2; i < radii.size(); ++i)
@@ -83,7 +83,7 @@ Frames usable_frames(const CameraRecord& camera) {
 /// Frames of free flight and of the first loading: where adhesion has hysteresis, force is a function of the radius
 /// there only.
 Frames before_unloading(const Frames& frames) {
-    constexpr double share = 0.98;  // of the largest radius, where loading counts as over
+    constexpr double share = 0.98;  // share of the largest radius at which loading ends
     const double top = share * frames.radius.maxCoeff();
     std::vector<double> time, radius;
     bool loading = true;
@@ -136,7 +136,7 @@ Array1D averaged(const Array1D& time, const Array1D& values, double width) {
 /// The relation between F, δ and a at one offset.
 struct Trial {
     double residual = 0.0;  ///< sum of squares
-    double total = 0.0;     ///< of forces about their mean
+    double total = 0.0;     ///< sum of squares of forces about their mean
     Index frames = 0;
     double neighbours = 0.0;  ///< correlation of residuals of successive frames
 
@@ -254,9 +254,9 @@ const Candidate& best_of(const std::vector<Candidate>& candidates) {
                              [](const auto& a, const auto& b) { return a.trial.explained() < b.trial.explained(); });
 }
 
-/// Standard error: a quarter of the range in which the sum of squares exceeds its least by no more than two standard
-/// errors would. The sum falls in steps where a frame passes a jump, so that its curvature says little. NaN where it
-/// never does.
+/// Standard error: a quarter of the range in which the sum of squares exceeds its minimum by no more than two standard
+/// errors would. The sum decreases in steps where a frame passes a jump, so that its curvature is not meaningful. NaN
+/// where it never does.
 double standard_error(const Search& search, const Candidate& best) {
     const double correlation = std::clamp(best.trial.neighbours, 0.0, 0.95);
     const double independent =
@@ -271,12 +271,12 @@ double standard_error(const Search& search, const Candidate& best) {
             const auto trial = search(best.offset + direction * k * step);
             if (trial.frames < best.trial.frames / 2 || trial.residual > limit) break;
         }
-    // where within a frame a jump lies is not known: two jumps, evenly likely places
+    // the position of a jump within a frame is unknown: two jumps with uniform distributions
     const double hidden = search.interval() / std::sqrt(2.0 * 12.0);
     return std::hypot(0.25 * step * static_cast<double>(range + 2), hidden);
 }
 
-/// Offset that brings the first frame in contact behind the jump-in and the frame before it ahead.
+/// Offset at which the first frame in contact is after the jump-in and the frame before it before.
 std::optional<Estimate> by_onset(const Loop& force, const Frames& frames) {
     std::optional<double> parted, touching;
     for (Index i = 0; i + 1 < frames.time.size() && !touching; ++i) {
@@ -332,7 +332,7 @@ ClockAlignment align_clocks(const Loop& force, const CameraRecord& camera, const
                         frames.time.size(), min_frames));
     const auto onset = by_onset(force, all);
     auto range = searched(force, frames.time, options);
-    // without displacement loading alone may fit elsewhere as well: the first contact says where to look
+    // without displacement loading may also fit elsewhere: the first contact limits the search
     if (!displaced && onset && onset->value > range.lower && onset->value < range.upper)
         range = {std::max(range.lower, onset->value - onset_reach * all.interval),
                  std::min(range.upper, onset->value + onset_reach * all.interval)};

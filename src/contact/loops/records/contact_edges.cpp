@@ -14,7 +14,7 @@ namespace setae::loops {
 namespace {
 
 constexpr Index min_free = 5;           ///< samples of free flight
-constexpr double contact_share = 0.15;  ///< of the slope near the turn, above which samples are in contact
+constexpr double contact_share = 0.15;  ///< share of the slope near the turn above which samples are in contact
 
 double quantile_of(Array1D values, double share) {
     std::sort(values.begin(), values.end());
@@ -63,10 +63,10 @@ Slopes slopes_of(const Loop& loop) {
     }
 }
 
-/// Sample of the largest position. Nothing where the smallest stands out of both ends more than the largest does: a
-/// record that comes from there and goes back.
+/// Sample of the largest position. Empty where the smallest differs from both ends more than the largest does: a record
+/// in the opposite direction.
 std::optional<Index> turn_of(const Array1D& position) {
-    constexpr double stands_out = 0.05;  // of the travel
+    constexpr double stands_out = 0.05;  // share of the travel
     const double first = position[0], last = position[position.size() - 1];
     Index at = 0;
     const double highest = position.maxCoeff(&at), lowest = position.minCoeff();
@@ -89,7 +89,7 @@ std::vector<IndexRange> stretches(const std::vector<bool>& mask, Index fewest) {
     return found;
 }
 
-/// Of several contacts the first jump in and the last jump out, next to it the clearest.
+/// For several contacts the first jump in and the last jump out, next to it the clearest.
 std::optional<ForceJump> outermost_jump(const Loop& loop, const Array1D& clock, const JumpSearch& search) {
     std::vector<ForceJump> jumps = force_jumps(clock, loop.force, search);
     if (jumps.empty()) return std::nullopt;
@@ -110,7 +110,7 @@ std::optional<ForceJump> outermost_jump(const Loop& loop, const Array1D& clock, 
 /// Slope in time of the force at either end of the record.
 struct EndSlopes {
     double first = 0.0, last = 0.0;
-    double motion_first = 0.0, motion_last = 0.0;  ///< of the displacement
+    double motion_first = 0.0, motion_last = 0.0;  ///< motion of the displacement
 
     explicit EndSlopes(const Slopes& slopes) {
         const Index n = slopes.force.size(), taken = std::max<Index>(min_free, n / 25);
@@ -152,7 +152,7 @@ ContactEdges find_contact_edges(const Loop& loop) {
     edges.turn = *turn;
     edges.contact_slope = slope_at_turn(slopes, ends, position, edges.turn);
     const double usual_speed = median_of(slopes.displacement.abs());
-    constexpr double min_speed = 0.05;  // of the usual one: a resting stage divides by nothing
+    constexpr double min_speed = 0.05;  // share of the usual speed: prevents a division by zero for a resting stage
     Array1D excess(n);
     std::vector<bool> touching(static_cast<std::size_t>(n));
     for (Index i = 0; i < n; ++i) {

@@ -33,7 +33,7 @@ std::vector<IndexRange> inner_branches(const Segments& segments, const ContactSe
     return branches;
 }
 
-/// Windows of about a third of a branch that overlap by half: a cubic follows the force in each.
+/// Windows of about a third of a branch that overlap by half: a cubic fits the force in each.
 std::vector<IndexRange> windows_of(const IndexRange& branch) {
     constexpr Index fewest = 24, most = 120;
     const Index width = std::min(std::clamp(branch.count() / 3, fewest, most), branch.count());
@@ -48,7 +48,7 @@ std::vector<IndexRange> windows_of(const IndexRange& branch) {
 }  // namespace
 
 std::vector<ForceStep> steps_in_contact(const Loop& level, const Segments& segments, const std::vector<Index>& bends) {
-    constexpr double visible = 0.02;  // of the largest tension
+    constexpr double visible = 0.02;  // share of the largest tension
     const double least = visible * std::max(-level.force.minCoeff(), 0.0);
     std::vector<ForceStep> steps;
     for (const ContactSegments& contact : segments.contacts)

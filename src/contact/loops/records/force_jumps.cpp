@@ -27,7 +27,7 @@ void add_jumps(const Array1D& clock, const LocalLines& lines, Index gap, const J
                std::vector<ForceJump>& found) {
     const Index width = lines.width(), first = std::max(search.samples.first, width - 1);
     const Index last = std::min(search.samples.last, clock.size() - width - 1 - gap), n = last - first + 1;
-    constexpr Index fewest = 8;  // to know what differences usually are
+    constexpr Index fewest = 8;  // number of differences for a typical value
     if (n < fewest) return;
     Array1D sizes(n), errors(n);
     std::vector<bool> flat(static_cast<std::size_t>(n));

@@ -41,7 +41,7 @@ struct Vertex {
     double standard_error;
 };
 
-/// What values scatter about a smooth curve: about a polynomial of fourth degree, which follows the shape of a minimum.
+/// Scatter of values about a smooth curve: about a polynomial of fourth degree, which fits the shape of a minimum.
 Eigen::VectorXd scatter_of(const Eigen::VectorXd& values, const Array1D& u) {
     constexpr Index coefficients = 5;
     if (values.size() <= 2 * coefficients) return Eigen::VectorXd::Zero(values.size());

@@ -25,7 +25,7 @@ constexpr Index max_degree = 3;
 /// One stretch of free flight.
 struct Stretch {
     IndexRange range;
-    double variance = 0.0;  ///< of a mean of n samples times n [N²]: neighbours' noise may be alike
+    double variance = 0.0;  ///< variance of a mean of n samples times n [N²], with correlations of neighbours
 };
 
 /// 1, u, u², … at every sample.
@@ -129,7 +129,7 @@ std::vector<IndexRange> free_ranges(const Segments& segments, DriftModel model) 
     return ranges;
 }
 
-/// Samples between the first and the last stretch; of one stretch all those beside it.
+/// Samples between the first and the last section; for one section all others.
 IndexRange contact_between(const std::vector<Stretch>& stretches, Index samples) {
     if (stretches.size() > 1) return {stretches.front().range.last + 1, stretches.back().range.first - 1};
     const IndexRange& range = stretches.front().range;
@@ -153,10 +153,10 @@ Array2D modes_of(const Curve& curve, const Array1D& u) {
     return (powers(u, curve.coefficients.size() - 1) * *lower).array();
 }
 
-/// The degree of polynomial that free flight asks for.
+/// The degree of polynomial for the free flight.
 struct Chosen {
     Index degree = 1;
-    double doubt = 0.0;  ///< one standard deviation of what its choice leaves open within contact [N]
+    double doubt = 0.0;  ///< one standard deviation of the error by the choice of degree within contact [N]
     bool irregular = false;
 };
 
@@ -182,15 +182,14 @@ Chosen automatic_degree(const Loop& loop, const FreeFlight& flight) {
     if (chosen.degree == max_degree && bend(before) > max_bend * std::max(change, share_of_tension * tension)) {
         return {.degree = 1, .doubt = 0.5 * bend(before), .irregular = true};
     }
-    // of a cubic nothing is left to test: what it bends away from the line is in doubt
+    // a cubic cannot be tested: its deviation from the line is uncertain
     const Array1D next = chosen.degree < max_degree ? flight.along(flight.fitted(chosen.degree + 1)) : line;
     const double share = chosen.degree < max_degree ? 0.5 : 0.25;
     chosen.doubt = share * (next - before).segment(contact.first, contact.count()).abs().maxCoeff();
     return chosen;
 }
 
-/// Between the stretches of free flight, where it is zero, the error of a curve may have any shape: the first two
-/// waves.
+/// Between the sections of free flight, where it is zero, the error of a curve may have any shape: the first two waves.
 void add_doubt(Array2D& modes, const IndexRange& contact, double size) {
     const Index added = modes.cols();
     modes.conservativeResize(Eigen::NoChange, added + 2);

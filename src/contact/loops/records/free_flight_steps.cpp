@@ -8,7 +8,7 @@
 namespace setae::loops {
 
 IndexRange cut_at_steps(const Loop& loop, IndexRange range, bool before_contact, std::vector<ForceStep>& steps) {
-    constexpr double visible = 1e-3;  // of the range of the force
+    constexpr double visible = 1e-3;  // share of the range of the force
     const double least = visible * (loop.force.maxCoeff() - loop.force.minCoeff());
     while (const auto step = step_in(loop.force.segment(range.first, range.count()), {.degree = 1, .rivalling = 3})) {
         if (std::abs(step->size) < least) break;

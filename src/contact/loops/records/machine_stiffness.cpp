@@ -49,8 +49,8 @@ Branch branch_above(const Loop& loop, const Segments& segments, const IndexRange
     return branch;
 }
 
-/// Huber's M-estimate of a straight line: residuals beyond 1.345 standard deviations, that of the middle half, count by
-/// their sign alone.
+/// Huber's M-estimate of a straight line: residuals beyond 1.345 standard deviations, that of the middle half, enter by
+/// their sign only.
 Line robust_line(const Branch& branch) {
     constexpr double bend = 1.345, scatter_over_median_deviation = 1.4826;
     constexpr int rounds = 30;
@@ -107,7 +107,7 @@ Estimate slope_growth(const Branch& branch, double slope) {
             .standard_error = std::hypot(above.standard_error, below.standard_error) / slope};
 }
 
-/// Of hard bodies that do not stick: up to the largest force, and from there on.
+/// For hard bodies without adhesion: up to the largest force, and from there on.
 Segments pressed_and_released(const Loop& loop) {
     Index peak = 0;
     (void)loop.force.maxCoeff(&peak);
@@ -158,7 +158,7 @@ MachineStiffness machine_stiffness_from_rigid_contact(const Loop& loop, const Se
     const Line out = robust_line(released);
     result.unloading = estimate(out.slope, out.standard_error);
     result.n += released.force.size();
-    // branches weigh alike: what parts them is no noise
+    // branches have equal weights: their difference is not noise
     result.stiffness =
         estimate(0.5 * (in.slope + out.slope),
                  std::hypot(0.5 * std::hypot(in.standard_error, out.standard_error), 0.5 * (in.slope - out.slope)));

@@ -26,8 +26,8 @@ void require_series(const Array1D& series, const char* name, Index expected, boo
                 fmt::format("{} is undefined at sample {}; remove such samples from all series", name, i));
 }
 
-/// Scatter of the force in free flight, averaged over so many neighbours on both sides: 1.4826 times the median of its
-/// magnitude, so that a stretch that reaches into contact counts as the free flight that most of it is.
+/// Scatter of the force in free flight, averaged over a number of neighbours on both sides: 1.4826 times the median of
+/// its magnitude, so that a section that extends into contact is treated as free flight.
 double scatter_in_free_flight(const Array1D& level, const Segments& segments, Index neighbours) {
     constexpr double normal_scale = 1.4826;
     double largest = 0.0;
@@ -73,7 +73,7 @@ Record make_record(const Loop& loop, const Array1D& level, const Segments& segme
     record.range = level.maxCoeff() - level.minCoeff();
     if (!(record.range > 0.0)) throw UndefinedDataError("the force contains only drift and no contact");
     double scatter = scatter_in_free_flight(level, segments, 0);
-    constexpr double range_of_noise = 12.0;  // in standard deviations, beyond any that noise reaches
+    constexpr double range_of_noise = 12.0;  // in standard deviations, beyond the range of noise
     if (record.range <= range_of_noise * scatter)
         throw UndefinedDataError(
             fmt::format("the force never exceeds its noise (range {}, scatter of free flight {}); the record contains "
@@ -89,7 +89,7 @@ Record make_record(const Loop& loop, const Array1D& level, const Segments& segme
         record.force = local_means(level, neighbours);
         record.range = record.force.maxCoeff() - record.force.minCoeff();
     }
-    constexpr double rounding = 1e-9;  // of the range: what counts as zero in a record without noise
+    constexpr double rounding = 1e-9;  // share of the range: zero in a record without noise
     constexpr double free_share = 0.01;
     record.feature = std::max(options.feature_factor * scatter, rounding * record.range);
     record.free_level = std::max(record.feature, free_share * record.range);

@@ -11,7 +11,7 @@
 namespace setae::loops {
 namespace {
 
-/// The power of 1000 that brings a value, which goes as the factor to the power given, next to what is usual.
+/// The power of 1000 that brings a value, which is proportional to a power of the factor, next to its usual value.
 double likely_factor(double value, double usual, double power) {
     const double decades = std::log10(usual / value) / power;
     return std::pow(10.0, 3.0 * std::round(decades / 3.0));

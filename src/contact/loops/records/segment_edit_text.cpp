@@ -33,7 +33,7 @@ GivenRange range_from(std::string_view range, std::string_view whole) {
     }
 }
 
-/// The segment of a contact that a name stands for.
+/// The segment of a contact with a given name.
 template <class Contact>
 auto* segment_of(Contact& contact, std::string_view name) {
     if (name == "jump_in") return &contact.jump_in;

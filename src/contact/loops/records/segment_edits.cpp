@@ -27,7 +27,7 @@ struct Part {
     bool needed = false;
 };
 
-/// Found parts make room for given ones; two given ones may share a sample, no more.
+/// Shortens found parts in favour of given ones; two given ones may share one sample.
 void fit_together(std::vector<Part>& parts) {
     Part* before = nullptr;
     for (Part& part : parts) {
@@ -88,7 +88,7 @@ std::vector<Cycle> cycles_between(const std::vector<Index>& cuts, const ContactS
     return cycles;
 }
 
-/// The cycles found, cut to what is now loading and unloading.
+/// The cycles found, limited to the present loading and unloading.
 std::vector<Cycle> cycles_within(std::vector<Cycle> cycles, const ContactSegments& contact) {
     if (!contact.unloading) return {};
     std::erase_if(cycles, [&](const Cycle& c) {

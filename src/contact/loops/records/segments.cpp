@@ -51,8 +51,8 @@ void drop_slips(const Record& record, Touch& touch) {
     }
 }
 
-/// Removes a last rise of the force while the bodies are drawn apart: under fixed grips a contact goes on past its
-/// smallest force, and the record may end there.
+/// Removes a last rise of the force during separation: under fixed grips a contact continues beyond its smallest force,
+/// and the record may end there.
 void drop_rise_before_separation(const Record& record, Touch& touch) {
     if (touch.peaks.size() < 2 || touch.troughs.size() != touch.peaks.size()) return;
     if (record.position(touch.peaks.back()) < record.position(touch.troughs.back())) touch.peaks.pop_back();
@@ -185,7 +185,7 @@ void require_press(const Record& record, const ContactSegments& contact) {
                     contact.loading.first, contact.loading.last));
 }
 
-/// Without a measured radius, adhesion is what tells contact from drift.
+/// Without a measured radius, adhesion distinguishes contact from drift.
 void require_adhesion(const Record& record, const Segments& segments) {
     if (record.has_radius()) return;
     for (const ContactSegments& contact : segments.contacts)
@@ -204,7 +204,7 @@ void require_adhesion(const Record& record, const Segments& segments) {
             "the record shows no contact: it has no free flight and no jump of the force into or out of "
             "contact, or it begins and ends in contact; record free flight before or after contact, or give "
             "the zero of force (force_zero)");
-    constexpr double range_of_noise = 12.0;  // in standard deviations, beyond any that noise reaches
+    constexpr double range_of_noise = 12.0;  // in standard deviations, beyond the range of noise
     const double range = loop.force.maxCoeff() - loop.force.minCoeff(), noise = record_noise(loop.force);
     if (range <= range_of_noise * noise)
         throw UndefinedDataError(
@@ -216,8 +216,7 @@ void require_adhesion(const Record& record, const Segments& segments) {
         "are");
 }
 
-/// Contact and free flight that the record itself shows. @throws ChannelFaultError unless the user has said where free
-/// flight is.
+/// Contact and free flight of the record. @throws ChannelFaultError unless the user has given the free flight.
 ContactEdges edges_of(const Loop& loop, bool said) {
     ContactEdges edges;
     if (loop.displacement.size() > 0) edges = find_contact_edges(loop);
@@ -226,7 +225,7 @@ ContactEdges edges_of(const Loop& loop, bool said) {
     if (loop.contact_radius.size() == 0) return edges;
     const ContactEdges seen = contact_edges_of_frames(loop);
     if (!edges.found || !seen.found) return seen;
-    // the frames know which samples are in contact, the force between which frames it began
+    // the frames give the samples in contact, the force the frames between which it began
     if (edges.before && seen.before) edges.before->last = std::min(edges.before->last, seen.before->last);
     else edges.before = seen.before;
     if (edges.after && seen.after) edges.after->first = std::max(edges.after->first, seen.after->first);
@@ -248,7 +247,7 @@ Baseline baseline_with_zero(const Loop& loop, double force) {
     return baseline;
 }
 
-/// The share of the record, from its start, that is said to be free flight.
+/// The given share of the record, from its start, that is free flight.
 IndexRange share_of(const Loop& loop, double share, const ContactEdges& edges) {
     if (!(share > 0.0 && share < 1.0))
         throw InvalidArgument(fmt::format("baseline_share must lie in (0, 1), got {}", share));

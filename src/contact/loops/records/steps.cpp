@@ -14,7 +14,7 @@ namespace {
 
 constexpr Index min_beside = 8;
 
-/// Orthonormal polynomials over so many samples, one a column.
+/// Orthonormal polynomials over a number of samples, one per column.
 Eigen::MatrixXd polynomials(Index samples, Index degree) {
     const Array1D u = Array1D::LinSpaced(samples, -1.0, 1.0);
     Eigen::MatrixXd powers = Eigen::MatrixXd::Ones(samples, degree + 1);
@@ -28,8 +28,8 @@ Array1D residuals(const Array1D& series, const Eigen::MatrixXd& basis) {
 
 struct Candidate {
     Step step;
-    double variance = 0.0;  ///< of the size, for noise of variance 1
-    double gain = 0.0;      ///< by which the sum of squares falls
+    double variance = 0.0;  ///< variance of the size, for noise of variance 1
+    double gain = 0.0;      ///< decrease of the sum of squares
 };
 
 Candidate best_step(const Array1D& rest, const Eigen::MatrixXd& basis) {

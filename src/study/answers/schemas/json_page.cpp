@@ -41,7 +41,8 @@ std::string type_of(const Json& schema) {
 
 void add_rows(const Json& schema, const std::string& prefix, std::string& rows);
 
-/// What may hold names of its own: a part, what a list or an object by name holds, the part that is no null.
+/// Schemas that may contain further names: a part, the contents of a list or of an object by name, the part other than
+/// null.
 void add_rows_within(const Json& schema, const std::string& name, std::string& rows) {
     add_rows(schema, name + ".", rows);
     if (schema.contains("items")) add_rows(schema["items"], name + "[].", rows);
@@ -59,7 +60,7 @@ void add_rows(const Json& schema, const std::string& prefix, std::string& rows) 
     }
 }
 
-/// What a schema is, and the names in it.
+/// Description of a schema, and the names in it.
 std::string described(const Json& schema) {
     const bool named = schema.contains("properties");
     auto text = fmt::format("\n{}{}.\n", named ? "" : type_of(schema) + ": ", text_of(schema, "description"));

@@ -23,7 +23,7 @@ namespace {
 
 using output::Json;
 
-/// The file of what several commands print.
+/// The file of schemas that several commands share.
 constexpr std::string_view shared = "shared";
 constexpr std::string_view place_of_shared = "#/$defs/";
 

@@ -15,7 +15,7 @@ namespace {
 
 std::string cell(const std::string& text) { return spreadsheet_cell(text); }
 
-/// Twelve digits: what was scaled to the unit of an axis ends as it began.
+/// Twelve digits: numbers that were scaled to the unit of an axis are recovered.
 std::string cell(double value) { return std::isnan(value) ? std::string() : fmt::format("{:.12g}", value); }
 
 std::string cell(const Array1D& values, Index i) { return values.size() == 0 ? std::string() : cell(values[i]); }

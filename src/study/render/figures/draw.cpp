@@ -31,7 +31,7 @@ std::vector<std::string> environment() {
     return variables;
 }
 
-/// Runs gnuplot on a script, its words into a file. The script names its output relative to `folder`.
+/// Runs gnuplot on a script, with its messages in a file. The script names its output relative to `folder`.
 platform::ProcessEnd run_gnuplot(const std::string& folder, const std::string& script, const std::string& words) {
     // --default-settings: no initialisation file of the user changes a figure
     return platform::run({.words = {"gnuplot", "--default-settings", script},
@@ -40,8 +40,7 @@ platform::ProcessEnd run_gnuplot(const std::string& folder, const std::string& s
                           .output = words});
 }
 
-/// A PDF without the time of its making: cairo knows no way to leave it out. Same length, so offsets in the file still
-/// hold.
+/// A PDF without its time of creation, which cairo cannot omit. Equal length, so offsets in the file stay valid.
 void erase_date(std::string& content) {
     constexpr std::string_view key = "/CreationDate (D:";
     for (auto at = content.find(key); at != std::string::npos; at = content.find(key, at + 1)) {
@@ -58,8 +57,8 @@ void replace_all(std::string& text, std::string_view from, std::string_view to) 
         text.replace(at, from.size(), to);
 }
 
-/// SVG with what gnuplot leaves to the reader: fonts that look alike where there is no Liberation Sans, which the file
-/// names and does not hold, blanks between upright and italic text, and a sign that gnuplot does not escape.
+/// Completes an SVG: similar fonts where there is no Liberation Sans, which the file names and does not contain, blanks
+/// between upright and italic text, and a character that gnuplot does not escape.
 void complete_svg(std::string& content) {
     replace_all(content, "font-family=\"Liberation Sans\"",
                 "font-family=\"Liberation Sans, Arial, Helvetica, sans-serif\"");
@@ -68,7 +67,7 @@ void complete_svg(std::string& content) {
     replace_all(content, "]]>", "]]&gt;");
 }
 
-/// What gnuplot writes, within a folder of its own.
+/// Name of gnuplot's output, within a folder of its own.
 std::string output_name(const std::string& ending) { return "figure." + ending; }
 
 }  // namespace

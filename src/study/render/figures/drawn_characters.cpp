@@ -17,7 +17,7 @@ bool in_own_font(char32_t code) {
     return code < 0x500 || (code >= 0x1e00 && code < 0x2000) || (code >= 0x2010 && code < 0x20a0);
 }
 
-/// What fc-list says of a character; nothing is passed to the shell but a number.
+/// Result of fc-list for a character; only a number is passed to the shell.
 bool in_some_font(char32_t code) {
     constexpr char32_t first_of_asia = 0x2e80;
     const auto families =

@@ -42,7 +42,7 @@ struct Style {
 Style style_of(const Series& series, std::size_t place) {
     const int colour = colour_of(series, place);
     const int symbol = series.symbol >= 0 ? series.symbol : colour;
-    // symbols tell lines apart that have them
+    // symbols distinguish lines that have them
     const int dash = series.dash >= 0 ? series.dash : series.mark == Mark::both ? 0 : symbol;
     return {"lc rgb " + colour_name(colour, series.opacity), chosen(symbols, symbol), chosen(dashes, dash)};
 }
@@ -75,7 +75,7 @@ std::string data_lines(const Panel& panel, const Series& series, const Range& x,
             continue;
         }
         interrupted = false;
-        // an end a logarithmic axis cannot show lies below it; an undefined one at the point
+        // an end outside a logarithmic axis is below it; an undefined one at the point
         const double bottom = std::isnan(lower) ? middle : on(panel.y, lower, y.from);
         const double left = at(series.left, i, undefined);
         fmt::format_to(std::back_inserter(lines), "{} {} {} {} {} {}\n", series.x[i], middle, bottom,

@@ -57,8 +57,8 @@ std::string typeset_unit(std::string_view unit) {
     return result;
 }
 
-/// Markup in gnuplot's quotes. Release 5.4 ends a text at two apostrophes in a row, and at one beside the text's own:
-/// an empty group parts them.
+/// Markup in gnuplot's quotes. Release 5.4 ends a text at two apostrophes in a row, and at one next to the text's own:
+/// an empty group separates them.
 std::string in_quotes(std::string markup) {
     constexpr std::string_view apostrophe = "''", two = "''''";
     for (auto at = markup.find(two); at != std::string::npos; at = markup.find(two, at)) markup.insert(at + 2, "{}");

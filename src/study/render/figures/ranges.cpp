@@ -33,7 +33,7 @@ void require_ends(const Axis& axis, const Range& range) {
                                       axis.logarithmic ? ", positive on a logarithmic axis" : ""));
 }
 
-/// Ends of what is seen, scaled.
+/// Ends of the visible data, scaled.
 class Extent {
 public:
     explicit Extent(const Axis& axis) : axis_(axis) {}

@@ -18,13 +18,13 @@ namespace {
 constexpr double millimetres_per_inch = 25.4;
 constexpr double text_points = 8.0, small_points = 7.0;
 
-/// A terminal, and what makes its text and symbols as large as the others'.
+/// A terminal, with the scales that give text and symbols equal sizes in all terminals.
 struct Terminal {
     std::string definition;
     double point = 1.0;  ///< a point (1/72 inch) in its unit of text
     SymbolSize symbol;
-    double raised_numbers = 0.0;   ///< of numbers below axes, in heights of text
-    double legend_spacing = 1.05;  ///< of lines
+    double raised_numbers = 0.0;   ///< shift of numbers below axes, in heights of text
+    double legend_spacing = 1.05;  ///< spacing of lines
 };
 
 Terminal terminal(const Figure& figure, const std::string& ending) {
@@ -32,7 +32,7 @@ Terminal terminal(const Figure& figure, const std::string& ending) {
     const double width = figure.width_mm / millimetres_per_inch, height = figure.height_mm / millimetres_per_inch;
     const bool pictures = std::any_of(figure.panels.begin(), figure.panels.end(),
                                       [](const Panel& panel) { return panel.map.has_value(); });
-    if (ending == "svg")  // 96 pixels an inch; pictures within the file, not beside it
+    if (ending == "svg")  // 96 pixels per inch; pictures within the file
         return {
             fmt::format("svg size {:.0f},{:.0f} fixed enhanced rounded font '{},{:.2f}' linewidth 1.1 name 'figure'{}",
                         96.0 * width, 96.0 * height, font, text_points * 4.0 / 3.0, pictures ? " standalone" : ""),
@@ -156,7 +156,7 @@ std::string panel_lines(const Figure& figure, std::size_t p, const Terminal& dev
         for (const auto& element : elements(series, s, name, {0.6 * device.symbol.symbols, device.symbol.diamonds}))
             plot(element);
     }
-    // a legend alone is no plot
+    // only a legend is no plot
     if (plots.starts_with("keyentry")) plots = "NaN notitle, \\\n     " + plots;
     script += fmt::format(
         "set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\nset tmargin at screen {:.5f}\nset bmargin at screen {:.5f}\n",
@@ -165,7 +165,7 @@ std::string panel_lines(const Figure& figure, std::size_t p, const Terminal& dev
     script += axis_lines(panel.x, x, axes.right - axes.left, 'x') + axis_lines(panel.y, y, axes.top - axes.bottom, 'y');
     script += panel.sketch ? "unset border\nunset xtics\nunset ytics\n" : "set border 15 lw 0.8\n";
     script += key_line(panel, x, y, layout, figure, small, device.legend_spacing) + "unset label\nunset arrow\n";
-    // gnuplot's own axis titles stand elsewhere in each terminal
+    // gnuplot's own axis titles have other positions in each terminal
     const auto title = [&](const std::string& quoted, double across_mm, double up_mm, const char* how) {
         script += fmt::format("set label {} at screen {} {}\n", quoted, on_page(figure, across_mm, up_mm), how);
     };

@@ -57,7 +57,7 @@ std::string logarithmic_tick_lines(const Range& range, double length_mm, char na
     constexpr double min_mm = 7.5;
     const double decades = std::log10(range.to / range.from);
     const int step = std::max(1, static_cast<int>(std::ceil(min_mm * decades / length_mm)));
-    // within little more than a decade powers of ten alone would leave the axis bare
+    // within about a decade, only powers of ten would leave the axis bare
     const bool few = decades < 1.6;
     std::string ticks;
     const auto add = [&](int digit, int decade, bool named) {

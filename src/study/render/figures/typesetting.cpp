@@ -13,7 +13,7 @@ namespace {
 
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
-/// What _ and ^ apply to: {group}, or letters and digits (ASCII, or any character beyond).
+/// Operand of _ and ^: {group}, or letters and digits (ASCII, or any character beyond).
 std::string_view taken_operand(std::string_view& text) {
     if (text.starts_with('{')) {
         const auto close = text.find('}');

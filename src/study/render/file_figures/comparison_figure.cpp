@@ -14,7 +14,7 @@ namespace {
 
 using figures::Mark;
 
-/// What a panel shows.
+/// Content of a panel.
 struct Shown {
     const char *title, *column, *quantity;
     bool logarithmic;
@@ -63,7 +63,7 @@ StudyFigure comparison_figure(const Table& load, const std::string& file, const 
     const Array1D scaled = pressure / unit.factor;
     std::vector<Shown> panels{{"A", "area_fraction", "area in contact *A*/*A*_0", true},
                               {"B", "mean_gap", "mean gap *ū*", false}};
-    if (wide) {  // a column has no room for them
+    if (wide) {  // a column has no space for them
         panels.push_back({"C", "contact_stiffness", "stiffness *K*", true});
         panels.push_back({"D", "stored_energy", "stored energy *U*_el/*A*_0", true});
     }

@@ -15,7 +15,7 @@ namespace {
 using figures::Mark;
 
 constexpr Index max_edges = 12;
-constexpr Index max_points = 400;  ///< of a distribution
+constexpr Index max_points = 400;  ///< points of a distribution
 
 figures::Panel edges_panel(const contact_line::ContactLine& line) {
     const double largest = line.radius.maxCoeff();

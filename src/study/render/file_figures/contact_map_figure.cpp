@@ -16,10 +16,10 @@ using figures::Panel;
 
 constexpr Index max_cells = 256;
 
-/// What is drawn of a state.
+/// Drawn quantity of a state.
 struct Field {
     const char *quantity, *unit;
-    double min_range;  ///< of colours, where all points are alike
+    double min_range;  ///< range of colours, where all points are equal
 };
 constexpr Field pressure_field{"pressure *p*", "Pa", 1.0}, gap_field{"gap *g*", "m", 1e-9};
 
@@ -44,7 +44,7 @@ Panel line_of(const Array2D& values, std::array<double, 2> size, const Field& sh
     return panel;
 }
 
-/// Of the values, so that so large a share lies below.
+/// Quantile of the values for a share.
 double quantile(Array1D values, double share) {
     const auto place = values.begin() + static_cast<Index>(share * static_cast<double>(values.size() - 1));
     std::nth_element(values.begin(), place, values.end());

@@ -12,7 +12,7 @@
 namespace setae::file_figures {
 namespace {
 
-/// Which rows to draw: from where a share is seen, at most some in even steps of ln q.
+/// Rows to draw: from the first visible share on, at most a given number in even steps of ln q.
 std::vector<Index> rows_of(const roughness::CumulativeParameters& below) {
     constexpr Index most = 200;
     constexpr double seen = 1e-3;

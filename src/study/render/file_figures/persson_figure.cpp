@@ -12,7 +12,7 @@ namespace {
 
 using figures::Mark;
 
-/// What both panels are drawn against.
+/// Abscissa of both panels.
 struct Abscissa {
     figures::Axis axis;
     Array1D values;
@@ -22,7 +22,7 @@ struct Abscissa {
 Abscissa abscissa_of(const Table& table) {
     const auto* pressure = table.find("pressure");
     const auto& values = pressure ? pressure->values : table.at("wavevector");
-    // the middle of a range over decades suits more of it than its end
+    // the geometric middle of a range over decades is a better scale than its end
     const Array1D middle{{std::sqrt(values.abs().maxCoeff() * values.abs().minCoeff())}};
     const auto unit = axis_unit(middle, pressure ? "Pa" : "1/m");
     return {.axis = {.quantity = pressure ? "mean pressure *p*" : "waves up to *q*",

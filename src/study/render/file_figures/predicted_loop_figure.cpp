@@ -18,7 +18,7 @@ using figures::Mark;
 using figures::Panel;
 using study::PairHysteresis;
 
-/// What is drawn of a loop's curve.
+/// Drawn data of a loop's curve.
 struct Course {
     Array1D displacement, force, contact_radius;
     explicit Course(const Table& table)
@@ -80,7 +80,7 @@ Panel losses_of(const PairHysteresis& pair) {
         bars.push_back({"measured", pair.decomposition->shares, pair.decomposition->measured.estimate()});
     auto panel = study_figures::losses_panel(bars);
     panel.title = "C";
-    panel.y.to = static_cast<double>(bars.size()) + 0.9;  // room above the bars for what explains them
+    panel.y.to = static_cast<double>(bars.size()) + 0.9;  // space above the bars for the legend
     return panel;
 }
 

@@ -66,7 +66,7 @@ void add_function(figures::Panel& panel, const FunctionOfScale& f, int colour, c
     add(part_of(f, true, units), true);
 }
 
-/// What the lines of a panel mean.
+/// Meaning of the lines of a panel.
 void add_legend(figures::Panel& panel, bool several, bool cut) {
     if (several)
         panel.series.push_back({.label = "each measurement", .mark = Mark::line, .dash = 0, .legend_only = true});

@@ -16,7 +16,7 @@ using figures::Panel;
 
 const figures::Axis wavevector_axis{.quantity = "wavevector *q*", .unit = "1/m", .logarithmic = true};
 
-/// Every measurement with what of it is cut, as a study draws it.
+/// Every measurement with its unreliable part, as in a study.
 StudyFigure of_measurements(const study::SurfaceResult& surface, const Look& look) {
     study::StudyResult result;
     result.surfaces.push_back(surface);
@@ -26,12 +26,12 @@ StudyFigure of_measurements(const study::SurfaceResult& surface, const Look& loo
     return study_figures::study_figure(result, "spectra:" + drawn.name, {.width = look.width});
 }
 
-/// The standard errors of one measurement's modes, where its lines tell them.
+/// The standard errors of one measurement's modes, where its lines give them.
 void add_errors(const study::SurfaceResult& surface, const Table& table, StudyFigure& drawn) {
     const auto* errors = table.find("standard_error");
     if (surface.measurements.size() != 1 || !errors || errors->values.isNaN().all()) return;
     const auto& C1D = table.at("C1D");
-    constexpr double least = 0.01;  // of the value: bars that reach below 0 end there on a logarithmic axis
+    constexpr double least = 0.01;  // share of the value: bars that reach below 0 end there on a logarithmic axis
     auto& series = drawn.figure.panels.front().series;
     series.insert(series.begin(), {.label = "one standard error",
                                    .x = table.at("wavevector"),

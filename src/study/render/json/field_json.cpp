@@ -12,7 +12,7 @@ using fields::Kind;
 using fields::Missing;
 using fields::Row;
 
-/// Whether a field NAME_reason says why the field has no value.
+/// Whether a field NAME_reason gives the reason for a missing value.
 bool has_reason(const Row& row) {
     return row.if_missing == Missing::with_reason || row.if_missing == Missing::as_asked;
 }
@@ -73,7 +73,7 @@ private:
     void open(const Row& row, Json value) { open_.push_back(&add(row, std::move(value))); }
 
     std::vector<Json*> open_;
-    std::string key_;  ///< of what comes next, in an object by name
+    std::string key_;  ///< key of the next entry, in an object by name
 };
 
 Json reference(std::string_view name) { return {{"$ref", "#/$defs/" + std::string(name)}}; }
@@ -86,7 +86,7 @@ Json object_of(const fields::Description& description);
 
 Json inner_type(const Row& row) { return row.inner->name.empty() ? object_of(*row.inner) : reference(row.inner->name); }
 
-/// What stands under a name where it is there.
+/// Type of the value under a name.
 Json type_of(const Row& row) {
     switch (row.kind) {
         case Kind::flag: return type("boolean");

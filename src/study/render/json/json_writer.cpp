@@ -11,7 +11,8 @@
 namespace setae::output {
 namespace {
 
-/// The shortest text that gives the number back, always a real one: "1.0". null for what JSON has no number for.
+/// The shortest text that represents the number exactly, always a real one: "1.0". null for numbers that JSON cannot
+/// represent.
 void append_real(std::string& text, double value) {
     if (!std::isfinite(value)) {
         text += "null";

@@ -57,7 +57,7 @@ Json named_frame(const study::SurfaceResult& surface, const std::string& stem,
     return described(SurfaceEntry{&surface, &options, surface.failed() ? "" : "psd_" + stem + ".csv"});
 }
 
-/// How many entries of a study's lists are wanted.
+/// Requested numbers of entries of a study's lists.
 struct Wanted {
     std::size_t entries = std::numeric_limits<std::size_t>::max();
     std::size_t experiments = entries;
@@ -98,7 +98,7 @@ Json without_curves(const Json& json, std::size_t most) {
     return copy;
 }
 
-/// Writes a list's items, some at a time, each made on a thread of its own: thousands would not fit into memory.
+/// Writes a list's items in groups, each made on a thread of its own: thousands would not fit into memory.
 void write_list(const List& list, JsonWriter& writer) {
     constexpr std::size_t at_once = 32;
     writer.begin_array();

@@ -48,7 +48,7 @@ const char* name_of(figures::Mark mark) {
     return "both";
 }
 
-/// Points of a series that a page holds, the fewer the more series a figure has.
+/// Largest number of points of a series in a page; smaller for a figure with many series.
 Index max_points(const figures::Figure& figure) {
     constexpr std::size_t of_a_figure = 20000, of_a_series = 1200, at_least = 9;
     std::size_t series = 1;
@@ -56,7 +56,7 @@ Index max_points(const figures::Figure& figure) {
     return static_cast<Index>(std::clamp(of_a_figure / series, at_least, of_a_series));
 }
 
-/// Places of at most so many points as the eye sees them: of each stretch the first, the lowest and the highest.
+/// Points to be drawn for a given number: of each section the first, the lowest and the highest.
 
 std::vector<Index> seen_points(const figures::Series& series, Index most) {
     const Index n = series.x.size(), stretches = most / 3;
@@ -74,7 +74,7 @@ std::vector<Index> seen_points(const figures::Series& series, Index most) {
     return places;
 }
 
-/// The series, or what the eye sees of it.
+/// The series, reduced to these points.
 figures::Series thinned(const figures::Series& series, Index most) {
     if (series.x.size() <= most || series.y.size() != series.x.size()) return series;
     const auto places = seen_points(series, most);
@@ -133,7 +133,7 @@ Json map_json(const figures::HeatMap& map) {
     return json;
 }
 
-/// "A  residuals": what stands above a panel.
+/// "A  residuals": text above a panel.
 std::string heading_text(const figures::Heading& heading) {
     return heading.letter + (heading.letter.empty() || heading.words.empty() ? "" : "  ") + heading.words;
 }
@@ -222,7 +222,7 @@ std::string drawing_html(const study_figures::StudyFigure& figure, const FigureP
            "</script>";
 }
 
-/// What stands before the colon of "spectra:NAME"; empty where there is none.
+/// Part before the colon of "spectra:NAME"; empty where there is none.
 std::string_view family_of(const study_figures::StudyFigure& figure) {
     const std::string_view identifier = figure.identifier;
     const auto colon = identifier.find(':');
@@ -274,7 +274,7 @@ std::string folded_html(const Figures& figures, const FigurePage& page, int leve
     return html;
 }
 
-/// The same; many of one family, such as one a loop, in a fold of their own.
+/// The figures by family; many of one family, such as one per loop, in a fold of their own.
 std::string by_family_html(const Figures& figures, const FigurePage& page) {
     constexpr std::ptrdiff_t many = 3;
     std::string html;

@@ -36,7 +36,7 @@ std::string tables_html(const study::StudyResult& result, const Json& study) {
     return html.empty() ? "<p>The study has no numbers to show.</p>" : html;
 }
 
-/// What a reader meets, in this order; empty ones are left out.
+/// Chapters of the report, in order; empty ones are left out.
 std::vector<Chapter> chapters_of(const study::StudyResult& result,
                                  const std::vector<study_figures::StudyFigure>& figures, const RunRecord& run,
                                  const Json& study) {
@@ -73,7 +73,7 @@ std::string as_html(const study::StudyResult& result, const std::vector<study_fi
     const auto title = escaped(result.study.title.empty() ? "Study" : result.study.title);
     std::string page =
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-        // nothing but what is in the page, whatever a name in it says
+        // only content of the page is loaded, for any name in it
         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:\">\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<meta name=\"generator\" content=\"setae " +
         escaped(study::version()) + "\">\n<link rel=\"icon\" href=\"data:,\">\n<title>" + title + "</title>\n<style>\n";

@@ -46,7 +46,7 @@ std::string wavelengths(const MeasurementResult& m) {
            format_value(2.0 * pi / m.spectrum.band.lower, "m", 3);
 }
 
-/// Those of the alerts that concern data that were cut or changed.
+/// Warnings that concern excluded or changed data.
 std::string cuts_of(const MeasurementResult& m) {
     static const std::set<std::string> codes{"TIP_CUTOFF", "REENTRANT",   "CONTOUR_STEPS",     "TRACE_NOISE",
                                              "UNDEFINED",  "PIXEL_NOISE", "LIKELIHOOD_FAILED", "COVERAGE_GAP"};

@@ -28,7 +28,7 @@ std::optional<double> number_of(const Json& json) {
 
 double value_or_zero(const Json& json) { return number_of(json).value_or(0.0); }
 
-/// Pointers of the numbers a cell shows, each with what it is.
+/// JSON pointers of the numbers in a cell, each with its label.
 struct Part {
     std::string name, pointer;
 };
@@ -141,7 +141,7 @@ DisplayUnit display_unit(const std::string& si_unit, double largest) {
 
 std::string shown(double value, int decimals) {
     const double size = std::abs(value);
-    // small numbers in fixed point only where that shows what is known of them
+    // small numbers in fixed point only where their digits are significant
     if (size < 1e5 && (size >= 1e-3 || decimals <= 6))
         return with_minus(fmt::format("{:.{}f}", value, std::clamp(decimals, 0, 9)));
     if (size == 0.0) return "0";

@@ -226,7 +226,7 @@ DataTable budget(const StudyResult& result) {
     return table;
 }
 
-/// Quoted numbers against the inputs they rest on, small shares left to budget.csv.
+/// Reported numbers against their inputs; small shares are only in budget.csv.
 DataTable inputs_of_numbers(const Json& study) {
     constexpr double least = 0.01;
     DataTable table{

@@ -40,7 +40,7 @@ std::string methods_of(const std::vector<Quantity>& list) {
     return fmt::format("{}", fmt::join(methods, ", "));
 }
 
-/// What a property says of every quantity that has it; nothing where they differ.
+/// Common value of a property of all quantities that have it; empty where they differ.
 template <class Property>
 std::optional<std::string> shared(const std::vector<Quantity>& list, Property property) {
     std::string common;
@@ -53,7 +53,7 @@ std::optional<std::string> shared(const std::vector<Quantity>& list, Property pr
 }
 
 struct Column {
-    const char* head;    ///< of the column
+    const char* head;    ///< heading of the column
     const char* before;  ///< the text that all rows share
     std::string (*property)(const Quantity&);
 };

@@ -48,7 +48,7 @@ std::string deviation_of(const StudyResult& result, const study::PairResult& pai
     return "–";
 }
 
-/// How full contact forms, below the heading "full contact".
+/// Formation of full contact, below the heading "full contact".
 std::string full_contact_of(const study::PairResult& pair) {
     if (!pair.scales) return "";
     switch (pair.closing()) {
@@ -65,7 +65,7 @@ std::string work_by(const std::optional<adhesion::PredictedWork>& predicted) {
     return uncertain_number(predicted->estimate, mJ_per_m2);
 }
 
-/// The recommended prediction for a pair, the same in every command.
+/// The recommended prediction for a pair, equal in all commands.
 std::string answer_of(const study::PairResult& pair) {
     if (!pair.partial_contact) return "–";
     return uncertain_number(study::recommended_answer(pair).work_of_adhesion, mJ_per_m2);

@@ -54,7 +54,7 @@ std::string reservation_lines(const Verdict& said, std::size_t lines, std::size_
     return text;
 }
 
-/// What an alert is about, without the folders of files.
+/// Subject of a warning, without the folders of files.
 std::string name_of(const Alert& alert) { return alert.subject.substr(alert.subject.find_last_of('/') + 1); }
 
 /// "  NO_TIP_RADIUS (3)  scan.spm: no radius of the afm's tip is known: …".
@@ -128,7 +128,7 @@ private:
     struct Entry {
         tables::TidyTable table;
         const char* file;
-        std::size_t lines;  ///< of its rows
+        std::size_t lines;  ///< lines of its rows
     };
     std::vector<Entry> tables_;
 };

@@ -9,7 +9,7 @@ namespace {
 using figures::Figure;
 
 constexpr double min_row_mm = 25.0, min_numbered_row_mm = 36.0, numbers_mm = 8.0;  ///< numbers and title below axes
-constexpr double one_panel_mm = 120.0;                                             ///< width of a panel alone on a page
+constexpr double one_panel_mm = 120.0;  ///< width of a single panel on a page
 
 bool share_x(const Figure& figure) {
     const auto& first = figure.panels.front().x;
@@ -44,7 +44,7 @@ void place(Figure& figure, std::size_t columns, double strip_mm, bool shared) {
     }
 }
 
-/// Height of a column's figure: rows as high as wanted, within the limit where they can be.
+/// Height of a column's figure: with the requested height of rows, within the limit where possible.
 double column_height(double wanted_mm, double min_mm) {
     return std::min(wanted_mm, std::max(highest_column_mm, min_mm));
 }
@@ -57,7 +57,7 @@ void lay_out(Figure& figure, FigureWidth width, double row_mm, std::size_t page_
     const bool shared = share_x(figure);
     std::size_t columns = page ? std::min(page_columns, n) : 1;
     figure.width_mm = !page ? column_mm : columns > 1 ? page_mm : one_panel_mm;
-    // a panel alone has room for its legend
+    // a single panel has space for its legend
     const double strip = n > 1 ? figures::legend_strip_mm(figure) : 0.0;
     const double least = shared ? min_row_mm : min_numbered_row_mm, below = shared ? numbers_mm : 0.0;
     const auto min_height = [&] { return strip + least * static_cast<double>(rows_of(figure, columns)) + below; };

@@ -61,7 +61,7 @@ void add_points(Comparison& drawn, const StudyResult& result, const std::vector<
     }
 }
 
-/// What symbols and colours mean.
+/// Meaning of symbols and colours.
 void explain(Panel& panel, const StudyResult& result, const std::vector<Point>& points) {
     const auto shown = [&](std::string Point::*name, const std::string& wanted) {
         return std::any_of(points.begin(), points.end(), [&](const Point& p) { return p.*name == wanted; });
@@ -195,7 +195,7 @@ std::string fit_in_words(const adhesion::WorkFit& fit) {
 /// Panels of one or two comparisons, each above its residuals.
 figures::Figure arranged(const FigureRequest& request, const std::vector<Comparison>& comparisons) {
     const bool two = comparisons.size() > 1;
-    // shares of the height and, of two, of the width: the second has the legend beside it
+    // shares of the height and, for two, of the width: the second has the legend next to it
     const double upper = two && !wide(request) ? 0.6 : 0.68, first = 0.43;
     figures::Figure figure;
     const auto add = [&](const Comparison& comparison, const figures::Place& place) {
@@ -215,7 +215,7 @@ figures::Figure arranged(const FigureRequest& request, const std::vector<Compari
         figure.height_mm = two ? highest_column_mm : 92.0;
         add(comparisons[0], {.height = two ? 0.5 : 1.0});
         if (two) add(comparisons[1], {.top = 0.5, .height = 0.5});
-        // a column has no room for a legend beside the axes
+        // a column has no space for a legend next to the axes
         for (std::size_t p = 0; p < figure.panels.size(); p += 2)
             if (figures::legend_strip_mm(figure, p) > 0.0) put_legend_above(figure, p);
     }

@@ -50,7 +50,7 @@ std::string left_out_loops(const StudyResult& result) {
 bool has_radius(const ExperimentResult& e) { return e.analysis->corrected.contact_radius.size() > 0; }
 bool has_displacement(const ExperimentResult& e) { return e.analysis->corrected.displacement.size() > 0; }
 
-/// Radius of the sphere [m]; 0 where the study does not say.
+/// Radius of the sphere [m]; 0 where the study does not state it.
 double sphere_radius(const StudyResult& result, const ExperimentResult& e) {
     if (e.input.sphere_radius) return e.input.sphere_radius->value;
     const auto* elastomer = result.study.elastomer(e.input.elastomer);
@@ -109,7 +109,7 @@ void add_fit(Panel& panel, const StudyResult& result, const ExperimentResult& e,
                             .in_legend = false});
 }
 
-/// (S2) through the last points before pull-off, drawn somewhat beyond them.
+/// Eq. S2 through the last points before pull-off, drawn somewhat beyond them.
 void add_retraction(Panel& panel, const StudyResult& result, const ExperimentResult& e, const Look& look) {
     const auto& loop = *e.analysis;
     if (!loop.retraction) return;
@@ -289,7 +289,7 @@ void contact_of_one_elastomer(const FigureRequest& request, StudyFigure& drawn) 
                 .x = {.quantity = "displacement *δ*", .unit = "um"},
                 .y = {.quantity = "force *F*", .unit = "mN"},
                 .horizontal_lines = {0.0}};
-    // the loop that loses most shows best what the area means
+    // the loop with the largest loss shows the meaning of the area best
     const ExperimentResult* shaded = nullptr;
     for (const auto* e : with_displacement)
         if (e->analysis->loop && (!shaded || e->analysis->loop->energy > shaded->analysis->loop->energy)) shaded = e;

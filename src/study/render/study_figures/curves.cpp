@@ -13,11 +13,11 @@ namespace {
 
 constexpr double normal_95 = 1.959963984540054;
 
-/// Of the end of C_iso, up to which C1D is drawn. C1D at q holds the waves beyond q: the end of C_iso takes a fifth of
-/// it there (C_iso ∝ q^−3.6), and all of it at the end itself, where C1D falls to 0 though no surface does.
+/// Share of the end of C_iso up to which C1D is drawn. C1D at q includes the waves beyond q: a missing continuation of
+/// C_iso reduces it by a fifth there (C_iso ∝ q^−3.6), and completely at the end itself, where C1D decreases to 0.
 constexpr double drawn_share = 0.7;
 
-/// Nodes of a curve that lie in its band and show something.
+/// Nodes of a curve in its band with defined values.
 DrawnCurve usable(const spectra::Spectrum& curve) {
     std::vector<double> q, values;
     for (Index i = 0; i < curve.wavevector.size(); ++i) {

@@ -245,7 +245,7 @@ figures::Figure forest_plot(const ReplicateData& data, const MixedModel& model, 
         }
     }
     panel.y.tick_labels = lines.labels();
-    // a mean of few lenses may have an interval far wider than all rows: they are to be seen
+    // a mean of few lenses may have an interval much wider than all rows: the rows must stay visible
     const double spread = most > least ? most - least : std::max(std::abs(most), 1.0);
     double from = least, to = most;
     for (const auto& series : panel.series)
@@ -256,7 +256,7 @@ figures::Figure forest_plot(const ReplicateData& data, const MixedModel& model, 
     panel.x.from = from - 0.04 * (to - from) - 1e-12 * std::abs(from);
     panel.x.to = to + 0.04 * (to - from) + 1e-12 * std::abs(to);
     if (!(*panel.x.from < *panel.x.to)) panel.x.from = panel.x.to = std::nullopt;
-    // the reason stands where there is more room
+    // the reason is placed where there is more space
     for (const auto& reason : reasons) {
         const bool right = to - reason.to >= reason.from - from;
         panel.notes.push_back({.text = shortened(reason.text, 44),

@@ -83,7 +83,7 @@ FittedCurve fitted_curve(const JkrFit& fit, double radius, double largest_force)
 
 struct BranchLook {
     const BranchAnalysis* branch;
-    IndexRange range;  ///< of the record
+    IndexRange range;  ///< range of the record
     std::string name;
     int colour;
     bool hollow;
@@ -205,7 +205,7 @@ Panel residual_panel(const BranchLook& branch, const char* title, const Units& u
                 .x = axis("contact radius *a*", units.radius),
                 .y = {.quantity = "residual / rms", .unit = "1"}};
     const Array1D radius =
-        branch.branch->energy_release_rate.contact_radius / units.radius.factor;  // of the samples fitted
+        branch.branch->energy_release_rate.contact_radius / units.radius.factor;  // of the fitted samples
     int colour = 0;
     const auto add = [&](const loops::Outcome<JkrFit>& fit, const char* name) {
         const int own = colour++;

@@ -33,7 +33,7 @@ void measured_spectra(const FigureRequest& request, const study::SurfaceResult& 
     figures::Panel panel{.x = {.quantity = "wavevector *q*", .unit = "1/m", .logarithmic = true},
                          .y = {.quantity = "power spectral density *C*_{1D}", .unit = "m3", .logarithmic = true}};
     std::size_t failed = 0;
-    double least = HUGE_VAL, most = 0.0;  // of what is reliable
+    double least = HUGE_VAL, most = 0.0;  // range of the reliable part
     const auto add = [&](const DrawnCurve& curve, const std::string& label, const std::string& name, int own,
                          bool reliable) {
         if (curve.x.size() < 1) return;
@@ -106,7 +106,7 @@ void measured_spectra(const FigureRequest& request, const study::SurfaceResult& 
                             .opacity = 0.5,
                             .legend_only = true});
     panel.legend_corner = figures::Corner::bottom_left;
-    // what was cut may fall to nothing; it must not squeeze what was kept
+    // the excluded part may decrease to zero; it must not compress the reliable part
     if (most > least) {
         const double margin = std::pow(most / least, 0.08);
         panel.y.from = least / margin;

@@ -16,7 +16,7 @@ using figures::Panel;
 using study::PairResult;
 using study::StudyResult;
 
-/// Measured pairs on a surface for which (7) speaks.
+/// Measured pairs on a surface with a prediction by the full-contact balance (Eq. 7).
 std::vector<const PairResult*> pairs_on(const StudyResult& result, const std::string& surface) {
     std::vector<const PairResult*> pairs;
     for (const auto& pair : result.pairs)
@@ -86,7 +86,7 @@ void add_measured(Panel& panel, const StudyResult& result, const PairResult& pai
                          residual ? fmt::format(", {:+.2f} standard errors apart", residual->standardised()) : "")}});
 }
 
-/// A pair that nobody measured: its prediction alone, hollow.
+/// A pair that was not measured: only its prediction, hollow.
 void add_predicted(Panel& panel, const StudyResult& result, const PairResult& pair) {
     const auto& modulus = result.elastomer(pair.elastomer).contact_modulus;
     const auto place = place_of_elastomer(result, pair.elastomer);
@@ -108,12 +108,12 @@ std::string deviation_in_words(double apart) {
     return (size.starts_with("0.0") ? "" : apart < 0.0 ? "−" : "+") + size;
 }
 
-constexpr double row_share = 0.075;  ///< of an axis' range: height of a row of text
+constexpr double row_share = 0.075;  ///< share of an axis' range: height of a row of text
 
 /// Measured minus predicted in standard errors, below the data; a second row for neighbours that would touch.
 void add_residuals(Panel& panel, const StudyResult& result, const std::vector<const PairResult*>& pairs,
                    double lowest) {
-    constexpr double min_distance = 0.14;  // of the width
+    constexpr double min_distance = 0.14;  // share of the width
     const double whole = std::log(*panel.x.to / *panel.x.from);
     std::vector<std::pair<double, std::string>> texts;
     for (const auto* pair : pairs)
@@ -132,14 +132,14 @@ void add_residuals(Panel& panel, const StudyResult& result, const std::vector<co
     }
 }
 
-/// χ² in the upper left corner, above all values; on a page the scatter of the model below it, for which a column is
-/// too low.
+/// χ² in the upper left corner, above all values; on a page the scatter of the model below it, for which a column has
+/// no space.
 void add_test(Panel& panel, const adhesion::PredictionTest& test, bool page) {
     const double step = (page ? row_share : 0.13) * (*panel.y.to - *panel.y.from);
     double height = *panel.y.to;
     const auto write = [&](const std::string& text) {
         panel.notes.push_back({.text = text,
-                               .x = *panel.x.from * std::pow(*panel.x.to / *panel.x.from, 0.02),  // beside the ticks
+                               .x = *panel.x.from * std::pow(*panel.x.to / *panel.x.from, 0.02),  // next to the ticks
                                .y = height -= step,
                                .side = figures::Note::Side::right});
     };
@@ -222,8 +222,8 @@ void prediction_against_modulus(const FigureRequest& request, StudyFigure& drawn
         }
         figure.panels.push_back(std::move(panel));
     }
-    // bands of surfaces that hardly conform may reach far beyond: they are cut at the axis. Panels of a page say in a
-    // row below the data how far apart measured and predicted are, for which a column is too narrow
+    // bands of surfaces with almost no contact may extend far beyond: they are cut at the axis. Panels of a page have
+    // the difference of measured and predicted in a row below the data, for which a column is too narrow
     const bool page = wide(request);
     const double extent = highest - lowest, below = page ? 0.36 : 0.08;
     for (std::size_t p = 0; p < figure.panels.size(); ++p) {

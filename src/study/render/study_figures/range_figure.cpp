@@ -76,11 +76,11 @@ void add_plane(Panel& panel, const NamedScan& named, int colour) {
                                 .dash = 0,
                                 .in_legend = false});
     } catch (const UndefinedDataError&) {
-        // a fit without covariance has no ellipse; its point stands
+        // a fit without covariance has no ellipse, only its point
     }
 }
 
-/// W above E*, against start and end of the range; their plane beside them on a page, below in a column.
+/// W above E*, against start and end of the range; their plane next to them on a page, below in a column.
 void place(figures::Figure& figure, FigureWidth width) {
     const bool page = width == FigureWidth::double_column;
     const double third = 1.0 / 3.0, column = page ? third : 0.5, row = page ? 0.5 : third;

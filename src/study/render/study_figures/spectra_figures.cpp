@@ -43,7 +43,7 @@ void add_curve(Panel& panel, const SurfaceCurve& curve, const std::string& label
         {.label = label, .x = curve.wavevector, .y = curve.values, .mark = Mark::line, .colour = colour, .dash = 0});
 }
 
-/// How the curves of a study were made, "NAME fitted to …".
+/// Methods of the curves of a study, "NAME fitted to …".
 class Methods {
 public:
     void add(const SurfaceResult& surface, const SurfaceCurve& curve) {
@@ -90,7 +90,7 @@ void add_bars(Panel& panel, const std::vector<InstrumentBand>& bands) {
                                 .dash = 0,
                                 .line_width = 3.5,
                                 .in_legend = false});
-        // to the left of a bar that leaves no room to its right
+        // to the left of a bar without space to its right
         const bool right =
             std::log(band.upper / bands.front().band.lower) < 0.8 * std::log(highest / bands.front().band.lower);
         panel.notes.push_back({.text = name,
@@ -103,7 +103,7 @@ void add_bars(Panel& panel, const std::vector<InstrumentBand>& bands) {
     panel.y.to = most * std::pow(10.0, 0.05 * decades + step * (static_cast<double>(bands.size()) + 0.3));
 }
 
-/// A unit for lengths, and how many of it a metre has.
+/// A unit for lengths, with its number per metre.
 struct LengthUnit {
     std::string name;
     double per_metre;
@@ -173,7 +173,7 @@ Panel contour_panel(const std::string& title, const std::string& surface, const 
     return panel;
 }
 
-/// Pictures beside the spectra: a map and a contour of one surface. Returns what the caption says of them.
+/// Pictures next to the spectra: a map and a contour of one surface. Returns their part of the caption.
 std::string add_pictures(figures::Figure& figure, const StudyResult& result) {
     const auto* surface = pictured_surface(result);
     if (!surface) return {};
@@ -192,7 +192,7 @@ std::string add_pictures(figures::Figure& figure, const StudyResult& result) {
     std::string words;
     for (std::size_t i = 0; i < pictures.size(); ++i) {
         auto& [panel, text] = pictures[i];
-        // a map wants a square, a contour what is left
+        // a map needs a square, a contour the rest
         const double upper = pictures.size() == 1 ? 1.0 : 0.56;
         panel.place = i == 0 ? figures::Place{share, 0.0, 1.0 - share, upper}
                              : figures::Place{share, upper, 1.0 - share, 1.0 - upper};

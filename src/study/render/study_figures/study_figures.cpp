@@ -22,13 +22,13 @@ struct Entry {
     std::function<void(const FigureRequest&, StudyFigure&)> build;
 };
 
-/// What one figure of a kind is of.
+/// Item of one figure of a kind.
 struct Named {
     std::string name;
     std::function<void(const FigureRequest&, StudyFigure&)> build;
 };
 
-/// Adds a figure "spectra:NAME" for each thing of a kind, its file named after the thing.
+/// Adds a figure "spectra:NAME" for each item of a kind, with its file named after the item.
 void add_named(const FigureKind& kind, const std::vector<Named>& things, std::vector<Entry>& entries) {
     std::vector<std::string> names;
     for (const auto& thing : things) names.push_back(thing.name);

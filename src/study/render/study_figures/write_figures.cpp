@@ -93,7 +93,7 @@ std::vector<WrittenFigure> write_figures(const std::vector<StudyFigure>& figures
         for (std::size_t k = 0; k < endings; ++k) {
             const auto& failure = errors[i * endings + k];
             if (failure.empty()) result.files.push_back(result.name + "." + options.endings[k]);
-            // the same for every ending where there is no gnuplot: said once
+            // equal for every ending where there is no gnuplot: reported once
             else if (result.error.find(failure) == std::string::npos)
                 result.error += (result.error.empty() ? "" : "; ") + failure;
         }

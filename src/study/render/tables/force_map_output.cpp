@@ -20,7 +20,7 @@
 namespace setae::output {
 namespace {
 
-/// What a curve does not say and why, each reason once.
+/// Missing results of a curve with the reasons, each reason once.
 std::string missing_text(const study::MappedCurve& curve) {
     if (!curve.summary) return curve.summary.reason;
     std::vector<std::string> reasons;

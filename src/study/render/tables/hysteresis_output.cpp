@@ -100,7 +100,7 @@ std::string with_miss(const ModelScore& score) {
     return fmt::format("{} ({})", score.fitted.model.name(), work(score.surface_left_out));
 }
 
-/// What is left of a ranking: the most likely model, those that cannot be excluded, and those that a constant refuses.
+/// Result of a ranking: the most likely model, those that cannot be excluded, and those with a constant error.
 std::string best_sentence(const NamedRanking& of) {
     const auto& best = *of.ranking.best();
     const auto parameter = parameter_text(best);
@@ -158,7 +158,7 @@ std::string odds_text(const hysteresis::Odds& odds) {
     return fmt::format("{} [{}, {}]", text, lower, upper);
 }
 
-/// How a model compares with the most likely one.
+/// Comparison of a model with the most likely one.
 std::string verdict_cell(const Ranking& ranking, const ModelScore& score) {
     if (score.bias.refuses_model) return fmt::format("constant error {}", uncertain_number(score.bias.value, milli));
     if (&score == ranking.best()) return "most likely";
@@ -252,7 +252,7 @@ std::vector<std::string> decomposing_models(const study::Hysteresis& h) {
     return names;
 }
 
-/// Shares without their ±, which the JSON has, so that a row is a line.
+/// Contributions without their standard errors, which the JSON contains, so that a row fits into one line.
 TidyTable shown_losses(const study::Hysteresis& h) {
     TidyTable table{fmt::format("energy budget of the loops, by {} [nJ]", fmt::join(decomposing_models(h), " and ")),
                     {"pair", "E_loss"},

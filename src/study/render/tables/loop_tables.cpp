@@ -24,7 +24,7 @@ std::string metadata(const Table& table, const char* key) {
     return entry == table.metadata.end() ? std::string() : entry->second;
 }
 
-/// Where in a loop a fit belongs.
+/// Position of a fit in a loop.
 struct Part {
     const LoopLabels& labels;
     double contact = 1.0, cycle = 1.0;  ///< from 1
@@ -37,7 +37,7 @@ std::vector<tables::TidyTable::Cell> beginning(const Part& part, const std::stri
             part.cycle,       part.branch,         method};
 }
 
-/// What a row of a fit has of its results: values with standard errors, and how well the fit describes the record.
+/// Columns of the results of a fit: values with standard errors, and measures of the agreement with the record.
 auto results_of(const JkrFit& fit) {
     return std::array{fit.contact_modulus.value,
                       fit.contact_modulus.standard_error,
@@ -61,7 +61,7 @@ auto no_results() {
     return results;
 }
 
-/// Ends a row with texts; numbers between that are not there yet are not known.
+/// Ends a row with texts; missing numbers before them are unknown.
 void end_row(tables::TidyTable& table, std::vector<tables::TidyTable::Cell> row,
              std::initializer_list<std::string> texts) {
     row.resize(table.columns.size() - texts.size(), undefined);
@@ -95,7 +95,7 @@ std::vector<tables::TidyTable::Cell> energies_beginning(const LoopLabels& labels
             cycle};
 }
 
-/// The ledger of one touch: the first, which stands for the record, or a further one.
+/// The energy budget of one contact: the first, which represents the record, or a further one.
 template <class Contact>
 void add_contact_energy(tables::TidyTable& table, const LoopLabels& labels, std::size_t number,
                         const Contact& contact) {

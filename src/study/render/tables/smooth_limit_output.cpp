@@ -11,7 +11,7 @@
 namespace setae::output {
 namespace {
 
-/// Least and greatest of what elastomers have.
+/// Smallest and largest value of the elastomers.
 struct Span {
     double least = std::numeric_limits<double>::infinity(), greatest = -std::numeric_limits<double>::infinity();
 

@@ -42,7 +42,7 @@ public:
         table_.rows.push_back(std::move(row));
     }
 
-    /// What is stated, and least squares as the paper has them.
+    /// The reported value, and least squares as in the paper.
     void add(const std::string& fit, const adhesion::WorkFit& f, const std::string& variant = "") {
         const auto of = [&](const std::string& name) { return variant.empty() ? name : variant + ", " + name; };
         if (f.posterior) add(fit, of("posterior"), *f.posterior, f.generalised.r_squared, undefined, undefined, f.n);
@@ -332,7 +332,7 @@ tables::TidyTable full_contact_table(const study::StudyResult& result) {
                             {"surface", "elastomer", "method", "q [1/m]", "gained above [J/m2]", "stored above [J/m2]",
                              "closing", "closing pressure [Pa]"},
                             {}};
-    constexpr double next = 1.122;  // twenty a decade
+    constexpr double next = 1.122;  // twenty per decade
     for (const auto* conclusions : by_method(result))
         for (const auto& pair : conclusions->pairs) {
             if (!pair.scales) continue;

@@ -23,7 +23,7 @@ constexpr std::array<std::string_view, 24> telling{
     "WAVES_BEYOND_DATA", "BAND_LIMITED",         "ONE_PLACE",         "HEIGHT_UNKNOWN",
     "WILL_NOT_CONFORM",  "MEASUREMENTS_SCATTER", "MEASURED_SLOPES",   "SINGLE_INSTRUMENT_DECADE"};
 
-/// Kinds before these: which numbers of a file are heights at all.
+/// Kinds before these: whether numbers of a file are heights at all.
 constexpr std::array<std::string_view, 9> of_heights{"HEIGHTS_IMPLAUSIBLE", "CONSTANT",     "GAP_BRIDGED",
                                                      "NO_DATA_SUSPECTED",   "NO_DATA",      "LABELS_NOT_HEIGHTS",
                                                      "POSITIONS_REPEATED",  "ROWS_MISSING", "PASSES_SPLIT"};

@@ -18,7 +18,7 @@ namespace {
 
 using study::StudyResult;
 
-/// Whether the full-contact balance predicts what was measured.
+/// Result of the test of the full-contact balance.
 std::string sentences_of_test(const adhesion::PredictionTest& test) {
     if (test.probability >= improbable)
         return fmt::format("Roughness explains the loss of adhesion on approach within the errors ({}, {}).",
@@ -33,7 +33,7 @@ std::string sentences_of_test(const adhesion::PredictionTest& test) {
     return text;
 }
 
-/// W_int of loss beside that of approach.
+/// W_int from the loss, compared with that of approach.
 std::string sentence_of_loss(const StudyResult& result) {
     if (!result.loop) return "";
     const auto loss = work_of(result.loop->through_origin);
@@ -91,7 +91,7 @@ std::string sentence_of_references(const StudyResult& result) {
         words(compared->both_branches.distinction(), "not distinguished"));
 }
 
-/// What loops with the measured works would lose, beside what is reported of energies; empty without a report.
+/// Predicted loss of loops with the measured works, compared with the published energies; empty without them.
 std::string sentence_of_energies(const StudyResult& result) {
     const auto& slope = result.loss_slope_of_works;
     const auto reported = std::ranges::find_if(result.study.reported, [](const auto& value) {
@@ -115,8 +115,8 @@ std::string sentence_of_work(const StudyResult& result) {
     return fmt::format("The fit to {} gives W_int = {}.", pairs_text(result.modified->n), work);
 }
 
-/// What measured and predicted works of adhesion show together: whether roughness explains the approach, W_int,
-/// retraction, then what else bears on them; empty where nothing was measured.
+/// Conclusions from measured and predicted works of adhesion: whether roughness explains the approach, W_int,
+/// retraction, further results; empty without measurements.
 std::vector<std::string> sentences_of_approach(const StudyResult& result) {
     const bool fitted = static_cast<bool>(result.modified);
     if (!result.prediction_test && !fitted) return {};

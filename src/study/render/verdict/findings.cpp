@@ -37,7 +37,7 @@ std::string finding_of_loss(const StudyResult& result) {
     return "The energy loss of loops is proportional to the true area (Eq. 10), with the W_int of approach.";
 }
 
-/// Whether some decade was seen by two instruments, and none of them is off the fitted spectrum anywhere.
+/// Whether some decade was measured by two instruments, and none of them deviates from the fitted spectrum anywhere.
 bool instruments_agree(const std::vector<spectral_fit::Agreement>& rows) {
     const bool overlap = std::any_of(rows.begin(), rows.end(), [&](const auto& row) {
         return std::any_of(rows.begin(), rows.end(), [&](const auto& other) {
@@ -84,7 +84,7 @@ Tested tested(const StudyResult& result) {
 }
 
 Rivals rivals_of(const StudyResult& result) {
-    // twice a difference of ln L follows χ² of one degree of freedom: 2 is what chance leaves open
+    // twice a difference of ln L has the χ² distribution with one degree of freedom: 2 is compatible with chance
     constexpr double telling_difference = 2.0;
     const auto as_taken = [&](const char* balance) {
         return std::find_if(result.balances.begin(), result.balances.end(), [&](const auto& compared) {

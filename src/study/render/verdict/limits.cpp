@@ -57,7 +57,7 @@ private:
     void say(std::string sentence, std::string note = "") {
         limits_.push_back({std::move(sentence), std::move(note), true});
     }
-    /// What the answer states too, or what only notes that a number is missing.
+    /// A limit that the answer also states, or a note on a missing number.
     void add_reservation(std::string sentence) { limits_.push_back({std::move(sentence), "", false}); }
 
     void say_of_failures() {
@@ -222,7 +222,7 @@ private:
                 ". The balance applies to full contact only; its value is set to 0.");
     }
 
-    /// Alerts that limit what can be concluded, each matter in a sentence with whom it concerns.
+    /// Warnings that limit the conclusions, each matter in one sentence with the items concerned.
     void say_of_alerts() {
         const auto groups = grouped_alerts(result_);
         const Subjects concerned(result_);

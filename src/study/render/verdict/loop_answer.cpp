@@ -25,7 +25,7 @@ std::string text_or_reason(const Outcome<Estimate>& outcome, const char* unit) {
     return outcome ? format_uncertain(*outcome, unit) : fmt::format("– ({})", outcome.reason);
 }
 
-/// The unit behind a number, with its blank.
+/// The unit after a number, with its blank.
 std::string unit_behind(const std::string& text) { return text.substr(std::min(text.rfind(' '), text.size())); }
 
 /// A number without its unit where that is the unit of another.

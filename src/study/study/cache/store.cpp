@@ -21,19 +21,19 @@ constexpr std::string_view magic = "setae cache", format = "setae cache 3\n";
 constexpr std::string_view ending = ".entry";
 constexpr std::size_t key_length = 64;
 
-/// What the digest of an entry vouches for: that this content belongs to this key.
+/// Content of the digest of an entry: links this content to this key.
 std::string signed_part(const std::string& version, const std::string& key, std::string_view content) {
     return fmt::format("{}\n{}\n", version, key) + std::string(content);
 }
 
-/// First lines of an entry: what it is, the version that wrote it, its key, the bytes that follow, the digest of these
-/// and of what follows.
+/// First lines of an entry: format, version that wrote it, key, number of bytes that follow, digest of these and of the
+/// content.
 std::string header(const std::string& version, const std::string& key, std::string_view content) {
     return fmt::format("{}{}\n{}\n{}\n{}\n", format, version, key, content.size(),
                        bytes::sha256(signed_part(version, key, content)));
 }
 
-/// The line that begins at `at`, which moves behind it; nothing where no line ends.
+/// The line that begins at `at`, which moves to its end; empty without a line end.
 std::optional<std::string> next_line(const std::string& text, std::size_t& at) {
     const auto end = text.find('\n', at);
     if (end == std::string::npos) return std::nullopt;
@@ -71,7 +71,7 @@ fs::path path_of(const std::string& folder, const std::string& key) {
     return fs::path(folder) / key.substr(0, 2) / (key + std::string(ending));
 }
 
-/// Nothing for a missing file; a damaged entry for what cannot be read, such as a folder or a pipe in its place.
+/// Empty for a missing file; a damaged entry where it cannot be read, such as a folder or a pipe in its place.
 std::optional<Entry> entry_at(const fs::path& path, const std::string& version, const std::string& key) {
     std::error_code ignored;
     if (!fs::exists(fs::symlink_status(path, ignored))) return std::nullopt;
@@ -82,7 +82,7 @@ std::optional<Entry> entry_at(const fs::path& path, const std::string& version, 
     }
 }
 
-/// What stands in the place of an entry and is none: a link or a pipe can be removed, an empty folder, too.
+/// Removes a link, a pipe or an empty folder at the path of an entry.
 void clear_place(const fs::path& path) {
     std::error_code ignored;
     const auto status = fs::symlink_status(path, ignored);
@@ -99,7 +99,7 @@ bool is_of_other_version(const fs::path& path, const std::string& wanted) {
     return first + "\n" != format || (std::getline(file, version) && version != wanted);
 }
 
-/// A name that path_of() gives within `group`, and whether a writer left it behind it.
+/// A name of path_of() within `group`, and whether it is a temporary file of a writer.
 bool is_own_name(const std::string& name, const std::string& group, bool& whole) {
     const auto key = name.substr(0, key_length);
     const bool hexadecimal = key.size() == key_length && key.find_first_not_of("0123456789abcdef") == std::string::npos;
@@ -109,8 +109,7 @@ bool is_own_name(const std::string& name, const std::string& group, bool& whole)
     return whole || (rest.starts_with('.') && rest.ends_with(".part"));
 }
 
-/// Every file of a store: entries, and what interrupted writers left of them. Other files in the folder are not its
-/// own.
+/// Every file of a store: entries, and temporary files of interrupted writers. Other files in the folder are excluded.
 void for_each_file(const std::string& folder, const std::function<void(const fs::directory_entry&, bool whole)>& body) {
     std::error_code ignored;
     for (const auto& group : fs::directory_iterator(folder, ignored)) {

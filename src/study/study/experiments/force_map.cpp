@@ -13,7 +13,7 @@ namespace {
 
 using Summary = loops::ForceCurveSummary;
 
-/// Whatever is wrong with one curve is said of that curve.
+/// An error of one curve is reported for that curve.
 MappedCurve fitted_curve(const tables::ForceCurves& curves, const std::string& file, long number,
                          const loops::LensAndCounterBody& bodies, const loops::ForceCurveFitOptions& options) {
     MappedCurve result{.number = number};
@@ -41,12 +41,12 @@ std::optional<Table> first_whole(const tables::ForceCurves& curves) {
                 (!force || force->values.allFinite()) && (!displacement || displacement->values.allFinite());
             if (numbers) return curve;
         } catch (const FormatError&) {
-            // said of that curve
+            // reported for that curve
         }
     return std::nullopt;
 }
 
-/// What is wrong with the call, not with a curve, is an error of the whole.
+/// An error of the call, not of a curve, is an error of the whole.
 void require_fit(const tables::ForceCurves& curves, const std::string& file, const loops::LensAndCounterBody& bodies,
                  const loops::ForceCurveFitOptions& options) {
     const auto curve = first_whole(curves);
@@ -55,7 +55,7 @@ void require_fit(const tables::ForceCurves& curves, const std::string& file, con
     try {
         (void)loops::summary_of_force_curve(*curve, bodies, options);
     } catch (const UndefinedDataError&) {
-        // said of that curve
+        // reported for that curve
     }
 }
 

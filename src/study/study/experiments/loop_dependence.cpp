@@ -89,9 +89,9 @@ std::vector<LoopNumbers> derivatives_of(const loops::Loop& recorded, const loops
                 by_input.*number.value = derivative.of(
                     [&](const loops::ContactAnalysis& contact) { return numbers_of(contact).*number.value; });
         } catch (const UndefinedDataError&) {
-            // said where the number is, of all of them
+            // reported with the number, for all of them
         }
-        // factors are in the record already: by the factor itself, not by one on top of it
+        // factors are in the record already: derivative by the factor itself, not by an additional one
         const bool factor = input.input == SharedInput::force_calibration ||
                             input.input == SharedInput::displacement_calibration ||
                             input.input == SharedInput::contact_radius_calibration;

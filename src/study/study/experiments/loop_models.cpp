@@ -17,7 +17,7 @@ loops::ModelFitOptions options_of(const LoopModelOptions& options, ContactModel 
     return fit;
 }
 
-/// Does what was asked for; what the data do not allow becomes a sentence.
+/// Runs a requested computation; an error of the data becomes a sentence.
 template <class Computation>
 void attempt(LoopModels& models, const std::string& what, const Computation& computation) {
     try {

@@ -23,7 +23,7 @@
 namespace setae::study {
 namespace {
 
-/// Messages about reversed or swapped channels end with what to type.
+/// Messages about reversed or swapped channels end with the remedy.
 template <class Computation>
 auto with_remedies(const tables::ChannelNames& channels, Computation&& computation) {
     try {
@@ -56,7 +56,7 @@ OpenedLoop in_chosen_columns(OpenedLoop opened, const LoopSource& source) {
     return opened;
 }
 
-/// Names of a mapping's own columns stand for the file's.
+/// Names of a mapping's own columns replace those of the file.
 tables::ChannelNames channels_of(const tables::Mapping& mapping) {
     tables::ChannelNames channels;
     for (const auto& result : mapping.results) channels[result.name] = {"", "", result.expression};
@@ -187,7 +187,7 @@ OpenedLoop open_loop(const LoopSource& source, const tables::Mapping& mapping) {
 
 namespace {
 
-/// An alert where W is above 0 by its error, and too small for any two solids in air.
+/// A warning where W is above 0 by its error, and too small for any two solids in air.
 void add_small_work(loops::LoopAnalysis& analysis, const loops::LensAndCounterBody& bodies, const std::string& file) {
     const auto& fit = analysis.loading.primary();
     const auto& work = fit.work_of_adhesion;

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a loop was made on, by its file's metadata, else by its name.
+/// Bodies of a loop, by its file's metadata, else by its name.
 struct RecognisedLoop {
     const DraftLoop* loop;
     std::string surface, surface_remark, elastomer, elastomer_remark, stage;
@@ -27,7 +27,7 @@ bool is_part(char c) {
     return static_cast<unsigned char>(c) >= 0x80 || std::isalnum(static_cast<unsigned char>(c)) != 0;
 }
 
-/// Parts of a name between what is neither letter nor digit, in lower case.
+/// Parts of a name between characters that are neither letter nor digit, in lower case.
 std::vector<std::string> parts_of(const std::string& name) {
     std::vector<std::string> parts;
     bool within = false;
@@ -39,7 +39,7 @@ std::vector<std::string> parts_of(const std::string& name) {
     return parts;
 }
 
-/// Takes a name's parts out of a list where they stand one behind another.
+/// Removes a name's parts from a list where they are consecutive.
 bool take(std::vector<std::string>& parts, const std::string& name) {
     const auto wanted = parts_of(name);
     if (wanted.empty()) return false;
@@ -49,7 +49,7 @@ bool take(std::vector<std::string>& parts, const std::string& name) {
     return true;
 }
 
-/// The surface whose name is in a loop's, the longest first; what is left of the parts may name the elastomer.
+/// The surface whose name is in that of the loop, the longest first; the other parts may name the elastomer.
 std::string surface_in(std::vector<std::string>& parts, std::vector<std::string> surfaces) {
     std::stable_sort(surfaces.begin(), surfaces.end(),
                      [](const auto& a, const auto& b) { return a.size() > b.size(); });
@@ -58,7 +58,7 @@ std::string surface_in(std::vector<std::string>& parts, std::vector<std::string>
     return "";
 }
 
-/// What is left of a name once words that say nothing of the material are gone.
+/// Rest of a name without words that do not describe the material.
 std::string elastomer_in(const std::vector<std::string>& parts) {
     static const std::set<std::string> others{"loop", "jkr", "force", "curve", "run", "test", "measurement"};
     std::string name;

@@ -25,7 +25,7 @@ std::string remarked(std::string line, const std::string& remark) {
     return line + "# " + comment_line(remark) + "\n";
 }
 
-/// What the file says of its instrument, else what its name does.
+/// Instrument stated by the file, else by its name.
 struct StatedInstrument {
     std::string type, remark;
 };
@@ -40,11 +40,11 @@ StatedInstrument instrument_of(const DraftMeasurement& measurement) {
     return {"", instrument.name.empty() ? "" : "; the file states " + instrument.name};
 }
 
-/// What no file says of a probe, so that short waves are not believed for nothing.
+/// Questions for a probe that no file states, which limits the short waves.
 std::string probe_lines(const std::string& type, const formats::ChannelInfo& info) {
     const auto& instrument = info.metadata.instrument;
     const auto believed = resolution_without_probe(info);
-    if (instrument.tip_radius_standard_error) return "";  // the container says it, with its ±
+    if (instrument.tip_radius_standard_error) return "";  // the container states it, with its standard error
     if (instrument.tip_radius)
         return draft_line("tip_radius", format_value(*instrument.tip_radius, "m"), "as the file states, without its ±");
     if (instrument.resolution)

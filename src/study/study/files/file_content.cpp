@@ -60,7 +60,7 @@ FileContent content_of_toml(const std::string& file) {
     return content;
 }
 
-/// The constants of a force curve that its file does not say.
+/// The missing constants of a force curve.
 std::vector<std::string> names_in(const std::string& list) {
     std::vector<std::string> names;
     for (std::size_t at = 0; at < list.size();) {
@@ -71,7 +71,7 @@ std::vector<std::string> names_in(const std::string& list) {
     return names;
 }
 
-/// Of a file of several curves the first is described.
+/// Content of a file of force curves, the first of which is described.
 FileContent content_of_force_curve(const std::string& file, const bytes::Source& source, std::string format) {
     const auto curves = tables::open_force_curves(source);
     auto curve = curves.read(curves.numbers.front()).table;
@@ -86,7 +86,7 @@ FileContent content_of_force_curve(const std::string& file, const bytes::Source&
     return content;
 }
 
-/// A loop that a fit can take as it stands; what is missing for one is told.
+/// A loop that can be fitted; missing metadata are listed.
 FileContent content_of_loop(const std::string& file) {
     auto opened = open_loop({.file = file});
     FileContent content{.file = file, .kind = FileKind::loop, .format = ""};
@@ -95,13 +95,13 @@ FileContent content_of_loop(const std::string& file) {
     return content;
 }
 
-/// Which columns of a loop the header of a text or workbook names by words.
+/// Columns of a loop that the header of a text or workbook names by words.
 struct NamedColumns {
     bool force = false, displacement = false, contact_radius = false, time = false;
     bool text = false;  ///< one of its columns holds no numbers
 
     [[nodiscard]] bool loop() const { return force && (displacement || contact_radius); }
-    /// A record that is none before somebody says how its columns make a force, or where the radius is.
+    /// A record that needs columns given by the user for a force or a radius.
     [[nodiscard]] bool foreign() const { return time && (force || displacement) && !text; }
 };
 
@@ -116,7 +116,7 @@ std::optional<bytes::Source> beginning_of(const bytes::Source& source) {
 }
 
 NamedColumns named_columns(const bytes::Source& source, const std::string& file) {
-    constexpr double by_word = 0.75;  // less is a symbol or a unit alone, which heights may have, too
+    constexpr double by_word = 0.75;  // a lower confidence is only a symbol or a unit, which heights may have, too
     NamedColumns named;
     try {
         const auto beginning = beginning_of(source);
@@ -133,7 +133,7 @@ NamedColumns named_columns(const bytes::Source& source, const std::string& file)
                                       [](const auto& column) { return column.note.starts_with("text"); });
         named = {has("force", 0.0), has("displacement", by_word), has("contact_radius", 0.5), has("time", by_word),
                  text};
-    } catch (const Error&) {  // no table, and what it is others say
+    } catch (const Error&) {  // no table; other readers report its kind
     }
     return named;
 }
@@ -182,10 +182,10 @@ FileContent content_of_heights(const std::string& file, const formats::ReadOptio
             .channels = formats::open(source, format, options)};
 }
 
-/// NT-MDT's text has no header: three columns of numbers may as well be heights, which are kept beside the curve.
+/// NT-MDT's text has no header: three columns of numbers may also be heights, which are kept in addition to the curve.
 std::optional<FileContent> content_of_guessed_curve(const std::string& file, const bytes::Source& source,
                                                     const formats::ReadOptions& options) {
-    if (options.layout || options.size || options.unit) return std::nullopt;  // whoever says that means heights
+    if (options.layout || options.size || options.unit) return std::nullopt;  // these options imply heights
     auto content = content_of_force_curve(file, source, "nt-mdt");
     try {
         content.channels = content_of_heights(file, options).channels;
@@ -194,14 +194,14 @@ std::optional<FileContent> content_of_guessed_curve(const std::string& file, con
     return content;
 }
 
-/// Whether a file is a picture whose grey levels nobody has called heights: TIFF keeps both.
+/// Whether a file is a picture whose grey levels are not declared as heights: TIFF contains both.
 bool is_picture_first(const FileContent& content, const FileQuestions& questions) {
     return content.format == "tiff" && !questions.heights.unit &&
            std::all_of(content.channels.begin(), content.channels.end(),
                        [](const formats::Channel& channel) { return channel.info.unit.empty(); });
 }
 
-/// Whether the first channel says its size and unit: a text then says what its columns are.
+/// Whether the first channel states its size and unit, and thus the meaning of the columns of a text.
 bool is_certain(const FileContent& content) {
     const auto& info = content.channels.front().info;
     return !info.size.empty() && !info.unit.empty();
@@ -209,7 +209,7 @@ bool is_certain(const FileContent& content) {
 
 bool is_hdf5(const bytes::Source& source) { return source.head(8).starts_with("\x89HDF"); }
 
-/// Pictures in HDF5 come before the arrays they are. @throws as picture_content for what begins as a picture.
+/// Pictures in HDF5 have precedence over their arrays. @throws as picture_content for data that begin as a picture.
 std::optional<imaging::PictureContent> picture_in_hdf5(const std::string& file, const bytes::Source& source) {
     if (!is_hdf5(source)) return std::nullopt;
     try {
@@ -231,7 +231,7 @@ FileContent content_of_measurement(const std::string& file, const bytes::Source&
         if (!named.foreign() || is_certain(content)) return content;
     } catch (const Error&) {
         if (!named.foreign()) {
-            if (is_hdf5(source)) throw;  // no picture, as was seen above: the reason is that of the arrays
+            if (is_hdf5(source)) throw;  // no picture, as determined above: the reason is that of the arrays
             if (auto picture = imaging::picture_content(file)) return content_of_picture(file, std::move(*picture));
             throw;
         }

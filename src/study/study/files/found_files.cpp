@@ -32,7 +32,7 @@ bool is_plain_archive(const std::string& path) {
         } catch (const FormatError&) {
             return true;
         }
-    } catch (const Error&) {  // damaged: whoever opens it says how
+    } catch (const Error&) {  // damaged: opening it later reports the reason
         return false;
     }
 }

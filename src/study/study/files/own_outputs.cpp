@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// How the first line of a table of results begins.
+/// First characters of the first line of a table of results.
 constexpr std::array<std::string_view, 20> table_beginnings{
     "file,surface,elastomer,lens,spot,contact,cycle,",  // fits and energies of loops
     "time [s],force [N],displacement [m],work [J],elastic [J]",
@@ -161,7 +161,7 @@ bool is_own_output(const std::string& file) {
         if (ending == ".html") return holds(head, "<meta name=\"generator\" content=\"setae");
         return is_own_table(head) || head.starts_with(result_list_heading);
     } catch (const Error&) {
-        return false;  // whoever reads it says why
+        return false;  // reading it later reports the reason
     }
 }
 

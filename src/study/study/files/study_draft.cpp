@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What belongs to one surface by its folder.
+/// Files of one surface by its folder.
 struct SurfaceFiles {
     std::string name;
     std::vector<DraftMeasurement> measurements;
@@ -33,7 +33,7 @@ fs::path whole_path(const fs::path& path) {
     return fs::weakly_canonical(fs::absolute(path, ignored), ignored);
 }
 
-/// The folder that surfaces are named from: the one given, or the one around all that are.
+/// The folder relative to which surfaces are named: the given one, or the one around all files.
 fs::path root_of(const std::vector<std::string>& paths) {
     fs::path root;
     for (const auto& path : paths) {
@@ -132,7 +132,7 @@ private:
         }
     }
 
-    /// The mappings that read a loop whose columns no rule knows.
+    /// The mappings that read a loop with unknown columns.
     [[nodiscard]] std::vector<std::string> mappings_of(const FileContent& content) const {
         const bool open = std::find(content.missing.begin(), content.missing.end(), "columns") != content.missing.end();
         return open ? tables::fitting_mappings(content.file, mapping_folder_) : std::vector<std::string>{};
@@ -186,7 +186,7 @@ private:
         return text;
     }
 
-    /// A table of a spectrum stands for a surface of its own; beside measurements it is one choice more.
+    /// A table of a spectrum is a surface of its own; next to measurements it is an alternative.
     std::string spectrum_text(const SurfaceFiles& surface, const FileContent& spectrum) {
         const auto file = relative(spectrum.file);
         const auto remark = spectrum_remark(*spectrum.table);
@@ -207,7 +207,7 @@ private:
         return text;
     }
 
-    /// Loops, with the surface and elastomer their files or names tell.
+    /// Loops, with surface and elastomer from their files or names.
     [[nodiscard]] std::string contact_text(const std::vector<DraftLoop>& loops,
                                            const std::vector<std::string>& recordings) {
         std::vector<std::string> names;

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A study's file as lines, and where its tables stand.
+/// A study's file as lines, with the positions of its tables.
 class StudyLines {
 public:
     explicit StudyLines(const std::string& path) : document_(bytes::parse_toml_file(path)) {
@@ -51,7 +51,8 @@ public:
         return node == nullptr ? 1 : static_cast<std::size_t>(node->source().begin.line);
     }
 
-    /// The first line below one, within its table, that asks for one of some keys; the line itself where none does.
+    /// The first line below one, within its table, with a question for one of some keys; the line itself where there is
+    /// none.
     [[nodiscard]] std::size_t asking(std::size_t line, const std::vector<std::string>& keys) const {
         for (auto i = line; i < lines_.size() && !heads_table(lines_[i]) && lines_[i].find('{') == std::string::npos;
              ++i)
@@ -60,7 +61,7 @@ public:
         return line;
     }
 
-    /// What tables in comments ask for.
+    /// Questions of tables in comments.
     [[nodiscard]] std::vector<StudyGap> asked_in_comments() const {
         std::vector<StudyGap> gaps;
         std::string table;
@@ -84,7 +85,7 @@ private:
         const auto text = content_of(line);
         return text.starts_with('[') && text.find(']') != std::string_view::npos;
     }
-    /// "[elastomers.soft]" where a table stands in a comment; empty for one that counts.
+    /// "[elastomers.soft]" where a table is in a comment; empty for an active one.
     static std::string commented_table(const std::string& line) {
         if (!trimmed(line).starts_with('#')) return "";
         const auto text = content_of(line);
@@ -129,7 +130,7 @@ private:
         gaps_.push_back({line, item, std::move(message)});
     }
 
-    /// What cannot be opened. A reason that begins with the file is cut there.
+    /// Files that cannot be opened. A reason that begins with the file is cut there.
     template <class Opening>
     void try_to_open(std::size_t line, const std::string& file, const Opening& opening) {
         try {

@@ -8,7 +8,7 @@ namespace setae::study {
 void remark_implausible(bytes::TomlReader& reader, const char* key, double value, double lower, double upper,
                         const std::string& unit) {
     if (value == 0.0 || (value >= lower && value <= upper)) return;
-    // no unit is off by so much: what follows from such a value is no number
+    // units are never wrong by so much: such a value is invalid
     constexpr double max_factor_off = 1e12;
     const auto in_unit = [&](double number) { return format_value(number, unit.empty() ? "1" : unit, 3); };
     if (value < lower / max_factor_off || value > upper * max_factor_off)

@@ -11,13 +11,13 @@ using bytes::TomlReader;
 
 constexpr std::int64_t max_samples = 1'000'000;
 
-/// A field of how a loop is analysed.
+/// A field of the options of a loop's analysis.
 template <class Field>
 auto analysis(Field field) {
     return [field](auto& e) -> auto& { return std::invoke(field, e.options); };
 }
 
-/// A field of what is fitted to it.
+/// A field of the models that are fitted.
 template <class Field>
 auto fitted(Field field) {
     return [field](auto& e) -> auto& { return std::invoke(field, e.models); };

@@ -32,13 +32,13 @@ constexpr const char* switch_key = "enabled";
 constexpr const char* file_parameter = "file";  // its value is a path
 constexpr std::size_t longest_file = 1 << 20;
 
-/// A key or a text of a file and the line it stands on.
+/// A key or a text of a file with its line.
 struct Item {
     std::string key, value;
     std::uint64_t line = 0;
 };
 
-/// A file as items: what YAML and TOML have in common.
+/// A file as items: the common part of YAML and TOML.
 class Builder {
 public:
     explicit Builder(std::string path) : path_(std::move(path)) {}
@@ -47,7 +47,7 @@ public:
         throw FormatError(path_, {.line = line}, what);
     }
 
-    /// A key beside the list of steps.
+    /// A key next to the list of steps.
     [[noreturn]] void refuse_key(const Item& item) const {
         const std::vector<std::string> known{list_key};
         const auto nearest = nearest_match(item.key, known);
@@ -203,7 +203,7 @@ Pipeline from_toml(const std::string& path) {
     return builder.take();
 }
 
-/// Whether a text is a number or a switch, which stand without quotes.
+/// Whether a text is a number or a switch, which are written without quotes.
 bool plain(const std::string& value) {
     if (value == "true" || value == "false") return true;
     return !value.empty() && value.find_first_not_of("0123456789.-") == std::string::npos;

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What columns of a quantity are called, in the order they are looked for.
+/// Names of columns of a quantity, in the order of the search.
 std::vector<std::string> names_of(const std::string& quantity) {
     static const std::vector<std::vector<std::string>> known{
         {"W", "work_of_adhesion", "W_app", "w"},
@@ -121,7 +121,7 @@ std::vector<std::string> levels_of(const std::vector<tables::TextTable>& tables,
     return levels;
 }
 
-/// A row of a table that holds what is asked for, with its columns for exclusions.
+/// A row of a table with the requested values, with its columns for exclusions.
 struct Candidate {
     const tables::TextTable* table;
     const tables::TextTable::Row* row;
@@ -177,7 +177,7 @@ std::vector<Candidate> chosen_rows(const std::vector<tables::TextTable>& tables,
     }
     const bool named_primary =
         by_primary && std::all_of(places.begin(), places.end(), [](const Places& p) { return p.primary.has_value(); });
-    if (named_primary)  // a row without method says why a branch has no fit
+    if (named_primary)  // a row without method gives the reason for a missing fit of a branch
         std::erase_if(rows, [](const Candidate& row) {
             return row.row->cells[*row.places->primary] != "yes" &&
                    !(row.places->method && row.row->cells[*row.places->method].empty());

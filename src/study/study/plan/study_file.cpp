@@ -23,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 using bytes::TomlReader;
 
-/// The steps of a pipeline, read with the study, so that what is wrong in them is said before anything is computed.
+/// The steps of a pipeline, read with the study, so that errors in them are reported before any computation.
 void read_pipeline_of(TomlReader& reader, MeasurementInput& input) {
     const auto file = reader.text("pipeline");
     if (!file) return;
@@ -143,14 +143,15 @@ const Keys<MeasurementInput>& measurement_keys() {
     return keys;
 }
 
-/// What nobody named is an instrument's, not a file's: without the place in the study file as its name.
+/// An input without a name belongs to an instrument, not to a file: the position in the study file is removed from its
+/// name.
 void forget_places(MeasurementInput& input) {
     for (auto* value :
          {&input.tip_radius, &input.foil_thickness, &input.height_calibration, &input.lateral_calibration})
         if (*value && (*value)->input.find(".measurements[") != std::string::npos) (*value)->input.clear();
 }
 
-/// Moments that nobody named are those of one spectrum; where the model ends is an input of its own.
+/// Moments without names are those of one spectrum; the end of the model is an input of its own.
 void forget_places(PublishedMoments& moments) {
     for (auto* value : {&moments.rms_height, &moments.rms_slope, &moments.rms_curvature})
         if (value->input.find(".moments.") != std::string::npos) value->input.clear();
@@ -430,7 +431,7 @@ void require_same_shared_fit(const TomlReader& reader, const ExperimentInput& ex
                             other.file));
 }
 
-/// The mapping of that name in a folder, where there is no such file beside the study.
+/// The mapping of that name in a folder, where there is no such file next to the study.
 void find_mapping(const TomlReader& reader, const char* key, std::optional<std::string>& mapping,
                   const std::string& folder) {
     const auto name = mapping ? fs::path(*mapping).filename() : fs::path();
@@ -443,7 +444,7 @@ void find_mapping(const TomlReader& reader, const char* key, std::optional<std::
     }
 }
 
-/// An experiment of a study whose experiments before it are read; it comes with what [loops] says.
+/// An experiment of a study whose preceding experiments are read; it starts with the values of [loops].
 ExperimentInput read_experiment(TomlReader reader, const Study& study, ExperimentInput experiment,
                                 const std::string& mapping_folder) {
     loop_keys().read(reader, experiment);
@@ -460,7 +461,7 @@ ExperimentInput read_experiment(TomlReader reader, const Study& study, Experimen
     return experiment;
 }
 
-/// Rows of published values, one a surface, one entry an elastomer.
+/// Rows of published values, one per surface, one entry per elastomer.
 class PublishedTables {
 public:
     explicit PublishedTables(Study& study) : study_(study) {}
@@ -647,7 +648,7 @@ const Keys<ComparisonOptions>& comparison_keys() {
     return keys;
 }
 
-/// @throws FormatError for a level that cannot cross surfaces and for a margin of nothing.
+/// @throws FormatError for a level that cannot cross surfaces and for a margin of zero.
 ComparisonOptions read_comparison(TomlReader reader) {
     auto options = comparison_keys().from(reader);
     for (const auto& level : options.crossed)
@@ -658,7 +659,7 @@ ComparisonOptions read_comparison(TomlReader reader) {
     return options;
 }
 
-/// What others reported for one fit.
+/// Published results of one fit.
 struct Reported {
     std::optional<Estimate> work_of_adhesion, r_squared;
     std::string source;
@@ -699,7 +700,7 @@ void require_declared_names(const Study& study) {
     }
 }
 
-/// Of the loops on one elastomer either all name their lens (spot) or none does.
+/// Checks that all loops on one elastomer name their lens (spot), or none of them.
 void require_complete_labels(const Study& study) {
     const auto require = [&](const char* key, std::string ExperimentInput::*label) {
         for (const auto& elastomer : study.elastomers) {

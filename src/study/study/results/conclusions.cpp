@@ -29,7 +29,7 @@ using adhesion::RoughSide;
 using adhesion::SoftSide;
 using roughness::SpectralParameters;
 
-/// Whether (7) can be evaluated for a pair: a spectrum and a modulus.
+/// Whether the full-contact balance (Eq. 7) can be evaluated for a pair: a spectrum and a modulus.
 bool predictable(const SurfaceResult& surface, const ElastomerResult& elastomer) {
     return !surface.failed() && elastomer.contact_modulus.value > 0.0;
 }
@@ -48,7 +48,7 @@ private:
     using Balance = PairPoint (*)(const RoughSide&, const SoftSide&);
     using ParametersOf = std::function<const SpectralParameters&(std::size_t surface)>;
 
-    /// A surface as the contact of one pair sees it: waves longer than the contact and the depth of the soft body.
+    /// A surface within the contact of one pair: without waves longer than the contact and the depth of the soft body.
     void find_shares();
     [[nodiscard]] RoughnessInContact in_contact(const PairResult& pair, const SpectralParameters& parameters) const;
     [[nodiscard]] ParametersOf whole_spectra() const {
@@ -90,8 +90,8 @@ private:
     std::optional<adhesion::WorkPosterior> posterior_;  ///< of W_int, where it was fitted
 };
 
-/// What each pair's contact sees of its surface: the waves shorter than its own diameter, unless the study says which
-/// is the longest, in a soft body as high as the lens.
+/// Part of the surface that acts in each pair's contact: waves shorter than its diameter, unless the study states the
+/// longest, in a soft body as high as the lens.
 void Concluding::find_shares() {
     for (auto& pair : to_.pairs) {
         const auto& surface = result_.surface(pair.surface);
@@ -180,7 +180,7 @@ Outcome<adhesion::LossFits> Concluding::fit_losses() const {
     return fits;
 }
 
-/// (7) of all pairs with what surfaces store left free; factor: on γ1.
+/// Eq. 7 of all pairs with free stored energies; factor: on γ1.
 std::vector<adhesion::FreeEnergyPoint> Concluding::free_points(const ParametersOf& parameters_of, double factor) const {
     std::vector<adhesion::FreeEnergyPoint> found;
     for (auto& point : points(adhesion::point_without_stored_energy, parameters_of)) {
@@ -191,7 +191,7 @@ std::vector<adhesion::FreeEnergyPoint> Concluding::free_points(const ParametersO
     return found;
 }
 
-/// What conforming gains and stores of all pairs; factor: on γ1.
+/// Energies gained and stored in full contact of all pairs; factor: on γ1.
 std::vector<adhesion::PartialContactPoint> Concluding::partial_points(const ParametersOf& parameters_of,
                                                                       double factor) const {
     const auto whole = points(adhesion::modified_point, parameters_of);
@@ -222,7 +222,7 @@ Outcome<adhesion::StrainedInterfaceFit> Concluding::fit_interface() const {
     }
 }
 
-/// (7) with W_int in proportion to the reference of each elastomer, or which elastomer has none.
+/// Eq. 7 with W_int in proportion to the reference of each elastomer, or the elastomer without one.
 Outcome<std::vector<PairPoint>> Concluding::reference_scaled(std::vector<PairPoint> modified) const {
     for (auto& point : modified) {
         const auto reference = reference_work(result_, point.elastomer);
@@ -253,7 +253,7 @@ std::vector<SpectralParameters> Concluding::cut_at(double shortest) const {
     return surfaces;
 }
 
-/// Short cuts that leave some of every spectrum, two a decade.
+/// Short cuts that leave a part of every spectrum, two per decade.
 std::vector<double> Concluding::compared_cuts() const {
     double finest = 0.0, coarsest = std::numeric_limits<double>::infinity();
     for (const auto& surface : result_.surfaces) {
@@ -284,7 +284,7 @@ void Concluding::compare(std::vector<ComparedBalance>& balances, const std::vect
     add("modified", adhesion::score_balance(scaled));
     if (const auto by_reference = reference_scaled(scaled)) {
         auto score = adhesion::score_balance(*by_reference);
-        double mean = 0.0;  // of the references, so that W_int stands beside that of others
+        double mean = 0.0;  // mean of the references, so that W_int is comparable with the others
         for (std::size_t i = 0; i < scaled.size(); ++i)
             mean += (*by_reference)[i].slope / scaled[i].slope / static_cast<double>(scaled.size());
         score.work_of_adhesion *= mean;
@@ -307,7 +307,7 @@ void Concluding::compare(std::vector<ComparedBalance>& balances, const std::vect
     if (to_.strained_interface) try {
             add("strained_interface", adhesion::score_strained_interface(scaled));
         } catch (const InvalidArgument&) {
-            // spectra cut at long waves leave all surfaces flat: no change with true area is to be seen
+            // spectra cut at long waves leave all surfaces flat: true areas do not differ
         }
     if (to_.free_energies) add("free_energies", adhesion::score_free_energies(free_points(of, factor)));
 }
@@ -323,8 +323,8 @@ std::vector<ComparedBalance> Concluding::compare_balances() const {
     return balances;
 }
 
-/// Of elastomers, loops and instruments: what is stated of a surface's spectrum changes its numbers too far for a
-/// straight line over two standard errors.
+/// For inputs of elastomers, loops and instruments: inputs of a surface's spectrum change its parameters too much for a
+/// linear relation over two standard errors.
 std::vector<std::string> Concluding::profiled_inputs() const {
     auto names = stated_inputs(result_, to_);
     std::erase_if(names, [](const std::string& name) { return name.starts_with("surfaces."); });
@@ -384,7 +384,7 @@ void Concluding::fit() {
     }
 }
 
-/// Of a soft side whose surface or interface changes as it is stretched.
+/// For a soft side with a strain-dependent surface or interfacial energy.
 std::optional<adhesion::ApparentWork> general_balance(const ElastomerInput& soft, double work,
                                                       const adhesion::ConformalState& state) {
     const auto& law = soft.surface_energy_law;
@@ -429,7 +429,7 @@ void add_alerts(PairResult& pair) {
              "bridges"});
 }
 
-/// What was measured of other pairs scatters about (7), and so will this one.
+/// Measured values of other pairs scatter about Eq. 7, and so will this one.
 void Concluding::add_departure(PairResult& pair) const {
     pair.line->departure = adhesion::departure_from(to_.modified->generalised, *pair.line, 1.0);
     pair.modified->traced = adhesion::raw_prediction(*pair.line, to_.traced_work_of_adhesion);
@@ -467,7 +467,7 @@ void Concluding::predict(PairResult& pair, const SurfaceResult& surface, const E
                                           soft.contact_modulus.value, work.value, soft.surface_energy.value,
                                           rough.parameters.area_shape);
     add_alerts(pair);
-    if (to_.of_averages) return;  // what lies beyond the data is known of the spectrum used alone
+    if (to_.of_averages) return;  // waves beyond the data are known only for the spectrum used
     // waves longer than the contact do not matter
     const auto& longer = pair.contact_area ? std::optional<roughness::BeyondData>{} : surface.longer_waves;
     pair.with_unmeasured_waves = adhesion::work_with_unmeasured_waves(
@@ -509,7 +509,7 @@ void Concluding::test() {
     }
 }
 
-/// Draws of everything W_int and the predictions rest on, as the measured pairs leave it.
+/// Draws of all inputs of W_int and of the predictions, from the posterior of the measured pairs.
 void Concluding::draw() {
     constexpr int draws = 1000;
     if (!to_.work_of_adhesion) return;

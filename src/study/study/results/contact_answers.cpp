@@ -20,7 +20,7 @@ void require_prediction(const PairResult& pair) {
         throw InternalError(pair.surface + " × " + pair.elastomer + ": no theory was evaluated for this pair");
 }
 
-/// W_int r − γ1 (r − 1): what full contact gains before it stores anything [J/m²].
+/// W_int r − γ1 (r − 1): energy gained in full contact, without the stored energy [J/m²].
 double full_contact_gain(const PairResult& pair) { return pair.modified->work.raw + pair.stored_energy.value; }
 
 double energy_share(const PairResult& pair) {

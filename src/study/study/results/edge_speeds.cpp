@@ -48,11 +48,11 @@ struct RatesAtSpeeds {
     }
 };
 
-/// The law of several edges as one.
+/// Combines the laws of several edges.
 ///
-/// Errors of G0, v0 and n follow each other along a bent ridge, which no mean of them stays on; those of G at speeds
-/// that the edges went through hardly do. Their means at three speeds, weighted by the inverse of their covariance,
-/// make the law.
+/// Errors of G0, v0 and n are strongly correlated along a curved ridge, so that their means would not be on it; those
+/// of G at speeds within the range of the edges are almost uncorrelated. Their means at three speeds, weighted by the
+/// inverse of their covariance, determine the law.
 class Combination {
 public:
     /// @throws UndefinedDataError for a fit without standard errors.
@@ -114,7 +114,7 @@ private:
         return {std::exp(slow), std::exp(slow + 0.5 * range), std::exp(slow + range)};
     }
 
-    /// By Newton's steps, shortened where they would leave a decade.
+    /// By Newton's steps, limited to one decade.
     [[nodiscard]] Logarithms law_through(const Eigen::Vector3d& rates, const std::array<double, 3>& speeds) const {
         Logarithms law = Logarithms::Zero();
         for (const auto& one : laws_) law += one / static_cast<double>(laws_.size());
@@ -146,7 +146,8 @@ private:
 
     std::vector<Logarithms> laws_;
     std::vector<Eigen::Matrix3d> covariances_;
-    double slow_ = 0.0, range_ = 0.0;  ///< sums of ln of the slowest speeds, and of ln of what the fastest are times it
+    /// sums of ln of the slowest speeds, and of ln of the ratios of the fastest to the slowest
+    double slow_ = 0.0, range_ = 0.0;
 };
 
 /// The sum of drives, and how many.

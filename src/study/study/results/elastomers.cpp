@@ -16,14 +16,14 @@
 namespace setae::study {
 namespace {
 
-/// One fit of all loops on an elastomer that ask for it and are not excluded; nothing where none does.
+/// One fit of all loops on an elastomer that request it and are not excluded; empty where none does.
 std::optional<Outcome<loops::GlobalFit>> share(const StudyResult& result, const std::string& elastomer) {
     const LoopModelOptions* options = nullptr;
     std::vector<loops::GlobalBranch> loops;
     try {
         for (const auto& e : result.experiments) {
             if (e.input.elastomer != elastomer || e.input.excluded() || !e.input.models.shared()) continue;
-            options = &e.input.models;  // the study's file says the same of all of them
+            options = &e.input.models;  // the study's file has equal options for all of them
             if (e.analysis && (options->branch == loops::LoopBranch::loading || e.analysis->unloading))
                 loops.push_back(branch_to_share(e.input.file, *e.analysis, e.bodies, e.input.options, *options));
         }
@@ -99,7 +99,7 @@ void check_plausibility(ElastomerResult& elastomer) {
     elastomer.network_modulus = loops::rubber_modulus(elastomer.input.density, elastomer.input.temperature,
                                                       *elastomer.input.crosslink_molar_mass);
     const double ratio = elastomer.youngs_modulus.value / *elastomer.network_modulus;
-    constexpr double largest_ratio = 30.0;  // entanglements raise E of lightly linked networks, E = 3G alone gives 3
+    constexpr double largest_ratio = 30.0;  // entanglements increase E of lightly linked networks; only E = 3G gives 3
     if (ratio > 1.0 / largest_ratio && ratio < largest_ratio) return;
     elastomer.alerts.push_back({"MODULUS_IMPLAUSIBLE", elastomer.input.name,
                                 fmt::format("E = {:.3g} Pa is {:.2g} times rho R T/M_c = {:.3g} Pa",

@@ -11,7 +11,7 @@
 namespace setae::study {
 namespace {
 
-/// Adds a kind where some of its owners have no ±; each owner once.
+/// Adds a kind where some of its owners have no standard error; each owner once.
 template <class Owners>
 void add(std::vector<ExactInputs>& found, const char* what, const Owners& owners,
          const std::function<bool(const typename Owners::value_type&)>& exact,

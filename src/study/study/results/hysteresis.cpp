@@ -44,14 +44,14 @@ std::optional<TracedValue> pull_off_of(const TracedValue& work_retraction, const
                              {work_retraction, *pair.radius});
 }
 
-/// A law from roughness alone.
+/// A model with predictions from roughness.
 LikelierModel likelier_of(const PairModel& law) {
     const auto& roughness = *law.pair.from_roughness;
     const auto work = hysteresis::predicted_retraction(law.fitted, roughness);
     return {law.fitted.model, work, pull_off_of(work, roughness)};
 }
 
-/// Pairs whose k lies outside what was simulated, in one alert.
+/// Pairs whose k is outside the simulated range, in one warning.
 std::vector<Alert> pinning_alerts(const std::vector<PairHysteresis>& pairs) {
     std::vector<std::string> beyond;
     for (const auto& pair : pairs) {
@@ -103,11 +103,11 @@ public:
     }
 
 private:
-    /// A pair as a ranking sees it; nothing of pairs that it leaves out.
+    /// A pair for a ranking; empty for pairs that it leaves out.
     using View = std::function<std::optional<RankedPair>(const PreparedPair&)>;
     [[nodiscard]] std::vector<RankedPair> seen_by(const View& view) const;
     [[nodiscard]] Ranking ranking(const View& view) const;
-    /// Pairs by the last points of their retraction, all or those that conform.
+    /// Pairs by the last points of their retraction, all or those in spontaneous full contact.
     [[nodiscard]] static View by_last_points(bool conforming_alone);
     void rank_by_area();
     [[nodiscard]] const Ranking* ranking_of(const PreparedPair& pair) const;
@@ -218,7 +218,7 @@ PairHysteresis HysteresisOf::of(const PreparedPair& pair) {
     else
         found.loop = Outcome<hysteresis::PredictedRetraction>::missing(
             "W_app is 0: stretching the soft side costs more than the contact gains");
-    // of an edge that minds its speed no 3/2 πR W_ret: every force has a G of its own
+    // a rate-dependent edge has no 3/2 πR W_ret: every force has a G of its own
     if (found.loop && fitted.model.tip == Tip::speed) found.pull_off_force = found.loop->pull_off_force;
     found.residuals = loop_residuals(result_, found);
     return found;
@@ -230,7 +230,7 @@ void HysteresisOf::decompose() {
     found_.joint = std::move(losses.joint);
 }
 
-/// W_ret by one model less that by another, pairs on their laws.
+/// W_ret by one model minus that by another, for pairs with their models.
 TracedValue difference_of(FittedModel one, FittedModel other, const RetractionPair& pair) {
     one.scatter = other.scatter = {};
     const auto first = hysteresis::predicted_retraction(one, pair),
@@ -246,8 +246,8 @@ bool HysteresisOf::excluded_by_all(const ModelScore& best, const ModelScore& oth
                                 [&](const ModelScore* score) { return score->fitted.model == other.fitted.model; });
 }
 
-/// Of the best model and the likeliest other that is possible, the pair on which they differ most, in standard
-/// errors of what is predicted there.
+/// For the best model and the likeliest other possible model, the pair with the largest difference in standard errors
+/// of the prediction.
 void HysteresisOf::decide() {
     const bool by_conforming = found_.conforming.best() != nullptr;
     const auto& ranking = by_conforming ? found_.conforming : found_.all;

@@ -30,7 +30,8 @@ std::optional<TracedValue> tip_factor_of(const StudyResult& result, const std::s
                        fmt::format("W_ret/W_app of the reference on {}", elastomer));
 }
 
-/// U_el by bands of a factor of 4, finest first, over all of it; the mean wavelength of a band is that of narrow parts.
+/// U_el by bands of a factor of 4, finest first, divided by its sum; the mean wavelength of a band is that of narrow
+/// parts.
 std::vector<hysteresis::PinningBand> bands_of(const spectra::Spectrum& curve) {
     const auto cumulative = roughness::cumulative_parameters(curve);
     const auto &q = cumulative.wavevector, &energy = cumulative.elastic_energy_per_modulus;
@@ -63,7 +64,7 @@ std::optional<hysteresis::Pressing> pressing_of(const ElastomerResult& elastomer
     return hysteresis::Pressing{.maximum_force = std::max(0.0, force)};
 }
 
-/// The mean of what loops on the pair state, else of what loops on its elastomer do; nothing where none does.
+/// The mean of loops on the pair, else of loops on its elastomer; empty where none states it.
 std::optional<TracedValue> machine_stiffness_of(const StudyResult& result, const PairResult& pair) {
     const auto stated = [&](bool on_pair) {
         std::vector<TracedValue> found;
@@ -88,7 +89,7 @@ std::optional<TracedValue> machine_stiffness_of(const StudyResult& result, const
     return mean;
 }
 
-/// How the W_ret of a pair is read: by (S1) where there is none by (S2).
+/// Method for W_ret of a pair: Eq. S1 where there is none by Eq. S2.
 Reading reading_of(const PairResult& pair) {
     return !pair.retraction && pair.pull_off ? Reading::smallest_force : Reading::last_points;
 }
@@ -116,12 +117,12 @@ std::optional<hysteresis::SpeedFactor> speed_factor_of(const RetractionPair& pai
         if (read && read->value > 0.0) return speed_factor_of_reading(sphere, *pair.edge_speed, pull, read->value);
         return speed_factor(sphere, *pair.edge_speed, pull, 2.0 * work);
     } catch (const InvalidArgument&) {
-        return std::nullopt;  // a law so steep that no edge of it can be followed
+        return std::nullopt;  // a law so steep that the edge cannot be computed
     }
 }
 
-/// W_ret with which a loop of the measured W_app and contact area would lose what this one did, the bulk's share of it
-/// left out: the edge's own.
+/// W_ret for which a loop with the measured W_app and contact area would have the measured loss, without the share of
+/// the bulk.
 std::optional<TracedValue> work_of_area(const PreparedPair& pair) {
     const auto loss = pair.measured.traced_loss();
     const auto& as = *pair.as_measured;
@@ -140,7 +141,7 @@ std::optional<TracedValue> work_of_area(const PreparedPair& pair) {
         return setae::propagated(work, {*as.approach, *as.radius, as.soft.contact_modulus, *as.contact_area, *loss,
                                         as.machine_stiffness.value_or(TracedValue())});
     } catch (const InvalidArgument&) {
-        return std::nullopt;  // the jumps alone would lose more
+        return std::nullopt;  // the jumps would dissipate more
     }
 }
 
@@ -160,7 +161,7 @@ void read_area(PreparedPair& pair, const std::optional<PairDrive>& drive) {
     pair.of_area = std::move(read);
 }
 
-/// Why retraction models do not apply to a pair; empty where they do.
+/// Reason for which retraction models do not apply to a pair; empty where they do.
 std::string reason_against(const SurfaceResult& surface, const PairResult& pair, double work_of_adhesion,
                            const ElastomerResult& elastomer) {
     if (surface.failed()) return surface.error;
@@ -171,7 +172,7 @@ std::string reason_against(const SurfaceResult& surface, const PairResult& pair,
     return state.full_contact_gain() > 0.0 ? "" : "stretching the soft side costs more than W_int gains";
 }
 
-/// Why a retraction model cannot be evaluated for a pair; empty where all can.
+/// Reason for which a retraction model cannot be evaluated for a pair; empty where all can.
 std::string reason_of_models(const PreparedPair& pair) {
     const hysteresis::MeasuredWork any{.value = {.value = 1.0, .standard_error = 0.0}, .inputs = {}};
     try {

@@ -14,8 +14,7 @@ namespace {
 /// Force of one branch by displacement: 0 below it, where nothing touches, that of the turning point above.
 class BranchCurve {
 public:
-    /// The states of a branch, in which displacement falls; where it turns back, behind the smallest, they are left
-    /// out.
+    /// The states of a branch of decreasing displacement; states beyond the smallest displacement are left out.
     explicit BranchCurve(std::vector<std::pair<double, double>> falling) {
         for (const auto& [displacement, force] : falling) {
             if (!points_.empty() && !(displacement < points_.back().first)) continue;
@@ -55,7 +54,7 @@ PredictedBranches branches_of(const hysteresis::PredictedRetraction& loop) {
     return {BranchCurve(std::move(approach)), BranchCurve(std::move(retraction))};
 }
 
-/// The surest of those that loading tells: how the contact parts, which `pull_off` rests on, is what is predicted.
+/// The most precise estimate from loading: that by `pull_off` depends on the separation, which is predicted here.
 double contact_point_of_loading(const loops::ContactPoints& points) {
     using Method = loops::ContactPointMethod;
     Estimate surest{.value = points.contact_point.value, .standard_error = std::numeric_limits<double>::infinity()};

@@ -43,7 +43,7 @@ TracedValue loss_of_works(const PreparedPair& pair, const TracedValue& retractio
          measured.contact_area.value_or(TracedValue()), measured.machine_stiffness.value_or(TracedValue())});
 }
 
-/// Effects that pairs of one law share, by whose they are.
+/// Effects that pairs of one model share, by surface and elastomer.
 struct ScatterNames {
     std::string pair, surface, elastomer;
 
@@ -53,7 +53,7 @@ struct ScatterNames {
           elastomer(fmt::format("pairs about {}: {}", law, of.measured.elastomer)) {}
 };
 
-/// The law with a number of its own that loops may move, and with effects of pairs in place of an error.
+/// The model with a free parameter for the loops, and with effects of pairs in place of an error.
 FittedModel freed(const PairModel& law) {
     auto fitted = law.fitted;
     const auto name = fitted.model.name();
@@ -76,16 +76,16 @@ FittedModel freed(const PairModel& law) {
     return fitted;
 }
 
-/// One loop as the fit sees it.
+/// One loop in the fit.
 struct Prepared {
     const PairModel* law = nullptr;
     LossDecomposition loss;
-    TracedValue computed;  ///< E_loss by the law, effects of pairs among what it rests on [J]
+    TracedValue computed;  ///< E_loss by the model, with effects of pairs among its inputs [J]
     TracedValue work_off;  ///< W_ret measured less computed [J/m²]
     double area = 0.0;     ///< π a_max² [m²]
 };
 
-/// Without what pairs differ by from their law: that is not explained.
+/// Without the scatter of pairs about their model: that is unexplained.
 TracedValue by_law_alone(TracedValue value, const ScatterNames& names) {
     for (const auto& name : {names.pair, names.surface, names.elastomer}) value.components.erase(name);
     return value;
@@ -103,7 +103,7 @@ Outcome<Prepared> prepared(const PairModel& law) {
     result.loss.model = law.fitted.model.name();
     const auto recorded = pair.measured.traced_loss();
     result.loss.of_works = !recorded;
-    if (!recorded) measured.relaxation.clear();  // works know of no bulk
+    if (!recorded) measured.relaxation.clear();  // works contain no bulk relaxation
     const auto fitted = freed(law);
     const auto loop = hysteresis::predicted_retraction_loop(fitted, measured);
     if (!loop) return Missing::missing("W_app is 0");
@@ -138,7 +138,7 @@ std::vector<std::string> indistinguishable(const EnergyShares& shares) {
     return pairs;
 }
 
-/// What is measured less what is computed; of energies with an error of their own, so much an area.
+/// Measured minus computed values; energies have an additional error per area.
 std::vector<TracedValue> residuals_of(const std::vector<const Prepared*>& loops, double unexplained_per_area) {
     std::vector<TracedValue> residuals;
     for (const auto* loop : loops) {

@@ -14,7 +14,7 @@
 namespace setae::study {
 namespace {
 
-/// How it reads beside what was measured; nothing where the two agree.
+/// Message on the difference from the measured value; empty where the two agree.
 std::optional<Alert> contradiction(const std::string& subject, const LossOfWorks& by_works, const Estimate& measured) {
     constexpr double standard_errors = 3.0, share = 0.2;
     const double apart = measured.value - by_works.energy.value,

@@ -30,7 +30,7 @@ void take_published(PairResult& pair, const PublishedPair& published) {
     if (published.contact_radius) pair.contact_area = pi * *published.contact_radius * *published.contact_radius;
 }
 
-/// What the mean contact area of loops rests on: their fits, and inputs that loops share.
+/// Inputs of the mean contact area of loops: their fits, and inputs that loops share.
 Components area_inputs_of(const std::vector<const ExperimentResult*>& loops) {
     const double share = 1.0 / static_cast<double>(loops.size());
     std::vector<Components> fits(loops.size());
@@ -95,7 +95,7 @@ loops::Outcome<PairWorkAlong> work_along_of(const PairResult& pair, const StudyR
                          mean(loss),        mean(recorded),   static_cast<int>(slope.size())};
 }
 
-/// Measured values by the mixed model, where the loops on the pair's elastomer name what was repeated.
+/// Measured values by the mixed model, where the loops on the pair's elastomer name replicates.
 void take_replicates(PairResult& pair, const StudyResult& result, const ElastomerResult& elastomer) {
     for (const auto& replicates : result.replicates) {
         if (replicates.elastomer != pair.elastomer || !replicates.model) continue;

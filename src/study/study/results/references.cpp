@@ -14,7 +14,7 @@
 namespace setae::study {
 namespace {
 
-/// A loop on a smooth standard as a reference, and what experiment knows of it.
+/// A loop on a smooth reference, with the measured data.
 struct MeasuredReference {
     std::string elastomer, stage;
     loops::ReferenceLoop loop;
@@ -73,7 +73,7 @@ void compare_with_margin(ReferenceResult& reference, double margin) {
     reference.loss_per_area = statistics::test_equivalence(scaled(beyond, 1.0 / *reference.contact_area), margin);
 }
 
-/// What the smooth references have of each pair's hysteresis.
+/// Share of each pair's hysteresis that the smooth references have.
 void add_shares(StudyResult& result) {
     for (auto& pair : result.pairs) {
         std::vector<Estimate> smooth;
@@ -97,7 +97,7 @@ std::string shares_of(const StudyResult& result, const std::string& elastomer) {
                : fmt::format("; as a share of the hysteresis on rough surfaces, this is {}", fmt::join(shares, ", "));
 }
 
-/// An alert unless the test shows that there is less than the margin.
+/// A warning unless the test shows that the value is below the margin.
 void require_equivalence(StudyResult& result, const char* code, const ReferenceResult& reference,
                          const statistics::Equivalence& test, const char* what, const std::string& besides,
                          const char* advice) {

@@ -48,7 +48,7 @@ public:
         while (first_[item] != item) item = first_[item] = first_[first_[item]];
         return item;
     }
-    /// Of these items.
+    /// Number of these items.
     std::size_t count(const std::vector<std::size_t>& items) {
         return static_cast<std::size_t>(
             std::ranges::count_if(items, [&](std::size_t item) { return first(item) == item; }));
@@ -58,7 +58,7 @@ private:
     std::vector<std::size_t> first_;
 };
 
-/// Joins items that are the same, of those beside each other when sorted by their number of values and their size.
+/// Joins equal items, among neighbours when sorted by their number of values and their size.
 void join_alike(Groups& groups, const std::vector<std::size_t>& items,
                 const std::function<std::tuple<Index, double>(std::size_t)>& size,
                 const std::function<bool(std::size_t, std::size_t)>& same) {

@@ -37,11 +37,11 @@ std::vector<std::string> named_files(const Study& study) {
     return files;
 }
 
-/// Time between two changes of a file that its time of change may not tell apart [ns], with a margin: systems count it
-/// in hundredths of a second.
+/// Time between two changes of a file that have equal times of change [ns], with a margin: systems count it in
+/// hundredths of a second.
 constexpr std::int64_t clock_step = 50'000'000;
 
-/// The digest of what a file holds, and its state before and after. @throws FileError where it cannot be read.
+/// The digest of a file's content, and its state before and after. @throws FileError where it cannot be read.
 InputFile digested(const std::string& path) {
     InputFile input{.path = path};
     input.state = bytes::file_state(path);
@@ -62,7 +62,7 @@ InputFile input_file(const std::string& path) {
         try {
             return digested(path);
         } catch (const FileError&) {
-            // without digest: whoever reads the file says why
+            // without digest: reading the file later reports the reason
             input.changed = bytes::file_state(path) != before;
         }
         if (!input.changed) break;

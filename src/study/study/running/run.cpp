@@ -90,7 +90,7 @@ double surface_work(const SurfaceAnalysisOptions& options, std::size_t measureme
 ResultKey measurement_key(const Run& run, const MeasurementInput& input, std::size_t ordinal,
                           const SurfaceAnalysisOptions& options) {
     cache::KeyBuilder key("measurement");
-    // what analyse_measurement() looks at
+    // options that analyse_measurement() uses
     SurfaceAnalysisOptions relevant;
     relevant.window = options.window;
     relevant.contours = options.contours;

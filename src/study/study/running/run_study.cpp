@@ -20,7 +20,7 @@
 namespace setae::study {
 namespace {
 
-/// What the heights of a surface may take in memory [bytes], from the sizes of its files.
+/// Memory of the heights of a surface [bytes], from the sizes of its files.
 double memory_of(const SurfaceInput& surface) {
     constexpr double bytes_per_byte = 4.0;  // heights of 16 bits become doubles
     std::set<std::string> files;
@@ -34,8 +34,8 @@ double memory_of(const SurfaceInput& surface) {
     return sum;
 }
 
-/// Surfaces beside each other, as many as there are threads for and memory for their heights; what threads are left go
-/// into each.
+/// Surfaces in parallel, as many as there are threads and memory for their heights; remaining threads are used within
+/// each.
 std::vector<SurfaceResult> analyse_surfaces(const Study& study, Run& run, parallel::Threads threads) {
     constexpr double max_memory = 2e9;  // [bytes]
     std::vector<double> memory;
@@ -55,7 +55,7 @@ std::vector<SurfaceResult> analyse_surfaces(const Study& study, Run& run, parall
     return results;
 }
 
-/// @throws InvalidArgument where nobody says how large the sphere is.
+/// @throws InvalidArgument without a radius of the sphere.
 loops::LensAndCounterBody bodies_of(const ExperimentInput& input, const Study& study) {
     const auto& elastomer = *study.elastomer(input.elastomer);
     const auto radius = input.sphere_radius ? input.sphere_radius : elastomer.sphere_radius;
@@ -72,7 +72,7 @@ loops::LensAndCounterBody bodies_of(const ExperimentInput& input, const Study& s
     return bodies;
 }
 
-/// The experiment with what its elastomer does in time.
+/// The experiment with the time dependence of its elastomer.
 ExperimentInput with_relaxation(ExperimentInput input, const Study& study) {
     for (const auto& term : study.elastomer(input.elastomer)->relaxation)
         input.options.relaxation.push_back({term.share.value, term.time.value});
@@ -97,7 +97,7 @@ private:
     std::optional<OpenedLoop> opened_;
 };
 
-/// What the inputs that loops share make of an experiment's numbers.
+/// Contributions of shared inputs to an experiment's numbers.
 LoopDependence dependence_of(const ExperimentResult& result, const std::vector<UncertainInput>& inputs,
                              const ResultKey& key, Record& record, const Run& run) {
     if (inputs.empty()) return {};
@@ -111,7 +111,7 @@ LoopDependence dependence_of(const ExperimentResult& result, const std::vector<U
     return dependence_of(numbers_of(*result.analysis), inputs, *derivatives);
 }
 
-/// How fast the edge of a reference recedes, or why its record does not tell.
+/// Rate dependence of the edge of a reference, or the reason for which its record does not give it.
 loops::Outcome<loops::CrackSpeedFit> edge_speed_of(const ExperimentResult& result, const ResultKey& key,
                                                    const Run& run) {
     using Fit = loops::Outcome<loops::CrackSpeedFit>;
@@ -174,7 +174,7 @@ void expect_steps(const Study& study, Run& run) {
     run.expect(study.experiments.size(), experiment_work);
 }
 
-/// What follows from a study's surfaces and loops.
+/// Results from all surfaces and loops of a study.
 void bring_together(StudyResult& result) {
     for (const auto& input : result.study.elastomers) {
         ElastomerResult elastomer{.input = input};
@@ -203,7 +203,7 @@ void bring_together(StudyResult& result) {
         }
 }
 
-/// How pairs hold on, where that takes no minutes.
+/// Retraction of pairs, where that does not take minutes.
 Outcome<Hysteresis> retraction_fold_of(StudyResult& result, parallel::Threads threads) {
     using Missing = Outcome<Hysteresis>;
     const auto measured = std::ranges::count_if(
@@ -216,13 +216,13 @@ Outcome<Hysteresis> retraction_fold_of(StudyResult& result, parallel::Threads th
         return hysteresis_of(result, {}, threads);
     } catch (const UndefinedDataError& error) {
         return Missing::missing(error.what());
-    } catch (const InvalidArgument& error) {  // what a wrong input leads to
+    } catch (const InvalidArgument& error) {  // consequence of a wrong input
         add_failed_part(result.alerts, "retraction by roughness", error.what());
         return Missing::missing(error.what());
     }
 }
 
-/// Iterations below end where the caller asks to stop.
+/// Iterations below end on request of the caller.
 class StopWhenCancelled {
 public:
     explicit StopWhenCancelled(const RunOptions& options) {
@@ -233,8 +233,7 @@ private:
     std::optional<parallel::CancellationScope> scope_;
 };
 
-/// Files that other programs changed since the run began: what was computed from them may be of the old content, the
-/// new one or both.
+/// Files that other programs changed since the run began: results may be those of the old content, the new one or both.
 void look_for_changed_inputs(StudyResult& result) {
     for (auto& input : result.inputs) {
         if (!input.sha256.empty()) input.changed = !is_unchanged(input);

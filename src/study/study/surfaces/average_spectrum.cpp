@@ -26,8 +26,7 @@ std::vector<spectra::MeasuredSpectrum> spectra_of(const std::vector<MeasurementR
     return found;
 }
 
-/// C1D as it is where heights and lengths are these factors times what they were taken for: heights², and C1D of f x
-/// is f times that at f q.
+/// C1D for heights and lengths multiplied by these factors: heights², and C1D of f x is f times that at f q.
 void rescale(spectra::MeasuredSpectrum& spectrum, double heights, double lengths) {
     const double power = heights * heights * lengths;
     spectrum.density *= power;
@@ -57,7 +56,7 @@ std::vector<spectra::MeasuredSpectrum> with_moved(const SurfaceResult& surface, 
     return moved;
 }
 
-/// Names of the uncertain inputs behind the average.
+/// Names of the uncertain inputs of the average.
 std::set<std::string> inputs_of(const SurfaceResult& surface) {
     std::set<std::string> found;
     for (const auto& m : surface.measurements) {
@@ -107,12 +106,12 @@ std::vector<roughness::ParameterSpread::Source> parameters_of_moved_bins(const s
     return sources;
 }
 
-/// ν of each wavevector of a measurement by itself: lines as far as they are independent, and each mode's own share.
+/// ν of each wavevector of a measurement by itself: independent lines, and each mode's own share.
 Array1D own_freedom(const spectra::MeasuredSpectrum& spectrum) {
     return spectrum.independent_lines * (spectrum.window == "none" ? 1.0 : spectra::share_under_hann);
 }
 
-/// What other places of the surface would give, as far as one measurement can say.
+/// Variation between places of the surface, as estimated from one measurement.
 void add_parametric_noise(roughness::ParameterSpread& spread, const spectra::MeasuredSpectrum& spectrum,
                           const SurfaceAnalysisOptions& options, parallel::Threads threads) {
     spread.replicas = roughness::parameters_of_noise(spectrum, own_freedom(spectrum),
@@ -135,7 +134,7 @@ void estimate_by_average(SurfaceResult& surface, const SurfaceAnalysisOptions& o
     combination.weighting = options.weighting;
     surface.combined = spectra::combine(found, combination);
     surface.alerts.insert(surface.alerts.end(), surface.combined->alerts.begin(), surface.combined->alerts.end());
-    // a single measurement speaks with its own modes: no bins, so sums over them obey Parseval
+    // a single measurement is used with its own modes: without bins, so sums over them obey Parseval
     const auto spectrum_from = [](const std::vector<spectra::MeasuredSpectrum>& spectra,
                                   const spectra::CombinedSpectrum& combined) -> spectra::Spectrum {
         if (spectra.size() == 1) return spectra::within_band(spectra.front());

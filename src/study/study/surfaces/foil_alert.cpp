@@ -6,7 +6,7 @@
 namespace setae::study {
 
 Alert foil_projection_alert(const std::string& subject, double thickness) {
-    constexpr double felt_below = 10.0;  // thicknesses a wave is long
+    constexpr double felt_below = 10.0;  // length of a wave in thicknesses
     return {
         "FOIL_PROJECTION", subject,
         fmt::format("the contour is the silhouette of a foil {:.3g} nm thick, not a line scan: at wavelengths below "

@@ -16,9 +16,9 @@
 namespace setae::study {
 namespace {
 
-/// C_iso of a self-affine model as a curve from wavelengths of 1 cm on (what lies beyond adds 1e-7 of h_rms² or less).
-/// It is one power law on either side of the roll-off, so nodes there and at the ends hold it; more show it scale by
-/// scale.
+/// C_iso of a self-affine model as a curve from wavelengths of 1 cm on (longer waves add at most 1e-7 of h_rms²). It is
+/// one power law on either side of the roll-off, so nodes there and at the ends are sufficient; more nodes resolve
+/// scales.
 spectra::Spectrum spectrum_of(const spectra::SelfAffine& model) {
     constexpr Index nodes = 100;  // on each side of the roll-off
     const double lower = 2.0 * pi / 1e-2;
@@ -35,8 +35,8 @@ spectra::Spectrum spectrum_of(const spectra::SelfAffine& model) {
 
 constexpr int min_replicas = 40;
 
-/// What the errors of moments leave open: the moment whose error has a name of its own moves by itself, since other
-/// surfaces may share it; the others are drawn together, as one spectrum has them.
+/// Uncertainty by the errors of moments: a moment whose error has a name of its own varies separately, since other
+/// surfaces may share it; the others are drawn together, within one spectrum.
 void add_stated_errors(SurfaceResult& surface, const PublishedMoments& moments, const SurfaceAnalysisOptions& options) {
     auto& spread = surface.average.spread;
     auto own = moments;
@@ -114,7 +114,7 @@ namespace {
 /// Spectra as likely as the one given, by the standard error of each of its values.
 void add_given_errors(roughness::ParameterSpread& spread, const spectra::Spectrum& curve, const Array1D& errors,
                       const SurfaceAnalysisOptions& options) {
-    constexpr double max_freedom = 1e12;  // of a value without error
+    constexpr double max_freedom = 1e12;  // freedom of a value without error
     const Array1D stated = errors.isNaN().select(0.0, errors);
     const Array1D freedom = (curve.density / stated).square().min(max_freedom);
     spectra::MeasuredSpectrum given;

@@ -11,7 +11,8 @@
 namespace setae::study {
 namespace {
 
-/// Indices of what is kept of a line: every point, or the lowest and the highest of each stretch and both ends.
+/// Indices of the points of a line that are kept: every point, or the lowest and the highest of each section and both
+/// ends.
 std::vector<Index> kept_points(const Array1D& heights, Index max_points) {
     const Index n = heights.size();
     std::vector<Index> kept;

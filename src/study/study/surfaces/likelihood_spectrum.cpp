@@ -29,8 +29,8 @@ public:
 
     [[nodiscard]] roughness::DecadeMeans decade_means() const { return means_of(C1D_); }
 
-    /// Of a draw, to first order in its ln C_iso: where data end, draws of the prior differ by orders of magnitude,
-    /// which C1D below would show although the data there exclude them.
+    /// For a draw, to first order in its ln C_iso: at the end of the data, draws of the prior differ by orders of
+    /// magnitude, which would affect C1D below although the data there exclude them.
     ///   ln C1D' = ln C1D + A(C_iso ln(C_iso'/C_iso))/C1D,  A the Abel integral
     [[nodiscard]] roughness::DecadeMeans decade_means(const Array1D& drawn) const {
         const Array1D change =
@@ -85,7 +85,7 @@ FittedSpectrum fitted_spectrum(const spectral_fit::LikelihoodSpectrum& spectrum,
             spectrum.converged};
 }
 
-/// Names of measurements by a tip of which no radius is known: their waves are believed to the sampling's end.
+/// Names of measurements by a tip of unknown radius: their waves are used down to the sampling limit.
 std::string without_tip(const SurfaceResult& surface) {
     std::string names;
     for (const auto& m : surface.measurements)
@@ -95,10 +95,10 @@ std::string without_tip(const SurfaceResult& surface) {
     return names;
 }
 
-/// @throws UndefinedDataError where a fit has not found its optimum, or knows the surface to no better than a factor.
+/// @throws UndefinedDataError where a fit has not converged, or determines the surface only within a factor.
 void require_numbers(const spectral_fit::LikelihoodSpectrum& spectrum, const SpectrumResult& result,
                      const SurfaceResult& surface) {
-    constexpr double max_ratio = 100.0;  // of the ends of a 95 % interval: a factor of ten either way
+    constexpr double max_ratio = 100.0;  // ratio of the ends of a 95 % interval: a factor of ten in both directions
     const auto known = [&](const char* name, const roughness::ParameterSpread::Function& parameter, const char* unit) {
         const auto estimate = result.estimate(parameter);
         const auto interval = interval_of(estimate);
@@ -140,7 +140,7 @@ void add_sources(SpectrumResult& result, const spectral_fit::LikelihoodSpectrum&
     }
 }
 
-constexpr Index min_points = 8;  ///< of a line whose periodogram tells something of a spectrum
+constexpr Index min_points = 8;  ///< points of a line whose periodogram contributes to a spectrum
 
 Index points_in_lines(const topography::Measurement& measurement) {
     if (const auto* map = std::get_if<topography::HeightMap>(&measurement)) return map->heights.rows();
@@ -185,7 +185,7 @@ void estimate_by_likelihood(SurfaceResult& surface, std::vector<PreparedMeasurem
     const Lines lines(unmoved, options);
     result.parameters.decade_C1D = lines.decade_means();
     for (auto& limit : result.spread.sources)
-        limit.plus.decade_C1D = limit.minus.decade_C1D = result.parameters.decade_C1D;  // whole decades alone
+        limit.plus.decade_C1D = limit.minus.decade_C1D = result.parameters.decade_C1D;  // whole decades only
     result.spread.seed = options.seed;
     result.spread.replicas_are_draws = true;
     const Array2D drawn =

@@ -35,8 +35,8 @@ std::optional<std::array<Band, 2>> bands_of_uncertain_tip(topography::Instrument
     return std::array{band(radius + error), band(std::max(radius - error, min_share * radius))};
 }
 
-/// What a reader calls a measurement: a container's member has a name of its own, a file goes by its own rather than
-/// its channel's.
+/// Name of a measurement for readers: a container's member has a name of its own, a file is named by itself rather than
+/// by its channel.
 std::string name_of(const topography::Metadata& metadata) {
     const bool member = metadata.attributes.contains("member");
     return member || metadata.file.empty() ? metadata.name : std::filesystem::path(metadata.file).stem().string();
@@ -59,7 +59,7 @@ spectra::SpectrumOptions spectrum_options(const SurfaceAnalysisOptions& options,
     return spectrum;
 }
 
-/// What is believed because nobody says what read the heights; nothing where that is said.
+/// Assumed resolution for an unstated instrument; empty where it is stated.
 std::optional<Alert> alert_of_unstated(const topography::Metadata& metadata, bool probe_given, const Band& band) {
     const auto& instrument = metadata.instrument;
     const auto believed = fmt::format("waves are used down to {}", format_value(2.0 * pi / band.upper, "m", 3));
@@ -157,7 +157,7 @@ void look_at_heights(MeasurementResult& result, const topography::Metadata& meta
              "look at the heights (setae info --preview); mark missing heights, or state the unit"});
 }
 
-/// Where points of a polyline are missing, a straight line stands for the surface and lowers slopes.
+/// Where points of a polyline are missing, a straight line replaces the surface and lowers slopes.
 void look_for_gaps(MeasurementResult& result, const topography::Profile& profile) {
     constexpr double many_steps = 20.0, min_share = 0.02;
     const auto n = profile.positions.size();

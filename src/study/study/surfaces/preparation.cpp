@@ -48,7 +48,7 @@ void apply_instrument(topography::Instrument& instrument, const MeasurementInput
     if (input.tip_radius->uncertain()) instrument.tip_radius_standard_error = input.tip_radius->standard_error;
 }
 
-/// What a container states of its instrument's factor: one input of all that the instrument measured there.
+/// A factor that a container states for its instrument: one input of all its measurements in the container.
 std::optional<Estimate> stated_factor(const topography::Metadata& metadata, const char* key, const char* quantity) {
     const auto stated = metadata.attributes.find(key), scope = metadata.attributes.find("instrument_of_container");
     if (stated == metadata.attributes.end() || scope == metadata.attributes.end()) return std::nullopt;
@@ -65,7 +65,7 @@ std::string stated_tip(const topography::Metadata& metadata) {
     return fmt::format("tip radius of {} ({})", scope->second, format_value(*instrument.tip_radius, "m", 3));
 }
 
-/// What the study says of the inputs of an instrument, else the container.
+/// Inputs of an instrument from the study, else from the container.
 InstrumentInputs inputs_of(const MeasurementInput& input, const topography::Metadata& metadata) {
     InstrumentInputs inputs;
     inputs.tip_radius = input.tip_radius ? input.tip_radius->input : stated_tip(metadata);
@@ -122,7 +122,7 @@ void calibrate(topography::TiledMap& map, const InstrumentInputs& inputs) {
         };
 }
 
-/// What a measurement was read with, where that is no sphere. @throws InvalidArgument for a shape without a size.
+/// Probe of a measurement, where it is no sphere. @throws InvalidArgument for a shape without a size.
 std::optional<spectral_fit::Probe> probe_of(const MeasurementInput& input, const topography::Metadata& metadata,
                                             const formats::ReadOptions& options) {
     const auto radius = [&] {
@@ -175,7 +175,7 @@ topography::LineScan subtract_references(const topography::LineScan& scan, const
     return topography::subtract_artefact(scan, topography::average_reference(references));
 }
 
-/// What levelling the traced curve left out.
+/// Parts of the traced curve that levelling left out.
 void add_reentrance_alert(PreparedMeasurement& prepared) {
     const auto& metadata = topography::metadata(prepared.measurement);
     const auto entry = metadata.attributes.find("reentrant_share");
@@ -198,7 +198,7 @@ Index undefined_among(const double* heights, Index n) {
     return std::accumulate(parts.begin(), parts.end(), Index{0});
 }
 
-/// What spectra are taken of instead of undefined heights.
+/// Replacement of undefined heights in spectra.
 void add_gap_alert(PreparedMeasurement& prepared) {
     const auto count = [&](const auto& heights, const topography::Metadata& metadata) {
         const auto missing = undefined_among(heights.data(), heights.size());

@@ -28,7 +28,7 @@ using spectra::Spectrum;
 
 struct Task {
     std::string file;
-    ResultKey key;  ///< of its result
+    ResultKey key;  ///< key of its result
     MeasurementSource source;
 };
 
@@ -59,8 +59,8 @@ void require_roughness(const MeasurementResult& result) {
         if (alert.code == "CONSTANT") throw UndefinedDataError(alert.subject + ": " + alert.message);
 }
 
-/// Fills the measurements of a surface. Returns their prepared data where a joint estimate is to follow or heights are
-/// wanted, in the same order, else nothing: maps need not all fit into memory at once for an average.
+/// Fills the measurements of a surface. Returns their prepared data where a joint estimate follows or heights are
+/// requested, in the same order, else nothing: for an average, maps need not all fit into memory at once.
 std::vector<PreparedMeasurement> analyse_measurements(SurfaceResult& surface, const SurfaceInput& input,
                                                       const SurfaceAnalysisOptions& options, Run& run,
                                                       parallel::Threads threads, const Wanted& wanted) {
@@ -104,7 +104,7 @@ std::optional<topography::HeightMap> only_map(std::vector<PreparedMeasurement> p
     return map && map->heights.size() > 0 ? std::optional(std::move(*map)) : std::nullopt;
 }
 
-/// The likelihood's spectrum beside the average, where it is wanted and can be had.
+/// The likelihood's spectrum in addition to the average, where it is requested and possible.
 void add_likelihood(SurfaceResult& surface, std::vector<PreparedMeasurement> prepared,
                     const SurfaceAnalysisOptions& options, parallel::Threads threads) {
     const auto analysed = std::count_if(surface.measurements.begin(), surface.measurements.end(),
@@ -147,7 +147,7 @@ std::string more(const Estimate& with, double within) {
                        100.0 * (upper - 1.0));
 }
 
-/// The spectrum continued to a wavevector; nothing where too few nodes say how it ends.
+/// The spectrum extrapolated to a wavevector; empty where too few nodes determine its end.
 std::optional<roughness::BeyondData> continued(const spectra::Spectrum& curve, double up_to) {
     try {
         return roughness::beyond_data(curve, up_to);
@@ -156,7 +156,7 @@ std::optional<roughness::BeyondData> continued(const spectra::Spectrum& curve, d
     }
 }
 
-/// What waves shorter than the finest data would add, and an alert where that is much.
+/// Contributions of waves shorter than the finest data, and a warning where they are large.
 void look_beyond_data(SurfaceResult& surface, const SurfaceAnalysisOptions& options) {
     constexpr double nearly_whole = 0.9, much = 0.05;
     const auto& curve = surface.used().curve;
@@ -180,8 +180,8 @@ void look_beyond_data(SurfaceResult& surface, const SurfaceAnalysisOptions& opti
          "(surface_shortest_wavelength)"});
 }
 
-/// What waves up to ten times as long as the longest would add, and an alert where that is much. A longest wavelength
-/// that was asked for leaves longer ones out on purpose.
+/// Contributions of waves up to ten times as long as the longest, and a warning where they are large. A requested
+/// longest wavelength excludes longer ones on purpose.
 void look_at_longer_waves(SurfaceResult& surface, const SurfaceAnalysisOptions& options) {
     constexpr double much = 0.05, times = 10.0;
     if (options.longest_wavelength) return;
@@ -229,7 +229,7 @@ void look_for_one_place(SurfaceResult& surface) {
          "measure three places or more"});
 }
 
-/// What tells measurements apart: the content of their files, or their places where that is unknown, and the channels.
+/// Identity of measurements: the content of their files, or their positions where that is unknown, and the channels.
 std::vector<std::string> contents_of(const SurfaceInput& input, const Run& run) {
     std::vector<std::string> contents;
     for (const auto& measurement : input.measurements) {
@@ -241,7 +241,7 @@ std::vector<std::string> contents_of(const SurfaceInput& input, const Run& run) 
     return contents;
 }
 
-/// @throws UndefinedDataError for a surface whose spectrum gives no numbers within the limits asked for.
+/// @throws UndefinedDataError for a surface whose spectrum gives no numbers within the requested limits.
 void require_numbers(const SurfaceResult& surface) {
     for (const auto& [method, spectrum] : spectra_of(surface)) {
         const auto& p = spectrum->parameters;
@@ -358,8 +358,8 @@ SpectralParameters parameters_of(Spectrum whole, const SurfaceAnalysisOptions& o
 
 namespace {
 
-/// What the ± of a limit of integrals does, where the spectrum reaches that far: parameters with it one standard error
-/// longer and shorter.
+/// Effect of the standard error of a limit of integrals, where the spectrum extends that far: parameters with it one
+/// standard error longer and shorter.
 void add_limit_source(roughness::ParameterSpread& spread, const char* name,
                       std::optional<Estimate> SurfaceAnalysisOptions::*limit, const Spectrum& whole,
                       const SurfaceAnalysisOptions& options) {
