@@ -222,7 +222,8 @@ TEST_F(StudyFile, FitsToEachLoopWhatItAsksForAndElseWhatAllAskFor) {
     EXPECT_FALSE(own.any() || own.shared());
     EXPECT_EQ(own.exponent, 0.3);
     EXPECT_NE(message_of(head + loop("1.csv", "") + loop("2.csv", "share = [\"modulus\"]\n"))
-                  .find("share: expected what " + (folder_ / "1.csv").string() + " on the same elastomer says"),
+                  .find("share: expected the share, models and fit_errors of " + (folder_ / "1.csv").string() +
+                        " on the same elastomer"),
               std::string::npos);
 }
 
