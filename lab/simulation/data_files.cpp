@@ -107,7 +107,7 @@ void add_elastomer(StudyLines& lines, const Recipe& recipe, const ElastomerRecip
         lines.add("preload = \"{} N\"", recipe.loops->protocol.maximum_force);
 }
 
-/// Factors of the machine that made all loops, those with a name or those without; empty where there are none.
+/// Factors of the testing machine of all loops, those with a name or those without; empty where there are none.
 std::string machine_text(const Calibrations& factors, bool named) {
     StudyLines lines;
     const auto add = [&](const char* key, const std::optional<StatedQuantity>& factor) {

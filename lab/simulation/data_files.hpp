@@ -31,7 +31,7 @@ struct MeasurementFile {
     std::string height_calibration{};       ///< "afm_height", "1 ± 0.02"; empty without one
     std::string lateral_calibration{};      ///< calibration of lengths
     double foil_thickness = 0.0;            ///< [m]; 0: a line
-    std::vector<std::string> references{};  ///< scans of a smooth standard in the same session
+    std::vector<std::string> references{};  ///< scans of a smooth reference in the same session
 };
 
 /// study.toml: an analysis of the data set with only the inputs that an experiment has.

@@ -29,7 +29,7 @@ constexpr std::uint64_t loop_streams = 1ull << 32;
 
 /// The writing of one or more files, independent of all others.
 struct Job {
-    double cost = 0.0;  ///< dear ones are begun first, so that no thread is left with one at the end
+    double cost = 0.0;  ///< expensive ones are started first, so that no thread works at the end without the others
     std::function<void()> run;
 };
 constexpr double cost_of_strip = 1e9;

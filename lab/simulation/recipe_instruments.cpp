@@ -10,7 +10,7 @@ namespace {
 
 using bytes::TomlReader;
 
-/// A factor under a key; nothing without the key.
+/// A factor under a key; empty without the key.
 std::optional<StatedQuantity> factor(TomlReader& reader, const std::string& table, const char* key,
                                      const std::string& input, StatedDraws& stated) {
     if (!reader.contains(key)) return std::nullopt;

@@ -40,7 +40,7 @@ NearestPlace CurveIndex::nearest(double x, double y) const {
                      squared = off_x * off_x + off_y * off_y;
         if (squared >= least) return;
         least = squared;
-        // y runs downwards: to the left of a walk along x lie the smaller y
+        // y is downwards: smaller y are on the left of the direction of x
         best = {std::copysign(std::sqrt(squared), along_y * off_x - along_x * off_y), i, x - off_x, y - off_y};
     };
     const long column = static_cast<long>(std::floor((x - left_) / square)),

@@ -38,7 +38,7 @@ Array2D readings_at_pixels(const topography::Dilator& touched, const AfmOptions&
     return Eigen::Map<const Array2D>(readings.data(), options.nx, options.ny);
 }
 
-/// λ dz/dx + z = u solved exactly for u straight between points; a line is held over undefined points.
+/// λ dz/dx + z = u solved exactly for u linear between points; a line is constant over undefined points.
 void lag_line(Array2D& heights, Index line, double step, double lag) {
     const double decay = std::exp(-step / lag);
     double followed = 0.0, before = 0.0;

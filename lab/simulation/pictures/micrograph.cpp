@@ -110,7 +110,7 @@ void add_fringe(Array2D& picture, const PixelCurve& curve, const MicrographOptio
     }
 }
 
-/// A crystallite: where it has its centre, which way its planes lie, where they begin.
+/// A crystallite: its centre, and orientation and phase of its planes.
 struct Patch {
     double x, y, wave_x, wave_y, phase;
 };

@@ -13,7 +13,7 @@ namespace setae::simulation {
 [[nodiscard]] std::vector<topography::LineScan> stylus_scans(const KnownSurface& surface, const LineSpectrum& C1D,
                                                              const StylusProtocol& protocol, numerics::RandomKey key);
 
-/// Scans of a smooth standard in the same session.
+/// Scans of a smooth reference in the same session.
 [[nodiscard]] std::vector<topography::LineScan> stylus_references(const StylusProtocol& protocol,
                                                                   numerics::RandomKey key);
 

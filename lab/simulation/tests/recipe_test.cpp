@@ -196,7 +196,7 @@ TEST(KnownLoops, LeaveOutWhatDoesNotConformOnRequest) {
     EXPECT_EQ(kept[0].elastomer, "soft");
     // jumps that lose more than a hundredth of W_int A_true
     EXPECT_EQ(loops("nonconforming = \"skip\"\nloss_factor = 0.01").size(), 0u);
-    // what is wrong with the machine is no matter of conforming
+    // what is wrong with the testing machine is no matter of conforming
     EXPECT_THROW((void)loops("nonconforming = \"skip\"\nspeed = \"-1 nm/s\""), InvalidArgument);
 }
 

@@ -55,7 +55,8 @@ TEST(RecordTrials, CombineKindsOfDifferentGroups) {
 }
 
 TEST(RecordTrials, OfTwoKindsAreAnalysedHonestly) {
-    // the machine deflects under the force, not under the drift of its zero; a camera does not hide exchanged columns
+    // the testing machine deflects under the force, not under the drift of its zero; a camera does not hide exchanged
+    // columns
     for (const auto& kinds : {std::vector<std::string>{"drift_-100", "stage_stiffness_given"},
                               {"drift_100", "camera"},
                               {"camera", "swapped"}})

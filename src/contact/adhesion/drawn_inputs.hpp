@@ -36,7 +36,7 @@ public:
                 values_[place.first] = std::sqrt(12.0) * (normal_probability(values_[place.first]) - 0.5);
     }
 
-    /// Notes that inputs are to move by their components times a number; take_pulls() moves them, all at once.
+    /// Registers a shift of inputs by their components times a number; take_pulls() applies all shifts together.
     void pull(const Components& inputs, double by) {
         if (pulls_.size() != size_) pulls_ = Array1D::Zero(size_);
         for (const auto& [name, component] : inputs)

@@ -25,7 +25,7 @@ struct ScatterLevels {
 /// The scatter of pairs about their balance, by restricted maximum likelihood.
 class ScatterFit {
 public:
-    /// wanted: effects of surfaces (elastomers) are looked for where there are three of them, one with several pairs.
+    /// wanted: effects of surfaces (elastomers) are estimated where there are three of them, one with several pairs.
     ScatterFit(const std::vector<PairPoint>& pairs, ScatterLevels wanted);
 
     /// V: known errors and the scatter. Without any uncertainty all pairs have equal weights.

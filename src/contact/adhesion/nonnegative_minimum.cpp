@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
-/// The minimum over the parameters that are free, the others 0.
+/// The minimum over the free parameters, with the others at 0.
 VectorXd minimum_of_free(const MatrixXd& N, const VectorXd& b, const std::vector<Index>& free) {
     if (free.empty()) return VectorXd::Zero(b.size());
     const VectorXd inner = MatrixXd(N(free, free)).llt().solve(VectorXd(b(free)));

@@ -28,7 +28,7 @@ using Variance = PairVariance;
 
 double square(double x) { return x * x; }
 
-/// 1 − SS_res/SS_tot; measured values that are all alike leave nothing to explain.
+/// 1 − SS_res/SS_tot; equal measured values have no variance to explain.
 double r_squared(const std::vector<double>& measured, double residual_squares) {
     return 1.0 - residual_squares / squares_about_mean(measured);
 }

@@ -20,7 +20,7 @@ using PairVariance = std::function<double(const PairPoint&)>;
 
 /// Least squares in W >= 0.
 [[nodiscard]] FlooredMinimum minimise_with(const std::vector<PairPoint>& pairs, const PairVariance& variance);
-/// Terms of pairs that count alike, and their least squares.
+/// Terms of pairs with equal weights, and their least squares.
 [[nodiscard]] std::vector<FlooredTerm> terms_of(const std::vector<PairPoint>& pairs);
 [[nodiscard]] FlooredMinimum least_squares(const std::vector<PairPoint>& pairs);
 

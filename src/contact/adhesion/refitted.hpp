@@ -9,7 +9,7 @@
 
 namespace setae::adhesion {
 
-/// The fit of the pairs as change(pair) makes each of them, scatter held.
+/// The fit of the pairs changed by change(pair), with fixed scatter.
 template <class Change>
 GeneralisedFit refitted(const std::vector<PairPoint>& pairs, const ModelScatter& scatter, const Change& change) {
     std::vector<PairPoint> changed;

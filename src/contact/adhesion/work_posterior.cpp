@@ -103,7 +103,7 @@ public:
     std::vector<PairPoint> pairs;
     Index size;
     MarginalScatter scatter, coarse;
-    MatrixXd covariance;  ///< of changes of slopes, offsets and measured values, [as these]
+    MatrixXd covariance;  ///< covariance of changes of slopes, offsets and measured values, [as these]
     VectorXd own;         ///< variance of each pair's own noise
     /// Random numbers of the samples that correct the linearisation, one column per sample: changes, and standard
     /// normal noise and effects of the pairs. Equal at every W, so that their noise cancels in ratios of densities.
@@ -172,7 +172,8 @@ struct WorkPosterior::At {
 
     /// At one scatter.
     struct Factors {
-        Eigen::LLT<MatrixXd> shared, own, straight;  ///< of all errors; of the own noise; and of the linearised model
+        /// Cholesky factors of all errors; of the own noise; and of the linearised model
+        Eigen::LLT<MatrixXd> shared, own, straight;
     };
     [[nodiscard]] Factors factors(const Balance& balance, const ModelScatter& scatter) const {
         const VectorXd straight = own + left;
@@ -218,7 +219,7 @@ WorkPosterior::At WorkPosterior::at(double work) const {
     const Index n = b.size;
     using B = Balance;
     VectorXd x = VectorXd::Zero(B::parts * n);
-    VectorXd variance;  // of slope · W − offset, in the posterior
+    VectorXd variance;  // variance of slope · W − offset, in the posterior
     At found;
     const auto look = [&] {
         MatrixXd raw_jacobian = MatrixXd::Zero(n, B::parts * n);
@@ -416,7 +417,7 @@ private:
     VectorXd pull_;
 };
 
-/// Draws one of each `count` alike by weights: the systematic resample of them.
+/// Systematic resampling by weights: draws `count` indices.
 std::vector<std::size_t> resampled(const std::vector<double>& log_weights) {
     LogSum all;
     for (const double weight : log_weights) all.add(weight);

@@ -9,7 +9,7 @@ namespace setae::crack_front {
 /// The machine in the equation of the front: δ = (pull + 2E*⟨a³⟩/(3R))/(stiffness + 2E*⟨a⟩), or fixed δ.
 struct Machine {
     bool holds_displacement = true;
-    double displacement = 0.0;           ///< held [m]
+    double displacement = 0.0;           ///< fixed displacement [m]
     double pull = 0.0, stiffness = 0.0;  ///< k_m z or F [N], k_m or 0 [N/m]
 
     [[nodiscard]] double displacement_of(const Array1D& edge, const contact::SphereOnFlat& sphere) const;

@@ -89,7 +89,7 @@ private:
             .contact_radius;
     }
 
-    /// A circle as wide as Hertz's, or one spacing; false where nothing touches yet.
+    /// A circle as wide as Hertz's, or one spacing; false where there is no contact yet.
     bool meet(const Machine& machine) {
         const double touching = machine.holds_displacement ? machine.displacement : machine.pull;
         if (touching < 0.0) return false;

@@ -29,7 +29,7 @@ public:
     [[nodiscard]] const PinningLines& pinning() const { return pinning_; }
     [[nodiscard]] LineElasticity& elasticity() const { return elasticity_; }
 
-    /// The balance of a front whose points lie in the given cells of their lines.
+    /// The balance of a front whose points are in the given cells of their lines.
     void evaluate(const Array1D& front, const std::vector<Index>& cells, Balance& balance);
 
 protected:
@@ -58,9 +58,9 @@ struct SearchLimits {
     double largest_move = 0.0;  ///< largest move of a point in one step of the trust region
 };
 
-/// Points move one way only, each to where it would rest if the others stayed, never over a change of slope at once:
-/// since points pull each other along, none passes the first equilibrium there is, whatever the steps. Once no slope
-/// changes any more the rest is one linear solution.
+/// Points move in one direction only, each to its equilibrium position for fixed other points, and at most to the next
+/// change of slope: since points pull each other along, none passes the first equilibrium, for any steps. Once no slope
+/// changes any more the remainder is one linear solution.
 /// Source: Rosso, Krauth, Phys. Rev. Lett. 87 (2001) 187002; no passing: Middleton, Phys. Rev. Lett. 68 (1992) 670.
 Equilibrium rosso_krauth(FrontEquation& equation, Array1D& front, const SearchLimits& limits);
 

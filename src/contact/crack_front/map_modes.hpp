@@ -37,7 +37,7 @@ public:
     enum class Factor { front, none };
     RaySums(const MapModes& modes, Factor factor, const LinePoints& radii);
 
-    /// Values of one ray, 0 <= angle < π, and of the one opposite. Any number of threads may call it at once.
+    /// Values of one ray, 0 <= angle < π, and of the opposite one. Thread-safe.
     void along(double angle, double* values, double* opposite) const;
 
 private:
@@ -48,7 +48,7 @@ private:
     LinePoints radii_;
     fourier::InverseRealTransform back_;
     double step_;                     ///< step of the transform's wavevectors
-    std::vector<double> correction_;  ///< for the kernel, at each radius
+    std::vector<double> correction_;  ///< correction for the kernel, at each radius
     /// c √q exp(∓iφ/2), φ in [0, π): f c is one of them except for a phase that depends only on the ray
     std::vector<fourier::Complex> minus_, plus_;
 };

@@ -10,7 +10,7 @@ namespace setae::crack_front {
 /// Pinning force on the front on each line, linear between points: a w [J/m] on rays, w [J/m²] on parallels.
 class PinningLines {
 public:
-    /// `repeats`: the line goes on from its end as from its beginning.
+    /// `repeats`: the line is periodic.
     PinningLines(Array2D forces, const LinePoints& points, bool repeats);
 
     struct Value {

@@ -135,8 +135,8 @@ double ActiveSetSolver::overlap_without_flow() {
     return sums.sum(0);
 }
 
-/// Points pressed or, unless careful, overlapping; not those that flow and would have more. Their gaps, less the mean
-/// where the load is held, are the residual.
+/// Points under pressure or, unless careful, overlapping; without those that yield under an increasing load. Their
+/// gaps, minus the mean for a fixed load, are the residual.
 SetModel::Aim ActiveSetSolver::choose_set(bool careful) {
     const Index ny = p_.cols();
     const double hardness = target_.hardness;

@@ -11,7 +11,7 @@ namespace {
 
 /// For the residual; the result then has twice as many exact digits.
 constexpr double stiffness_tolerance = 1e-6;
-/// By how much gradients in float reduce it before it is found anew in double.
+/// Reduction by gradients in float before the residual is computed again in double.
 constexpr double reduction = 1e-3;
 constexpr Index max_iterations = 500;
 

@@ -137,7 +137,7 @@ void check_contact_point(AlertList& list, const LoopAnalysis& analysis, const Lo
             action);
 }
 
-/// A contact much stiffer than the machine shows in the displacement only as a small difference of large numbers.
+/// The displacement of a contact much stiffer than the testing machine is a small difference of large numbers.
 void check_stiffness(AlertList& list, const LoopAnalysis& analysis, const Loop& loop, const AlertLimits& limits) {
     if (!analysis.pull_off || loop.displacement.size() == 0) return;
     const double machine = analysis.pull_off->machine_stiffness;

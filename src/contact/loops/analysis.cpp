@@ -18,7 +18,7 @@
 namespace setae::loops {
 namespace {
 
-/// The loop with the deflection of the machine subtracted from the displacement.
+/// The loop with the deflection of the testing machine subtracted from the displacement.
 Loop without_compliance(const Loop& loop, const std::optional<double>& machine_stiffness) {
     if (!machine_stiffness) return loop;
     if (!(*machine_stiffness > 0.0))
@@ -65,7 +65,7 @@ PreparedRecord prepared(const Loop& recorded, const RecordFaults& faults, const 
     record.segments =
         known ? measured_anew(*known, record.deflected) : found_segments(record.deflected, faults, options.segments);
     record.zero = force_zero(record.deflected, record.segments, options.segments.drift);
-    // the machine deflects under the force, not under the drift of its zero
+    // the testing machine deflects under the force, not under the drift of its zero
     if (options.machine_stiffness && record.deflected.displacement.size() > 0)
         record.deflected.displacement += record.zero.value / *options.machine_stiffness;
     record.level = record.deflected;

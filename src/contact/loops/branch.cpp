@@ -43,7 +43,7 @@ Outcome<JkrFit> fitted(const BranchData& data, const LensAndCounterBody& bodies,
     return result;
 }
 
-/// Force against displacement, the contact point held where one is given.
+/// Force against displacement, with a fixed contact point where one is given.
 JkrFit depth_fit(const BranchData& data, const LensAndCounterBody& bodies, const AnalysisOptions& options) {
     if (options.contact_point.mode == ContactPointChoice::Mode::value)
         return fit_with_contact_point(data, bodies, options.contact_point.value);

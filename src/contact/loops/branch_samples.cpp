@@ -34,7 +34,7 @@ BranchSamples branch_samples(const LoopAnalysis& analysis, LoopBranch branch, co
 RetractingEdge retracting_edge(const LoopAnalysis& analysis, const AnalysisOptions& options) {
     const Loop& loop = analysis.corrected;
     if (!analysis.unloading) throw UndefinedDataError(analysis.unloading.reason);
-    // with the pinned stretch: an edge at rest bounds G0
+    // with the pinned section: an edge at rest bounds G0
     const IndexRange range{.first = analysis.segments.contacts.front().unloading->first,
                            .last = analysis.unloading->range.last};
     const Selection selection = without_ignored(range_selection(range, "unloading"), analysis.segments);

@@ -10,7 +10,8 @@
 namespace setae::loops {
 namespace {
 
-/// Contact radii of a stretch of the record, between frames straight; where none was measured, as F and δ imply them.
+/// Contact radii of a section of the record, interpolated linearly between frames; where none was measured, computed
+/// from F and δ.
 Array1D radii_between_frames(const Loop& record, Index first, Index count, double contact_point,
                              const contact::SphereOnFlat& bodies) {
     Array1D radii(count);

@@ -315,7 +315,7 @@ ContactPointInputs inputs_of(const PreparedRecord& record, Index index, const Co
 
 using Mode = ContactPointChoice::Mode;
 
-/// Both branches with the contact point held, its own error in theirs.
+/// Both branches with a fixed contact point, whose error is included in theirs.
 void hold_contact_point(ContactAnalysis& analysis, const PreparedRecord& record, const ContactSegments& contact,
                         const LensAndCounterBody& bodies, AnalysisOptions options, const Estimate& contact_point) {
     const auto analysed = [&](double value) {
@@ -341,8 +341,8 @@ void hold_contact_point(ContactAnalysis& analysis, const PreparedRecord& record,
     analysis.unloading = held.unloading;
 }
 
-/// Changes by one standard error of the machine stiffness, which are added to the errors of the fits of force against
-/// displacement.
+/// Changes by one standard error of the stiffness of the testing machine, which are added to the errors of the fits of
+/// force against displacement.
 void add_compliance_error(ContactAnalysis& analysis, const PreparedRecord& record, const ContactSegments& contact,
                           const LensAndCounterBody& bodies, const AnalysisOptions& options) {
     if (!options.machine_stiffness || !(options.machine_stiffness_standard_error > 0.0) ||

@@ -8,7 +8,7 @@ namespace setae::loops {
 
 /// A record ready for analysis.
 struct PreparedRecord {
-    Loop deflected;  ///< deflection of the machine and drift of the displacement subtracted
+    Loop deflected;  ///< deflection of the testing machine and drift of the displacement subtracted
     Loop level;      ///< the zero of force and its drift, too
     Segments segments;
     ForceZero zero;  ///< zero that was subtracted from the force
@@ -25,7 +25,7 @@ struct PreparedRecord {
 [[nodiscard]] PreparedRecord prepared(const Loop& recorded, const RecordFaults& faults, const AnalysisOptions& options,
                                       const Segments* known = nullptr);
 
-/// Everything about one touch. `decided`: an analysis whose pinned stretch is kept; else it is found.
+/// Analysis of one contact. `decided`: an analysis whose pinned section is kept; else it is determined.
 /// @throws UndefinedDataError where its loading has too few samples.
 [[nodiscard]] ContactAnalysis analyse_contact(const PreparedRecord& record, Index contact,
                                               const LensAndCounterBody& bodies, const AnalysisOptions& options,

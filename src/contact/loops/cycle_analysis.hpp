@@ -5,7 +5,7 @@
 
 namespace setae::loops {
 
-/// One press and release of a touch whose analysis is known.
+/// One loading and unloading of a contact with a known analysis.
 [[nodiscard]] CycleAnalysis analyse_cycle(const PreparedRecord& record, Index cycle, const ContactAnalysis& contact,
                                           const LensAndCounterBody& bodies, const AnalysisOptions& options);
 

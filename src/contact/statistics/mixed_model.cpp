@@ -131,7 +131,7 @@ Array1D weights_of(const Fitted& fit, const std::string& surface, std::size_t ro
         if (fit.information)
             weights[static_cast<Index>(fit.design.rows[i])] =
                 fit.information->row_weights(place, static_cast<Index>(i));
-        else if (fit.design.surface[i] == place)  // one row, or rows all alike
+        else if (fit.design.surface[i] == place)  // one row, or equal rows
             weights[static_cast<Index>(fit.design.rows[i])] = 1.0 / static_cast<double>(own);
     return weights;
 }

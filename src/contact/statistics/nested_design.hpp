@@ -16,7 +16,7 @@ struct DesignLevel {
     std::vector<int> group;             ///< group of each row of the design, increasing unless crossed
     int groups = 0;
     int degrees_of_freedom = 0;
-    bool crossed = false;  ///< its groups lie across surfaces
+    bool crossed = false;  ///< whether its groups extend over several surfaces
 };
 
 /// Rows in the order of their groups, so that every nested group's rows are neighbours, with the levels whose variances

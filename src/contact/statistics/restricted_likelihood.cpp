@@ -176,7 +176,7 @@ struct Scaled {
     NestedDesign design;
     Array1D value;  ///< deviations
     double scale = 1.0;
-    double offset = 0.0;          ///< ln L_R of the design less that of the scaled one
+    double offset = 0.0;          ///< ln L_R of the design minus that of the scaled one
     bool without_errors = false;  ///< some row has no variance of its own
 };
 
@@ -255,7 +255,7 @@ Climb climb(const Scaled& scaled, const std::vector<std::size_t>& free, Array1D 
     return {x, here.value, false};
 }
 
-/// Starts of m levels: alike, and each larger than the others in turn.
+/// Starts of m levels: equal, and each larger than the others in turn.
 std::vector<Array1D> starts_of(std::size_t m) {
     const auto count = static_cast<Index>(m);
     std::vector<Array1D> starts{Array1D::Constant(count, -std::log(static_cast<double>(std::max<std::size_t>(m, 1))))};

@@ -127,7 +127,7 @@ Plan plan_of(const std::string& file, const HeightMap& map, const FrontRequest& 
     return plan;
 }
 
-/// Keeps the edge of a front while it touches, on the way there and back in so many seconds each.
+/// Stores the edge of a front during contact, on approach and retraction in a given number of seconds each.
 class KeptEdge {
 public:
     explicit KeptEdge(double duration, double furthest) : duration_(duration), furthest_(furthest) {}
@@ -213,7 +213,7 @@ Estimate mean_of(const std::vector<FrontRun>& runs, const std::function<double(c
     if (values.empty()) return {.value = undefined};
     const auto mean = sample_mean(Eigen::Map<const Array1D>(values.data(), std::ssize(values)),
                                   fmt::format("mean over {} surfaces", values.size()));
-    constexpr double rounding = 1e-12;  // surfaces that are made alike store alike
+    constexpr double rounding = 1e-12;  // generated surfaces of one kind store equal energies
     if (mean.standard_error <= rounding * std::abs(mean.value)) return {.value = mean.value};
     return mean;
 }

@@ -39,7 +39,7 @@ LineMotion motion_of(contact_line::Passage passage, double threshold) {
     return found;
 }
 
-/// At the times of the edge, where a release rate is wanted.
+/// At the times of the edge, where a release rate is requested.
 std::optional<Array1D> displacement_of(const RecordedEdge& edge, const LineRequest& request) {
     const bool wanted = !request.sphere_radius.empty() || !request.contact_modulus.empty();
     if (!wanted && request.displacement.empty()) return std::nullopt;

@@ -99,7 +99,7 @@ scales::FunctionOfScale tiled_map_function(const study::TiledMeasurement& large,
     return function(topography::detrended(large.map, large.trend, lines_together, threads), request, threads);
 }
 
-/// One measurement at a time, so that maps need not all fit into memory. What fails is noted, and the others go on.
+/// One measurement at a time, so that maps need not all fit into memory. Failures are noted, and the others continue.
 FunctionsOfScale functions_of(const ScaleRequest& request, parallel::Threads threads, const ScaleCommand& command) {
     FunctionsOfScale found;
     const auto take = [&](scales::FunctionOfScale result, const std::vector<Alert>& alerts) {

@@ -31,7 +31,7 @@ std::optional<double> given(const std::string& text, const Dimension& dimension)
     return text.empty() ? std::nullopt : std::optional(parse_quantity(text, dimension));
 }
 
-/// k of the machine: given, measured on something rigid, or stated in the loop's file.
+/// stiffness k of the testing machine: given, measured on a rigid body, or stated in the loop's file.
 std::optional<Estimate> stiffness_of(const LoopSettings& arguments, const Table& loop) {
     if (!arguments.machine_stiffness.empty())
         return parse_uncertain_quantity(arguments.machine_stiffness, dimension::stiffness);

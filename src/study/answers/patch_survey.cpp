@@ -105,7 +105,7 @@ patches::SurveyDesign survey_of(std::vector<PatchDesign> designs, const PatchSur
             .progress = progress};
 }
 
-/// Share of energy at which rows that belong together, by rising share, cross a value; nothing where they do not.
+/// Energy share at which related rows, by increasing share, cross a value; empty where they do not.
 template <class Value>
 std::optional<double> crossing(const std::vector<const SurveyRow*>& rows, double level, const Value& value) {
     for (std::size_t i = 1; i < rows.size(); ++i) {

@@ -83,7 +83,8 @@ TEST(LedgerRecovery, CoversTheLossItStates) {
     }
 }
 
-/// The closed form at the machine's stiffness against the laboratory's own solution of the same equilibrium.
+/// The closed form at the stiffness of the testing machine against the laboratory's own solution of the same
+/// equilibrium.
 TEST(LedgerRecovery, KnowsTheIdealLossOfThisMachine) {
     hysteresis::HystereticSphere smooth = specimen;
     smooth.work_retraction = smooth.work_approach;

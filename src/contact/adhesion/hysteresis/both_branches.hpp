@@ -69,7 +69,7 @@ public:
     [[nodiscard]] Estimate value_of(Shared input, const Knowledge& known) const;
     /// Position in the inputs with given parameter of the model and given W_int.
     [[nodiscard]] Eigen::VectorXd at(double work_of_adhesion, double parameter) const;
-    /// The same inputs drawn by standard normal numbers, one a direction that they have.
+    /// The inputs for standard normal numbers, one per direction.
     [[nodiscard]] Eigen::VectorXd drawn(const Eigen::VectorXd& normal) const { return factor_ * normal; }
     [[nodiscard]] Index directions() const { return factor_.cols(); }
 
@@ -97,7 +97,7 @@ private:
         PairFunctions::Inputs values;
         Roughness rough;
         double deviations[number_count];
-        double reference_work = 1.0;  ///< W_app of the reference over the mean of all; 1 where W_int is common
+        double reference_work = 1.0;  ///< W_app of the reference divided by the mean of all; 1 where W_int is common
     };
     [[nodiscard]] Index first_of(Index pair) const { return shared_count + pair * number_count; }
     [[nodiscard]] double moved(Index pair, Number number, double value, const Eigen::VectorXd& x) const;

@@ -40,7 +40,7 @@ private:
 
 /// The most likely inputs for a branch of some pairs, and their distribution.
 struct Step {
-    BranchLines lines;  ///< of all pairs, about the inputs from the pairs in the fit
+    BranchLines lines;  ///< lines of all pairs, about the inputs from the pairs in the fit
     Knowledge known;    ///< after them
     MatrixXd gain;      ///< shift of the mean per residual of each pair in the fit
     adhesion::ModelScatter scatter;

@@ -67,7 +67,7 @@ struct VariedEvidence {
 [[nodiscard]] VariedEvidence varied_evidence(const LeftOutEvidence& evidence, const std::vector<RankedPair>& pairs,
                                              const ScatterScales& scales, const DrawnNoise& noise);
 
-/// Measured W_app less that of W_int and inputs fitted to it, every pair alike, rms [J/m²]. scale: of the scatter
+/// rms of measured W_app minus that of a fit of W_int and inputs, with equal weights [J/m²]. scale: of the scatter
 /// [J/m²].
 [[nodiscard]] double rms_of_approach(const BothBranches& model, const std::vector<RankedPair>& pairs, double scale);
 

@@ -24,7 +24,7 @@ void require_valid(const MovingEdge& edge) {
             edge.law.reference_speed, edge.law.exponent, edge.motor_speed, edge.reading_time));
 }
 
-/// One sphere in one machine, with its edge.
+/// One sphere in one testing machine, with its edge.
 class Equations {
 public:
     Equations(const HystereticSphere& sphere, const Pressing& pressing, const MovingEdge& edge)
@@ -118,7 +118,7 @@ EdgeRetractionCourse course_of(const HystereticSphere& sphere, const Pressing& p
 /// Value at a position between the states i and i + 1.
 double between(const Array1D& values, Index i, double share) { return values[i] + share * (values[i + 1] - values[i]); }
 
-/// Mean of G over the motor's way to `end` from at most `way` before.
+/// Mean of G over the motor's motion to `end` from at most `way` before.
 double mean_rate(const EdgeRetractionCourse& course, double end, double way) {
     const double from = std::min(course.motor[0], end + way);
     double sum = 0.0, last = 0.0;

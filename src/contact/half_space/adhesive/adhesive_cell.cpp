@@ -146,7 +146,7 @@ private:
             [&](Index i, const double* line) { row(to, i) = ConstRow(line, to.cols()); });
         ++transforms_;
     }
-    /// Everything of the present gaps anew.
+    /// Computes all quantities of the present gaps again.
     void refresh() {
         apply_stiffness(here_.gaps, here_.stiff);
         here_.stiff += rigid_;
@@ -223,7 +223,7 @@ private:
     fourier::Multiplier stiffness_;
     ModelUnits units_;
     FaceModel model_;
-    std::int64_t transforms_ = 0;  ///< of its own
+    std::int64_t transforms_ = 0;  ///< number of own transforms
     RowPasses rows_;
     double points_, mean_height_, highest_, radius_;
     double conformal_energy_ = 0.0, multiplier_ = 0.0, tension_ = 0.0;
@@ -369,7 +369,7 @@ AdhesiveState AdhesiveCell::Work::state(double residual, int iterations, std::in
 }
 
 double AdhesiveCell::Work::approach_equilibrium(double left, double wanted, int& iterations) {
-    if (left > wanted && gradient_step()) {  // presses and frees many points at once
+    if (left > wanted && gradient_step()) {  // adds and removes contact of many points
         ++iterations;
         left = residual();
     }

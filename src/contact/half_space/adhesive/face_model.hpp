@@ -15,7 +15,7 @@ namespace setae::half_space {
 ///   q(d) = G·d + ½ d·H d,  H d = K d + V'' d + c ⟨d⟩,  d = 0 outside the face, ⟨d⟩ = 0 for a fixed mean
 struct FaceProblem {
     const Array2D& gradient;     ///< G [Pa] …
-    double level = 0.0;          ///< … from here; of the face's mean where the mean gap is held
+    double level = 0.0;          ///< … from here; of the face's mean for a fixed mean gap
     const MapOf<float>& slopes;  ///< V'' in the model's units
     const MapOf<float>& face;    ///< 1 where free, else 0
     double points = 0.0;         ///< number of points of the face

@@ -98,7 +98,7 @@ std::vector<SurveyRow> survey(const SurveyDesign& design) {
     std::vector<std::vector<Drawn>> drawn(designs.size(), std::vector<Drawn>(seeds));
     std::mutex telling;
     std::size_t done = 0;
-    // dear ones first, so that no thread is left with one at the end
+    // expensive ones first, so that no thread works at the end without the others
     std::vector<std::size_t> order(all);
     for (std::size_t k = 0; k < all; ++k) order[k] = k;
     std::ranges::stable_sort(order, std::greater{}, [&](std::size_t k) { return designs[k / seeds].points; });

@@ -13,10 +13,10 @@ namespace setae::persson {
 namespace {
 
 constexpr Index cells = 700;
-constexpr double cell_width = 0.02;       ///< of y = (p + σ_a)/√V
-constexpr double largest_step = 0.025;    ///< of ln V
-constexpr double largest_shift = 0.2;     ///< of the end, over √V
-constexpr double first_distance2 = 30.0;  ///< (p_0 + σ_a)²/V above which erfc says that no area is lost
+constexpr double cell_width = 0.02;       ///< width in y = (p + σ_a)/√V
+constexpr double largest_step = 0.025;    ///< step of ln V
+constexpr double largest_shift = 0.2;     ///< shift of the end, divided by √V
+constexpr double first_distance2 = 30.0;  ///< (p_0 + σ_a)²/V above which erfc is 0 within rounding: no area is lost
 
 /// x/(exp(x) − 1).
 double bernoulli(double x) { return std::abs(x) < 1e-10 ? 1.0 - 0.5 * x : x / std::expm1(x); }

@@ -303,7 +303,7 @@ Estimate from_zero_force(const Touch& touch, double radius) {
     return measured(at - below.value, std::hypot(zero_error, below.standard_error), "jkr radius at F = 0");
 }
 
-/// Stage position δ + F/k of a contact at its instability, against first touch.
+/// Stage position δ + F/k of a contact at its instability, relative to first contact.
 double stage_at_instability(double modulus, double work, double radius, double compliance) {
     const auto state =
         spring_jumps({radius, modulus, work}, compliance > 0.0 ? 1.0 / compliance : INFINITY).before_jump_out;

@@ -69,7 +69,7 @@ double work(const Array1D& force, const Array1D& displacement, const IndexRange&
 
 double noise_error(const LevelRecord& record, const IndexRange& range) {
     const Array1D &force = record.force, &displacement = record.displacement;
-    // neighbours whose noise is alike add up
+    // correlated noise of neighbours adds up
     const auto correlated = [](double sigma, double phi) { return sigma * sigma * (1.0 + phi) / (1.0 - phi); };
     const double force_variance = correlated(record.noise.force_noise, record.noise.force_noise_correlation),
                  displacement_variance =

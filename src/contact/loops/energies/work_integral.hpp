@@ -32,7 +32,8 @@ struct LevelRecord {
 /// Error from the zero of force and its drift; NaN where the zero is taken as constant.
 [[nodiscard]] double drift_error(const LevelRecord& record, const IndexRange& range);
 
-/// Error from the machine's stiffness k where δ = stage − F/k: (F_last² − F_first²) σ_k/(2k²), for the rest telescopes.
+/// Error from the stiffness k of the testing machine where δ = stage − F/k: (F_last² − F_first²) σ_k/(2k²), because the
+/// other terms cancel.
 [[nodiscard]] double compliance_error(const LevelRecord& record, const IndexRange& range, const Estimate& stiffness);
 
 /// Largest error of a jump. It occurred within its sampling step, a share f of it with the motion before and 1 − f with

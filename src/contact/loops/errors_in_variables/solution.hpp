@@ -62,7 +62,8 @@ struct Solution {
 /// @throws UndefinedDataError for missing channels and constant ones; InvalidArgument where their noise is unknown.
 [[nodiscard]] Points points(const BranchData& data, const LensAndCounterBody& bodies, Channels channels);
 
-/// Means of so many neighbours each, whose noise is smaller and which lie on the curve but for its bend between them.
+/// Means of a number of neighbours each, whose noise is smaller and which lie on the curve except for its curvature
+/// between them.
 [[nodiscard]] Points averaged(const Points& points, Index neighbours);
 
 /// e, g and d0 of a contact.
@@ -90,13 +91,13 @@ struct AlongTheCurve {
     double curvature = 0.0;     ///< the largest: |γ''⊥|/|γ'|²
     Eigen::MatrixXd pretended;  ///< Σ j'j'ᵀ/|γ'|², j' the change along the curve of the derivatives across it
 };
-/// Nearest points scatter along the curve by 1/|γ'|, and the derivatives taken there with them: JᵀJ is too large by
-/// `pretended` on average, and the information is JᵀJ less that.
+/// Nearest points scatter along the curve by 1/|γ'|, and so do the derivatives at these points: JᵀJ is too large by
+/// `pretended` on average, and the information is JᵀJ minus that.
 [[nodiscard]] AlongTheCurve along_the_curve(const Points& points, const Solution& solution);
 
 /// Residuals in the directions across the curve, of unit variance where the noise is as given, with their derivatives.
 struct Across {
-    std::vector<Eigen::MatrixXd> jacobians;  ///< n × (2 or 3), one a direction
+    std::vector<Eigen::MatrixXd> jacobians;  ///< n × (2 or 3), one per direction
     std::vector<Eigen::VectorXd> residuals;
     Array1D force,
         depth;  ///< F − F(a) and δ − δ(a) − δ0 in SI units, along the tangent; empty where a was not measured

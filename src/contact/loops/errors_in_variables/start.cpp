@@ -13,8 +13,8 @@
 namespace setae::loops::errors_in_variables {
 namespace {
 
-/// Round by round, the offset of the curvature held while a sum of squares is made least: where plain rounds do not
-/// settle.
+/// Iterations with a fixed offset of the curvature, in which a sum of squares is minimised: used where plain iterations
+/// do not converge.
 Solution solve_with_offsets_held(const Points& points, const Solution& near) {
     constexpr int max_rounds = 30;
     constexpr double settled = 1e-7;
@@ -37,8 +37,8 @@ Solution solve_from(const Points& points, const Parameters& start) {
     return solution;
 }
 
-/// Force against displacement has a minimum on each side of W = 0 where W is hardly known: that of W > 0 is looked for,
-/// and W = 0 taken where there is none. JKR's curve goes on to W < 0, where it is no contact.
+/// Force against displacement has a minimum on each side of W = 0 where W is poorly determined: that of W > 0 is
+/// searched, and W = 0 used where there is none. JKR's curve continues to W < 0, where it is no contact.
 Parameters on_the_adhesive_side(const Points& points, const Parameters& start) {
     constexpr double min_share = 0.05;
     const Parameters at(start[0], std::max(std::abs(start[1]), min_share * start[0]), start[2]);

@@ -8,7 +8,7 @@
 namespace setae::loops {
 
 /// @throws InvalidArgument for R <= 0 or series of different length; UndefinedDataError for fewer than `fewest`
-/// samples, or where contact radius or displacement is wanted and missing.
+/// samples, or where contact radius or displacement is required and missing.
 struct Wanted {
     bool contact_radius = false;
     bool displacement = false;

@@ -128,7 +128,7 @@ std::vector<SolvedFit> separate_fits(const std::vector<GlobalBranch>& branches, 
     return fits;
 }
 
-/// Estimate of a slot's quantity with the error its unknown has; where held, as the branch's own fit has it.
+/// Estimate of a slot's quantity with the error of its unknown; for a fixed one, as in the branch's own fit.
 class BranchEstimates {
 public:
     BranchEstimates(const Layout& layout, std::size_t branch, const SolvedFit& separate,

@@ -21,7 +21,7 @@ constexpr double max_log_error = 0.5;
 // beyond, Maugis–Dugdale's curve is that of DMT or JKR to a percent and less
 constexpr double min_lambda = 0.02, max_lambda = 50.0;
 
-/// Covariance of all four slots, 0 where held.
+/// Covariance of all four slots, 0 for fixed ones.
 Eigen::Matrix4d slot_covariance(const PreparedFit& prepared, const LeastSquaresSolution& solution) {
     Eigen::Matrix4d all = Eigen::Matrix4d::Zero();
     for (std::size_t i = 0; i < prepared.free.size(); ++i)

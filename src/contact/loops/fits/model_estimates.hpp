@@ -17,7 +17,7 @@ void fill_estimates(ModelFit& fit, const PreparedFit& prepared, const FitSolutio
 [[nodiscard]] Outcome<Estimate> work_estimate(const ModelCurve& curve, const LeastSquaresSolution& solution,
                                               const FitParameters& at, double slot_standard_error);
 
-/// Says in place of λ and σ0 that λ ran to one of its limits.
+/// Replaces λ and σ0 by the reason that λ reached one of its limits.
 void leave_zone_open(ModelFit& fit, double transition_parameter);
 
 /// A fit with the start of a further fit of the same branch.
@@ -31,7 +31,7 @@ struct SolvedFit {
 [[nodiscard]] SolvedFit solved_fit(const BranchData& data, const LensAndCounterBody& bodies,
                                    const ModelFitOptions& options);
 
-/// Covariance over the product of its errors.
+/// Covariance divided by the product of its errors.
 [[nodiscard]] Eigen::MatrixXd correlations(const Eigen::MatrixXd& covariance);
 
 }  // namespace setae::loops

@@ -115,7 +115,7 @@ CurveTable BranchProblem::table(const FitParameters& at, Index entries) const {
         table.t.push_back(highest * static_cast<double>(i) / static_cast<double>(entries));
     for (const double t : table.t) table.points.push_back(curve_.at(t, at.head<3>()));
     if (!curve_.includes_separation()) {
-        // the table's first entry may lie above the fold
+        // the table's first entry may be above the fold
         table.t.insert(table.t.begin(), 1e-6 * highest);
         table.points.insert(table.points.begin(), curve_.at(table.t.front(), at.head<3>()));
         std::size_t fold = table.t.size() - 1;

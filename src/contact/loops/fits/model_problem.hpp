@@ -14,8 +14,8 @@ namespace setae::loops {
 using FitParameters = Eigen::Vector4d;
 constexpr Index contact_point_slot = 3;
 
-/// A stretch of a model's curve, tabulated for first guesses. It starts where the displacement, which the outer branch
-/// follows, is least.
+/// A section of a model's curve, tabulated for first guesses. It starts at the smallest displacement of the outer
+/// branch.
 struct CurveTable {
     std::vector<double> t;
     std::vector<CurvePoint> points;
@@ -65,7 +65,7 @@ public:
     [[nodiscard]] Array1D force_residuals(const std::vector<CurvePoint>& fitted) const;
     [[nodiscard]] Array1D displacement_residuals(const std::vector<CurvePoint>& fitted, const FitParameters& at) const;
     [[nodiscard]] Array1D radius_residuals(const std::vector<CurvePoint>& fitted) const;
-    /// Σ of their squares over the noise.
+    /// Σ of their squares divided by the noise.
     [[nodiscard]] double chi2(const std::vector<CurvePoint>& fitted, const FitParameters& at) const;
     /// Distance of a curve from the data along displacement and radius at their forces, for a search of starts: squares
     /// divided by the channels' ranges. Sets the contact point unless it is given.
@@ -85,7 +85,7 @@ private:
     [[nodiscard]] CurveTable table(const FitParameters& at, Index entries) const;
     [[nodiscard]] Vector whitened(double force, double displacement, double radius) const;
     [[nodiscard]] Vector error(Index sample, const CurvePoint& point, double contact_point) const;
-    /// The point at a displacement from first touch; the table's first where the curve ends above it, see ends_above.
+    /// The point at a displacement from first contact; the table's first where the curve ends above it, see ends_above.
     [[nodiscard]] CurvePoint point_at(double depth, const FitParameters& at, const CurveTable& table) const;
     [[nodiscard]] bool ends_above(double depth, const CurveTable& table) const;
     [[nodiscard]] Foot foot(Index sample, const FitParameters& at, const CurveTable& table) const;

@@ -130,7 +130,7 @@ Grid grid(const PreparedFit& fit, const BranchData& data) {
 }
 
 /// Coordinates in which a model is closest to linear: E* and √(E*W) for the models with an edge, E* and W for DMT, in
-/// units of the start; the slots themselves for the others and where one of the two is held.
+/// units of the start; the slots themselves for the others and where one of the two is fixed.
 class Coordinates {
 public:
     Coordinates(const PreparedFit& fit, const FitParameters& start)
@@ -286,8 +286,7 @@ FitParameters find_start(const PreparedFit& fit, const BranchData& data) {
         return Candidate{solution.at, std::isfinite(cost) ? cost : std::numeric_limits<double>::infinity()};
     };
     const auto by_distance = [](const Candidate& one, const Candidate& other) { return one.distance < other.distance; };
-    // the third slot is held at each of its values first: with all free, far from the solution, it runs off to where
-    // nothing depends on it
+    // the third slot is fixed at each of its values first: with all free, far from the solution, it would diverge
     PreparedFit two_slots = fit;
     std::erase(two_slots.free, Index{2});
     std::vector<Candidate> nearest;

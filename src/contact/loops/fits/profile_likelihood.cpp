@@ -20,7 +20,7 @@ using eiv::Held;
 using eiv::Points;
 using eiv::Solution;
 
-/// χ² against one parameter held, from one value to the next.
+/// χ² against one fixed parameter, from one value to the next.
 class LikelihoodProfile {
 public:
     /// straight: the fitted samples, with the offset of the curvature subtracted. unit: variance in units of which the

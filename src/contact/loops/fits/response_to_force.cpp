@@ -86,7 +86,7 @@ struct Response {
 
     [[nodiscard]] LeastSquaresSolution solve() const {
         SmallMinimum<parameters> found = minimum(start());
-        // a depth goes on to p < 0 with a minimum of its own, which is no contact
+        // a depth has another minimum at p < 0, which is no contact
         if (is_depth && found.parameters_found[1] < 0.0) found = without_adhesion();
         LeastSquaresSolution solution{
             .parameters = found.parameters_found, .converged = found.converged, .iterations = found.iterations};

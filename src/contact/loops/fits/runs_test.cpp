@@ -15,7 +15,7 @@ double log_binomial(Index n, Index k) {
            log_gamma(static_cast<double>(n - k) + 1.0);
 }
 
-/// P(R = runs): m signs of one kind are cut into k stretches in C(m − 1, k − 1) ways.
+/// P(R = runs): m signs of one kind can be divided into k runs in C(m − 1, k − 1) ways.
 double probability(Index runs, Index above, Index below) {
     const double all = log_binomial(above + below, above);
     const auto ways = [&](Index of_above, Index of_below) {

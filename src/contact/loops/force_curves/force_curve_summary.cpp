@@ -31,7 +31,7 @@ Ways ways_of(const std::vector<CurveSegment>& segments) {
     return ways;
 }
 
-/// Variance of a baseline at a displacement, over the noise's: 1/n, of a sloped line and (δ − δ̄)²/S.
+/// Variance of a baseline at a displacement, divided by that of the noise: 1/n, for a sloped line plus (δ − δ̄)²/S.
 double line_variance(const CurveSegment& segment, double displacement, bool sloped) {
     const IndexRange& range = segment.baseline.range;
     const Array1D along = segment.displacement.segment(range.first - segment.range.first, range.count());

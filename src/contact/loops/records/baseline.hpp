@@ -21,7 +21,7 @@ namespace setae::loops {
 /// samples_of.
 [[nodiscard]] Baseline given_baseline(const Loop& loop, const GivenRange& range, const std::string& name);
 
-/// Zero of force, its slope and noise from a stretch of free flight.
+/// Zero of force, its slope and noise from a section of free flight.
 [[nodiscard]] Baseline baseline_over(const Loop& loop, const IndexRange& range);
 
 }  // namespace setae::loops

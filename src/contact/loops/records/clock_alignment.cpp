@@ -116,8 +116,8 @@ Array1D standardised(const Array1D& values) {
     return scale > 0.0 ? Array1D(centred / scale) : centred;
 }
 
-/// Means over the samples within half a width of each: noise between the frames would else decide which offset fits
-/// best.
+/// Means over the samples within half a width of each: otherwise noise between the frames would determine the best
+/// offset.
 Array1D averaged(const Array1D& time, const Array1D& values, double width) {
     if (values.size() == 0) return values;
     Array1D sums(values.size() + 1), means(values.size());
@@ -151,7 +151,7 @@ public:
           displacement_(standardised(averaged(force.time, force.displacement, 0.5 * frames.interval))),
           frames_(std::move(frames)) {}
 
-    /// Fits the relation with the frames that lie within the force record.
+    /// Fits the relation with the frames within the force record.
     [[nodiscard]] Trial operator()(double offset) const {
         std::vector<Eigen::Vector4d> rows;
         std::vector<double> forces;
@@ -210,7 +210,7 @@ struct Range {
     double lower = 0.0, upper = 0.0;
 };
 
-/// Offsets at which enough of the frames lie within the force record.
+/// Offsets at which enough of the frames are within the force record.
 Range searched(const Loop& force, const Array1D& frames, const ClockOptions& options) {
     if (!(options.min_overlap > 0.0 && options.min_overlap <= 1.0))
         throw InvalidArgument(

@@ -121,7 +121,7 @@ struct EndSlopes {
     }
 };
 
-/// dF/dδ within a tenth of the travel of the turn, less the slope at the record's ends.
+/// dF/dδ within a tenth of the travel of the turn, minus the slope at the record's ends.
 double slope_at_turn(const Slopes& slopes, const EndSlopes& ends, const Array1D& position, Index turn) {
     constexpr double near = 0.1;
     const double travel = position.maxCoeff() - position.minCoeff();

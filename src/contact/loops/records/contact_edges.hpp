@@ -7,13 +7,13 @@
 
 namespace setae::loops {
 
-/// Where a record's bodies touch first and part last.
+/// First and last contact of a record.
 struct ContactEdges {
-    bool found = false;                ///< a stretch in which the force rises with the displacement
-    double contact_slope = 0.0;        ///< dF/dδ near the turn less that of free flight [N/m]
-    Index turn = 0;                    ///< sample of the deepest position
-    std::optional<ForceJump> entry;    ///< the jump into contact
-    std::optional<ForceJump> exit;     ///< the jump out of contact
+    bool found = false;              ///< whether there is a section in which the force increases with the displacement
+    double contact_slope = 0.0;      ///< dF/dδ near the turn minus that of free flight [N/m]
+    Index turn = 0;                  ///< sample of the deepest position
+    std::optional<ForceJump> entry;  ///< the jump into contact
+    std::optional<ForceJump> exit;   ///< the jump out of contact
     std::optional<IndexRange> before;  ///< free flight up to contact
     std::optional<IndexRange> after;   ///< free flight after it
 };

@@ -12,7 +12,7 @@ namespace setae::loops {
 struct ForceJump {
     Index last = 0;             ///< sample before it
     Index next = 0;             ///< first sample after it
-    double size = 0.0;          ///< [N]: the line through the samples after it less that through those before it
+    double size = 0.0;          ///< [N]: the line through the samples after it minus that through those before it
     double significance = 0.0;  ///< |size| over its error
 };
 

@@ -57,7 +57,7 @@ Vertex smallest_of_parabola(const Eigen::VectorXd& values, const SampleNoise& no
     design << Array1D::Ones(values.size()), u, u.square();
     const Eigen::VectorXd found = numerics::least_squares(design, values);
     double at = -0.5 * found[1] / found[2];
-    if (!(found[2] > 0.0)) at = found[1] > 0.0 ? -1.0 : 1.0;  // it goes on falling to one end
+    if (!(found[2] > 0.0)) at = found[1] > 0.0 ? -1.0 : 1.0;  // the force decreases up to one end
     at = std::clamp(at, -1.0, 1.0);
     const Eigen::Vector3d row(1.0, at, at * at);
     const double independent = row.dot(numerics::inverse(design.transpose() * design) * row);

@@ -22,7 +22,7 @@ using Eigen::VectorXd;
 
 constexpr Index max_degree = 3;
 
-/// One stretch of free flight.
+/// One section of free flight.
 struct Stretch {
     IndexRange range;
     double variance = 0.0;  ///< variance of a mean of n samples times n [N²], with correlations of neighbours
@@ -92,8 +92,8 @@ public:
         return force_.segment(range.first, range.count()) - (design * curve.coefficients).array();
     }
 
-    /// Probability that means and slopes of the stretches lie so far from the curve or farther by chance; 1 where
-    /// nothing is left to compare.
+    /// Probability of a deviation of means and slopes of the sections from the curve at least as large by chance; 1
+    /// where there is nothing to compare.
     [[nodiscard]] double chance(const Curve& curve) const {
         double chi2 = 0.0;
         for (std::size_t s = 0; s < stretches_.size(); ++s) {

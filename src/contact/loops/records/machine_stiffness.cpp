@@ -84,7 +84,7 @@ Line robust_line(const Branch& branch) {
             .zero = origin - level / slope};
 }
 
-/// Change of slope from the lower to the upper half of the forces, over the slope; with its standard error.
+/// Change of slope from the lower to the upper half of the forces, divided by the slope; with its standard error.
 Estimate slope_growth(const Branch& branch, double slope) {
     const double middle = 0.5 * (branch.force.minCoeff() + branch.force.maxCoeff());
     const auto half = [&](bool upper) {

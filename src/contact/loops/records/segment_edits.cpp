@@ -19,7 +19,7 @@ std::string described(const IndexRange& range) { return fmt::format("samples {} 
     throw InvalidArgument(fmt::format("{}: {}", name, why));
 }
 
-/// One stretch of a contact in its order, found or given.
+/// One section of a contact in its order, found or given.
 struct Part {
     std::string name;
     std::optional<IndexRange> range;

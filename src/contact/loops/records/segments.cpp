@@ -28,11 +28,11 @@ Index index_of_smallest(const Array1D& values, Index first, Index last) {
     return first + at;
 }
 
-/// The reversals of one touch: trough, peak, trough … ; the last trough is missing where nothing was released.
+/// The reversals of one contact: trough, peak, trough … ; the last trough is missing without an unloading.
 struct Touch {
     std::vector<Index> troughs;
     std::vector<Index> peaks;
-    Index end = 0;  ///< last sample before the next touch's first trough
+    Index end = 0;  ///< last sample before the next contact's first trough
 };
 
 /// Removes reversals of force with which the position does not turn: slips, not releases.
@@ -102,7 +102,7 @@ void find_approach(const Record& record, Index start, const Touch& touch, Contac
     contact.loading.first = first;
 }
 
-/// Where the touch ends: pull-off minimum and first free sample, or the last sample in contact.
+/// End of the contact: pull-off minimum and first free sample, or the last sample in contact.
 void find_separation(const Record& record, const Touch& touch, ContactSegments& contact) {
     if (touch.troughs.size() <= touch.peaks.size()) return;
     const Index peak = touch.peaks.back();

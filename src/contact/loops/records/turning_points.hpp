@@ -13,7 +13,7 @@ struct TurningPoint {
     bool peak = false;
 };
 
-/// Alternating troughs and peaks that stand out by at least `height`, in order; the first and the last need that height
+/// Alternating troughs and peaks with a height of at least `height`, in order; the first and the last need that height
 /// on their inner side only.
 [[nodiscard]] std::vector<TurningPoint> turning_points(const ArrayView1D& series, double height);
 

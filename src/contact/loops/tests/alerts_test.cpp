@@ -38,7 +38,7 @@ TEST(LoopAlerts, SayThatFreeFlightIsMissing) {
     EXPECT_TRUE(std::any_of(alerts.begin(), alerts.end(), [](const Alert& a) { return a.code == "DRIFT_UNKNOWN"; }));
 }
 
-// At pull-off the machine springs back by F/k; the contact has some 200 N/m.
+// At pull-off the testing machine springs back by F/k; the contact has some 200 N/m.
 TEST(LoopAlerts, SayThatTheMachineIsTooSoftToSeeTheContact) {
     const auto on_machine = [](double stiffness) {
         Loop loop = shape.make();

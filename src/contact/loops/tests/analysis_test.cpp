@@ -25,7 +25,7 @@ bool has_alert(const LoopAnalysis& analysis, const std::string& code) {
                        [&](const Alert& alert) { return alert.code == code; });
 }
 
-/// Sampled retraction begins where the edge lets go: the pinned stretch is no equilibrium.
+/// Sampled retraction begins where the edge lets go: the pinned section is no equilibrium.
 Loop without_pinned_stretch(const SyntheticLoop& shape) {
     const Loop loop = shape.make();
     const Index first = 2 * shape.samples + 2, next = 3 * shape.samples + 1;

@@ -16,7 +16,7 @@ namespace {
 
 struct Symbol {
     int filled, hollow;
-    double size;  ///< for the same look: gnuplot's shapes differ in area
+    double size;  ///< for equal appearance: gnuplot's shapes differ in area
 };
 constexpr std::array<Symbol, 6> symbols{
     {{7, 6, 1.0}, {5, 4, 0.9}, {9, 8, 1.15}, {13, 12, 1.2}, {11, 10, 1.15}, {15, 14, 1.1}}};

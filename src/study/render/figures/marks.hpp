@@ -14,7 +14,7 @@ namespace setae::figures {
 /// The points of a series, one per line: x y lower upper left right. An empty line where the curve is interrupted.
 [[nodiscard]] std::string data_lines(const Panel& panel, const Series& series, const Range& x, const Range& y);
 
-/// Sizes of symbols that look alike in a terminal.
+/// Sizes of symbols with equal appearance in a terminal.
 struct SymbolSize {
     double symbols = 1.0;
     double diamonds = 1.0;  ///< times that of the others

@@ -10,7 +10,7 @@ namespace setae::figures {
 /// characters and bytes that are no UTF-8 as blanks.
 [[nodiscard]] std::string quoted_verbatim(std::string_view text);
 
-/// As quoted_verbatim: a bold letter and words after it; words alone are bold.
+/// As quoted_verbatim: a bold letter and words after it; only words are bold.
 [[nodiscard]] std::string quoted_heading(std::string_view letter, std::string_view words);
 
 /// As quoted_verbatim, for a tick, whose text gnuplot also takes for a number's format.

@@ -27,7 +27,8 @@ void require_drawable(const Panel& panel);
 /// Position of a value along an axis: 0 at from, 1 at to.
 [[nodiscard]] double share(const Axis& axis, const Range& range, double value);
 
-/// A band with points added where it leaves the panel and its ends held inside: gnuplot fills those it clips wrongly.
+/// A band with points added where it leaves the panel and its ends limited to the inside: gnuplot fills clipped bands
+/// wrongly.
 [[nodiscard]] Series clipped_band(const Panel& panel, const Series& band, const Range& x, const Range& y);
 
 /// The corner in which a box of width and height (shares of the panel) hides the least data.

@@ -39,7 +39,7 @@ LinearTicks linear_ticks(const Range& range, double length_mm, Direction directi
     constexpr std::size_t enough = 3;
     constexpr double max_numbers = 200.0;
     const double extent = range.to - range.from;
-    LinearTicks closer;  // the largest step with enough numbers, none of which touch
+    LinearTicks closer;  // the largest step with enough numbers that do not overlap
     for (double decade = std::pow(10.0, std::floor(std::log10(extent / max_numbers)));; decade *= 10.0)
         for (const double digit : {1.0, 2.0, 5.0}) {
             if (extent / (digit * decade) > max_numbers) continue;

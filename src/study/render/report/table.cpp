@@ -21,7 +21,7 @@ using output::Json;
 
 std::string with_minus(std::string text) { return text.starts_with('-') ? "−" + text.substr(1) : text; }
 
-/// The number of a JSON entry; nothing for null and text such as "infinity".
+/// The number of a JSON entry; empty for null and text such as "infinity".
 std::optional<double> number_of(const Json& json) {
     return json.is_number() ? std::optional(json.get<double>()) : std::nullopt;
 }

@@ -5,7 +5,7 @@
 
 namespace setae::study_figures {
 
-/// A study and how its figures are wanted.
+/// A study and the format of its figures.
 struct FigureRequest {
     const study::StudyResult& result;
     const GalleryOptions& options;

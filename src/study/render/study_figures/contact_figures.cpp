@@ -203,7 +203,7 @@ const study::ElastomerResult* elastomer_of_figure_2(const StudyResult& result, c
     return nearest;
 }
 
-/// δ at first touch [m]: as fitted, else where the record jumps into contact.
+/// δ at first contact [m]: as fitted, else at the jump into contact of the record.
 double zero_of_displacement(const LoopAnalysis& loop) {
     for (const auto* fit : {&loop.loading.force_displacement, &loop.loading.radius_force})
         if (*fit && std::isfinite((*fit)->contact_point.value)) return (*fit)->contact_point.value;

@@ -57,7 +57,7 @@ Units units_of(const DrawnLoop& loop) {
 
 figures::Axis axis(const char* quantity, const DisplayUnit& unit) { return {.quantity = quantity, .unit = unit.name}; }
 
-/// δ of first touch, from the fit of depth where there is one.
+/// δ at first contact, from the fit of depth where there is one.
 double first_touch(const LoopAnalysis& analysis) {
     if (analysis.loading.force_displacement) return analysis.loading.force_displacement->contact_point.value;
     const auto& record = analysis.corrected;

@@ -110,7 +110,7 @@ std::string deviation_in_words(double apart) {
 
 constexpr double row_share = 0.075;  ///< share of an axis' range: height of a row of text
 
-/// Measured minus predicted in standard errors, below the data; a second row for neighbours that would touch.
+/// Measured minus predicted in standard errors, below the data; a second row for neighbours that would overlap.
 void add_residuals(Panel& panel, const StudyResult& result, const std::vector<const PairResult*>& pairs,
                    double lowest) {
     constexpr double min_distance = 0.14;  // share of the width

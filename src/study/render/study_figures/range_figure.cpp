@@ -20,7 +20,7 @@ using figures::Series;
 using loops::RangeFit;
 
 constexpr double one_standard_error =
-    0.3934693402873666;  ///< 1 − e^(−1/2): the ellipse whose shadow on each axis is one standard error
+    0.3934693402873666;  ///< 1 − e^(−1/2): the ellipse whose projection on each axis is one standard error
 
 /// One quantity of the fits that could be made, with one standard error.
 template <class Abscissa, class Value>
@@ -46,7 +46,7 @@ Series series_of(const std::string& name, int colour, const std::vector<RangeFit
 const Estimate& modulus(const loops::JkrFit& fit) { return fit.contact_modulus; }
 const Estimate& work(const loops::JkrFit& fit) { return fit.work_of_adhesion; }
 
-/// Fits in the plane of E* and W, and the ellipse of the one over the whole range.
+/// Fits in the plane of E* and W, and the ellipse of that over the whole range.
 void add_plane(Panel& panel, const NamedScan& named, int colour) {
     const auto add = [&](const std::vector<RangeFit>& fits, bool hollow) {
         std::vector<double> x, y;

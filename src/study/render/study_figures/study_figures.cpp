@@ -63,7 +63,7 @@ void add_loops(const FigureKind& kind, const study::StudyResult& result, std::ve
     add_named(kind, things, entries);
 }
 
-/// A kind of figure and how it is made: one a study, or several.
+/// A kind of figure and its function: one per study, or several.
 struct Kind {
     FigureKind shown;
     void (*build)(const FigureRequest&, StudyFigure&) = nullptr;

@@ -230,7 +230,7 @@ std::string shown_pairs(const study::Hysteresis& h, std::size_t width) {
     return text;
 }
 
-/// Differences between records and predicted loops; nothing without records.
+/// Differences between records and predicted loops; empty without records.
 std::string shown_residuals(const study::Hysteresis& h, std::size_t width) {
     TidyTable table{"record minus predicted loop: rms of the force at equal displacement [µN]",
                     {"pair", "approach", "retraction", "largest force"},

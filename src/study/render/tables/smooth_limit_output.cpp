@@ -19,14 +19,14 @@ struct Span {
         least = std::min(least, value);
         greatest = std::max(greatest, value);
     }
-    /// [mJ/m²], one number where both are alike.
+    /// [mJ/m²], one number where both are equal.
     [[nodiscard]] std::string text() const {
         const auto low = fmt::format("{:.0f}", 1e3 * least), high = fmt::format("{:.0f}", 1e3 * greatest);
         return low == high ? low : low + " … " + high;
     }
 };
 
-/// W_ret by a model less that of the references.
+/// W_ret by a model minus that of the references.
 Span distance_of(const study::Hysteresis& hysteresis, const hysteresis::RetractionModel& model) {
     Span off;
     for (const auto& of : hysteresis.smooth_limits)

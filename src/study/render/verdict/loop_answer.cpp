@@ -96,7 +96,7 @@ Outcome<Estimate> middle_of(const study::ForceMap& map, Outcome<Estimate> ForceC
     const double below = normal_probability(-1.0);
     const double middle = sorted_quantile(values, 0.5),
                  scatter = 0.5 * (sorted_quantile(values, 1.0 - below) - sorted_quantile(values, below));
-    const bool rounding = scatter <= 1e-9 * std::abs(middle);  // one curve, or curves all alike
+    const bool rounding = scatter <= 1e-9 * std::abs(middle);  // one curve, or equal curves
     return Estimate{middle, rounding ? undefined : scatter, "middle 68 %"};
 }
 

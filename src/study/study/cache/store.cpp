@@ -49,8 +49,8 @@ struct Entry {
     std::string content;
 };
 
-/// Nothing beyond its first lines is read where these are not those of the wanted entry, or announce another size than
-/// the file has. @throws FileError where it cannot be read.
+/// Only the first lines are read where these are not those of the requested entry, or state another size than that of
+/// the file. @throws FileError where it cannot be read.
 Entry read_entry(const bytes::Source& file, const std::string& wanted_version, const std::string& wanted_key) {
     constexpr std::uint64_t longest_header = 4096;
     const auto head = file.head(longest_header);

@@ -31,7 +31,7 @@ MappedCurve fitted_curve(const tables::ForceCurves& curves, const std::string& f
     return result;
 }
 
-/// The first curve that is whole; nothing where none is.
+/// The first complete curve; empty where there is none.
 std::optional<Table> first_whole(const tables::ForceCurves& curves) {
     for (const long number : curves.numbers) try {
             auto curve = curves.read(number).table;

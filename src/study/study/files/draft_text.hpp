@@ -29,7 +29,7 @@ struct DraftLoop {
 [[nodiscard]] std::string draft_heading(const std::string& title);
 /// "# ---- Surface A ----…".
 [[nodiscard]] std::string draft_rule(const std::string& title);
-/// `key = "value"` with a remark; both may hold anything.
+/// `key = "value"` with a remark; both may contain any characters.
 [[nodiscard]] std::string draft_line(const std::string& key, const std::string& value, const std::string& remark = "");
 /// `# key = "?"` with a remark.
 [[nodiscard]] std::string draft_question(const std::string& key, const std::string& remark);

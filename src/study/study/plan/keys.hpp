@@ -31,8 +31,8 @@ void parse_at(const bytes::TomlReader& reader, const char* key, const Parser& pa
     }
 }
 
-/// Adds a remark where a value lies outside two limits, with the power of 1000 by which its unit may be wrong. 0 is
-/// valid. @throws FormatError where a value lies outside by more than 12 powers of ten.
+/// Adds a remark where a value is outside two limits, with the power of 1000 by which its unit may be wrong. 0 is
+/// valid. @throws FormatError where a value is outside by more than 12 powers of ten.
 void remark_implausible(bytes::TomlReader& reader, const char* key, double value, double lower, double upper,
                         const std::string& unit);
 

@@ -39,7 +39,7 @@ double rough_contact_modulus(const Study& study) {
     return study.counter_youngs_modulus / (1.0 - study.counter_poisson_ratio * study.counter_poisson_ratio);
 }
 
-/// E of the loops on an elastomer; nothing where there is none.
+/// E of the loops on an elastomer; empty where there is none.
 void take_loops(ElastomerResult& elastomer, const StudyResult& result) {
     LoopsInMean loops;
     for (const auto& e : result.experiments) {

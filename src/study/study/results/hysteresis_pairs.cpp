@@ -94,8 +94,7 @@ Reading reading_of(const PairResult& pair) {
     return !pair.retraction && pair.pull_off ? Reading::smallest_force : Reading::last_points;
 }
 
-/// The factor of the pair's edge: about W_ret as measured, else about twice W_int; nothing where something is not
-/// known.
+/// The factor of the pair's edge: about measured W_ret, else about twice W_int; empty where an input is unknown.
 std::optional<hysteresis::SpeedFactor> speed_factor_of(const RetractionPair& pair, const PairDrive& drive,
                                                        Reading reading, const std::optional<Estimate>& read) {
     if (!pair.edge_speed || !pair.radius || !(pair.contact_area || pair.pressing)) return std::nullopt;

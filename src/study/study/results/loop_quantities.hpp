@@ -30,8 +30,8 @@ struct LoopsInMean {
     Array1D weights;
 };
 
-/// Loops with a quantity, weights left open, that are on an elastomer and, where one is named, a surface. Excluded ones
-/// are among them where wanted.
+/// Loops with a quantity, without weights, that are on an elastomer and, where one is named, a surface. Excluded ones
+/// are included on request.
 [[nodiscard]] LoopsInMean loops_with(const StudyResult& result, const LoopQuantity& quantity,
                                      const std::string& elastomer, const std::optional<std::string>& surface,
                                      bool excluded);

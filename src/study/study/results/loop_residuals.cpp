@@ -11,7 +11,7 @@
 namespace setae::study {
 namespace {
 
-/// Force of one branch by displacement: 0 below it, where nothing touches, that of the turning point above.
+/// Force of one branch against displacement: 0 below it, where there is no contact, that of the turning point above.
 class BranchCurve {
 public:
     /// The states of a branch of decreasing displacement; states beyond the smallest displacement are left out.

@@ -25,7 +25,7 @@ TracedValue difference(const TracedValue& a, const TracedValue& b) {
     return {a.value - b.value, combined({{1.0, a.components}, {-1.0, b.components}})};
 }
 
-/// E_loss of the measured works over the contact area, with the sphere's jumps in the pair's machine.
+/// E_loss of the measured works over the contact area, with the sphere's jumps in the pair's testing machine.
 TracedValue loss_of_works(const PreparedPair& pair, const TracedValue& retraction) {
     const auto& measured = *pair.as_measured;
     enum Input : std::size_t { work_approach, work_retraction, radius, modulus, contact_area, stiffness };

@@ -24,7 +24,7 @@ struct LossOfWorks {
 void compare_losses_with_works(StudyResult& result);
 
 /// Loss per true area [J/m²] of loops with the measured works: least squares of E_loss against A_true = α r π a_max²
-/// through the origin, all pairs alike; nothing for fewer than two.
+/// through the origin, with equal weights; empty for fewer than two.
 [[nodiscard]] std::optional<LossSlope> loss_slope_of_works(const StudyResult& result);
 
 }  // namespace setae::study

@@ -32,7 +32,7 @@ adhesion::Target target_of(const BalanceTarget& balance) {
     return adhesion::work_target((*balance.fit)->pairs, (*balance.fit)->generalised);
 }
 
-/// "A - B" of two balances; nothing for another text.
+/// "A - B" of two balances; empty for another text.
 std::optional<adhesion::Target> difference_of(const StudyResult& result, const std::string& text) {
     Outcome<adhesion::WorkFit> losses;
     if (result.loop) losses.value = result.loop->through_origin;

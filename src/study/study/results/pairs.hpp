@@ -26,7 +26,7 @@ inline constexpr const char* energy_loss = "energy_loss";
 /// Every surface × elastomer pair with its measured values, from loops or published tables.
 [[nodiscard]] std::vector<PairResult> measured_pairs(const StudyResult& result);
 
-/// Loss [J] of an ideal smooth sphere of this W and modulus under fixed grips; nothing where radius or modulus is
+/// Loss [J] of an ideal smooth sphere of this W and modulus under fixed grips; empty where radius or modulus is
 /// unknown.
 [[nodiscard]] std::optional<double> ideal_loss(const ElastomerResult& elastomer, double work_of_adhesion);
 
@@ -37,7 +37,7 @@ struct ReferenceWorks {
 };
 [[nodiscard]] std::optional<ReferenceWorks> reference_works(const StudyResult& result, const std::string& elastomer);
 
-/// W_app of the smooth references on an elastomer, their mean, as an input of its own; nothing without a reference.
+/// W_app of the smooth references on an elastomer, their mean, as an input of its own; empty without a reference.
 [[nodiscard]] std::optional<TracedValue> reference_work(const StudyResult& result, const std::string& elastomer);
 
 /// Smooth references and their change between "before" and "after".

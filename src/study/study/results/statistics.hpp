@@ -12,7 +12,7 @@ namespace setae::study {
 /// standard errors is a variance between them, and the interval is Student's. Of one estimate itself.
 [[nodiscard]] Estimate mean_of(const std::vector<Estimate>& values);
 
-/// The same with the weight of each value in it, their variances held.
+/// The mean with the weight of each value, variances fixed.
 struct WeightedMean {
     Estimate mean;
     Array1D weights;

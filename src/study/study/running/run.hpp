@@ -38,7 +38,7 @@ public:
     /// @throws Cancelled on request of the caller.
     void stop_if_cancelled() const;
 
-    /// The result under a key; nothing where there is no key, no store or no such result.
+    /// The result under a key; empty where there is no key, no store or no such result.
     template <class T>
     [[nodiscard]] std::optional<T> find(const ResultKey& key) const {
         if (key.empty() || !options_.store) return std::nullopt;

@@ -269,8 +269,8 @@ template <class T>
     return std::move(stream).str();
 }
 
-/// The value of bytes_of() a value of the same type, which a store's digest vouches for; nothing where the bytes are
-/// not exactly that.
+/// The value of bytes_of() a value of the same type, verified by a store's digest; empty where the bytes are not
+/// exactly that.
 template <class T>
 [[nodiscard]] std::optional<T> value_of(const std::string& bytes) {
     T value{};

@@ -121,7 +121,7 @@ void require_numbers(const spectral_fit::LikelihoodSpectrum& spectrum, const Spe
                       : fmt::format("; the tip of {} is not known, and its shortest waves are used", names)));
 }
 
-/// Parameters with each input one standard error larger and smaller: of the moved spectrum, over the moved band.
+/// Parameters with each input one standard error larger and smaller: of the changed spectrum, over the changed band.
 void add_sources(SpectrumResult& result, const spectral_fit::LikelihoodSpectrum& spectrum,
                  const spectra::Spectrum& curve, const Lines& lines, const SurfaceAnalysisOptions& options) {
     const double end = curve.wavevector[curve.wavevector.size() - 1];

@@ -300,7 +300,7 @@ std::string height_channels(const std::vector<formats::Channel>& channels) {
     return list;
 }
 
-/// Says which of several channels of heights was taken.
+/// Warning with the channel of heights that was used, of several.
 Alert choice_alert(const std::string& file, const std::vector<formats::Channel>& channels, std::size_t taken) {
     return {"CHANNEL_CHOSEN", file,
             fmt::format("channel {} '{}' was used; channels with heights: {}", taken, channels[taken].info.name,

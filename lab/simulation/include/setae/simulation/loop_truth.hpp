@@ -25,7 +25,7 @@ struct LoadingProtocol {
     [[nodiscard]] hysteresis::Drive drive() const { return {approach_speed, retraction_speed, hold_time}; }
 };
 
-/// The loop of this specimen in this machine: hysteresis::sphere_loop().
+/// The loop of this specimen in this testing machine: hysteresis::sphere_loop().
 /// @throws InvalidArgument for values outside their domains.
 [[nodiscard]] hysteresis::SphereLoop true_loop(const hysteresis::HystereticSphere& specimen,
                                                const LoadingProtocol& protocol,

@@ -15,7 +15,7 @@ namespace setae::simulation {
 ///
 /// x [m] counts from the start of the traverse, so that all scans of a session contain the same curve.
 struct DriveArtefact {
-    double rms = 0.0;                  ///< over the longest wavelength [m], >= 0; 0 is none
+    double rms = 0.0;                  ///< rms of the curve over its longest wavelength [m], >= 0; 0 is none
     double longest_wavelength = 1e-3;  ///< [m], > 0
     numerics::RandomKey session;
 };

@@ -66,8 +66,9 @@ struct ContourTrial {
     /// C1D of the trace divided by that of the curve: mean over tenths of a decade with waves of the curve, ten times
     /// above the floor
     std::array<double, 5> spectrum_ratio{};
-    double floor_ratio = 0.0;  ///< C1D of the trace's errors between waves of 200 and 50 px, over the noise density
-                               ///< that it states; NaN where that is below 1e-4 px³
+    /// C1D of the trace's errors between waves of 200 and 50 px, divided by the stated noise density; NaN where that is
+    /// below 1e-4 px³
+    double floor_ratio = 0.0;
     double smoothing_length = 0.0, edge_width = 0.0;  ///< as the trace states them
     int overhangs = 0, overhangs_found = 0,
         overhangs_false = 0;            ///< false: deeper than 1 px where the curve does not turn back

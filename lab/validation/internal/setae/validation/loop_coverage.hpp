@@ -13,8 +13,8 @@ namespace setae::validation {
 struct LoopCoverageOptions {
     int runs = 200;
     std::uint64_t first_seed = 1;
-    /// Signals over the noise of one sample: largest force over σ_F, displacement from first touch to the largest force
-    /// over σ_δ, a_max over σ_a.
+    /// Signals divided by the noise of one sample: largest force by σ_F, displacement from first contact to the largest
+    /// force by σ_δ, a_max by σ_a.
     std::vector<double> signal_to_noise{5.0, 10.0, 30.0, 100.0};
     Index samples = 400;  ///< samples of each branch, evenly in displacement; >= 20
     hysteresis::HystereticSphere specimen{

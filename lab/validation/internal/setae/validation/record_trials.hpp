@@ -16,7 +16,7 @@ namespace setae::validation {
 struct RecordKind {
     std::string name;
     std::string group;    ///< group of the kind: kinds of one group are not combined
-    std::string meaning;  ///< for users
+    std::string meaning;  ///< meaning for users
     /// Codes of warnings that name the cause where the record cannot be analysed as it is; a refusal whose message has
     /// the text after "refused:" counts like them.
     std::vector<std::string> causes{};
@@ -53,9 +53,9 @@ struct RecordTrialOptions {
 };
 
 /// Simulated records of a sphere under fixed grips: R from 6 µm to 2 mm, E* 0.2 to 8 MPa, W 20 to 60 mJ/m², W_ret 1.05
-/// to 2 times that, 200 to 600 samples from first touch to the largest force of four times the pull-off force, force
-/// noise of 1 % of the pull-off force. Trials are the same for any number of threads.
-/// @throws InvalidArgument for an unknown kind, with the names there are.
+/// to 2 times that, 200 to 600 samples from first contact to the largest force of four times the pull-off force, force
+/// noise of 1 % of the pull-off force. Trials are equal for any number of threads.
+/// @throws InvalidArgument for an unknown kind, with the names of all kinds.
 [[nodiscard]] std::vector<RecordTrial> record_trials(const RecordTrialOptions& options);
 
 /// Number of trials of record_trials().
@@ -65,7 +65,7 @@ struct RecordTrialOptions {
 struct RouteSummary {
     std::string name;
     int count = 0;
-    double bias = 0.0;            ///< median of found/known − 1; for a known 0, of found over the W of retraction
+    double bias = 0.0;  ///< median of found/known − 1; for a known 0, of the found value divided by W of retraction
     double bias_in_errors = 0.0;  ///< median of (found − known)/standard error
     double coverage = 0.0;        ///< share of 95 % intervals that cover the known value
 };
@@ -79,7 +79,7 @@ struct RecordSummary {
     /// Trials in which a route is off by more than four standard errors and 2 %, and nothing names a cause.
     int silent = 0;
     std::vector<RouteSummary> routes;
-    std::map<std::string, int> warnings;  ///< by code
+    std::map<std::string, int> warnings;  ///< number of records with each warning, by code
 };
 
 /// One summary per kind or pair, in the order of their first trial. together: all trials in one summary of that name.

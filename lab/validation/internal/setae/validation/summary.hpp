@@ -13,13 +13,14 @@ struct SummaryRow {
     std::string quantity, method, unit;
     Deviation measure = Deviation::relative;
     int count = 0;
-    double bias = 0.0;           ///< mean deviation
-    double bias_error = 0.0;     ///< its standard error; comparisons of one run count as one where they share a value
-    double scatter = 0.0;        ///< standard deviation of the deviations
-    double worst = 0.0;          ///< deviation of the largest size
-    double stated = 0.0;         ///< mean of the standard deviations the intervals state
-    double coverage = 0.0;       ///< share of 95 % intervals that cover the true value
-    Interval coverage_interval;  ///< Wilson's, 95 %, of as many independent comparisons as scatter alike between runs
+    double bias = 0.0;        ///< mean deviation
+    double bias_error = 0.0;  ///< its standard error; comparisons of one run count as one where they share a value
+    double scatter = 0.0;     ///< standard deviation of the deviations
+    double worst = 0.0;       ///< deviation of the largest size
+    double stated = 0.0;      ///< mean of the standard deviations the intervals state
+    double coverage = 0.0;    ///< share of 95 % intervals that cover the true value
+    /// Wilson's 95 % interval, for as many independent comparisons as give the scatter between runs
+    Interval coverage_interval;
 };
 
 /// One row a quantity and method, in the order of their first appearance.

@@ -19,8 +19,8 @@ using tests::SyntheticLoop;
 
 constexpr double stiffness = 250.0;
 
-/// A rigid contact: the stage pushes the machine's spring from 0 on and back, adhesion holds it a little on the way
-/// out.
+/// A rigid contact: the stage pushes the testing machine's spring from 0 on and back, adhesion holds it a little on the
+/// way out.
 Loop rigid_loop(double extra_slope_out = 0.0) {
     constexpr Index n = 300;
     const Array1D in = Array1D::LinSpaced(n, 0.0, 4e-6), out = in.reverse();

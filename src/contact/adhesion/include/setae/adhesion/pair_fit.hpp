@@ -57,7 +57,7 @@ struct LineFit {
     int n = 0;
 };
 
-/// @throws InvalidArgument for fewer than three points or x all alike.
+/// @throws InvalidArgument for fewer than three points or equal x.
 [[nodiscard]] LineFit fit_line(const std::vector<double>& x, const std::vector<double>& y);
 
 /// E_loss against A_true = r A, with the largest contact area A, by the four methods of THEORY §10.

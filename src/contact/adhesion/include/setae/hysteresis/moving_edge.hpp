@@ -16,7 +16,7 @@ struct EdgeSpeed {
     double exponent = 0.0;         ///< n, > 0
 };
 
-/// A rate-dependent edge with the speeds of the machine.
+/// A rate-dependent edge with the speeds of the testing machine.
 struct MovingEdge {
     EdgeSpeed law;
     double motor_speed = 0.0;   ///< [m/s], > 0

@@ -28,9 +28,9 @@ struct RetractionPair {
         edge_speed{};  ///< rate dependence of the elastomer; required by models with a rate-dependent tip …
     std::optional<SpeedFactor> speed_factor{};   ///< … together with speed_factor() of the pair
     std::vector<TracedRelaxation> relaxation{};  ///< relaxation of the elastomer's bulk, where it is known
-    std::optional<Drive> drive{};                ///< speeds of the machine and hold time; required by both of these
-    std::optional<TracedValue> radius{};         ///< R [m] of the sphere
-    std::optional<TracedValue> contact_area{};   ///< measured π a_max² [m²]; without it, that of `pressing`
+    std::optional<Drive> drive{};         ///< speeds of the testing machine and hold time; required by both of these
+    std::optional<TracedValue> radius{};  ///< R [m] of the sphere
+    std::optional<TracedValue> contact_area{};  ///< measured π a_max² [m²]; without it, that of `pressing`
     std::optional<Pressing> pressing{};
     std::optional<TracedValue> machine_stiffness{};  ///< k_m [N/m]; without it that of `pressing`
     std::vector<PinningBand> bands;                  ///< bands of U_el

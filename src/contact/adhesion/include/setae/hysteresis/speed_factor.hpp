@@ -22,7 +22,7 @@ struct TracedRelaxation {
     TracedValue time;   ///< τ [s]
 };
 
-/// φ = measured W_ret divided by W from roughness, for one sphere in one machine, about one such W.
+/// φ = measured W_ret divided by W from roughness, for one sphere in one testing machine, about one such W.
 ///
 ///   φ(W) = φ (W/W_0)^s
 struct SpeedFactor {

@@ -46,11 +46,11 @@ struct SphereLoop {
 
 /// Computes the loop.
 ///
-/// Approach: free flight to first contact, m = 0; there the contact jumps to the stable radius on the machine's line δ
-/// + F/k_m = 0, and follows JKR's curve for W_app to the maximum force. Retraction: the edge stays at a_max, dF = 2E*
-/// a_max dδ, until G = W_ret; then JKR's curve for W_ret down to where dF/dδ = −k_m (fixed grips: where δ(a) turns, F =
-/// −5/6 πRW_ret; k_m → 0: −3/2 πRW_ret), or at once where a_max is not stable at W_ret; then free flight. Losses of the
-/// jumps are the differences of total energy, including the machine's spring:
+/// Approach: free flight to first contact, m = 0; there the contact jumps to the stable radius on the testing machine's
+/// line δ + F/k_m = 0, and follows JKR's curve for W_app to the maximum force. Retraction: the edge stays at a_max, dF
+/// = 2E* a_max dδ, until G = W_ret; then JKR's curve for W_ret down to where dF/dδ = −k_m (fixed grips: where δ(a)
+/// turns, F = −5/6 πRW_ret; k_m → 0: −3/2 πRW_ret), or at once where a_max is not stable at W_ret; then free flight.
+/// Losses of the jumps are the differences of total energy, including the testing machine's spring:
 ///
 ///   jump in: −U(a, δ; W_app) − F²/2k_m,   jump out: U(a, δ; W_ret) + F²/2k_m
 ///

@@ -14,7 +14,7 @@ struct ViscousBody {
     std::optional<EdgeSpeed> edge;                    ///< rate-dependent edge
     std::vector<contact::RelaxationTerm> relaxation;  ///< relaxing bulk
 
-    /// The edge with the speeds of this machine, where it is rate-dependent.
+    /// The edge with the speeds of this testing machine, where it is rate-dependent.
     [[nodiscard]] std::optional<MovingEdge> moving_edge(const Drive& drive, double reading_time = 0.0) const;
 };
 

@@ -27,11 +27,11 @@ struct ScatterNodes {
 ///   r ~ N(0, C + τ² 1 + τ_s² S + τ_e² E),  τ, τ_s, τ_e ~ half-Cauchy(scale)
 ///
 /// S, E: 1 for pairs of one surface, of one elastomer. Each level is summed over equally probable pieces of its prior,
-/// each taken at its median: scale · tan(π p/2), p = (i + ½)/n. Log densities at 10 × 8 × 8 nodes lie within 0.2 of
-/// those at 24 × 14 × 14 (test MarginalScatter).
+/// each represented by its median: scale · tan(π p/2), p = (i + ½)/n. Log densities at 10 × 8 × 8 nodes are within 0.2
+/// of those at 24 × 14 × 14 (test MarginalScatter).
 ///
-/// With four surfaces a scatter that is taken at its likeliest hides a bias as an effect that all surfaces happen to
-/// share; integrated out it does not. Source of the prior: Gelman, Bayesian Anal. 1 (2006) 515.
+/// With four surfaces, the most likely scatter would treat a bias as an effect that all surfaces share by chance; the
+/// integral over the scatter does not. Source of the prior: Gelman, Bayesian Anal. 1 (2006) 515.
 class MarginalScatter {
 public:
     /// scale: of the prior [as the residuals], > 0. @throws InvalidArgument outside its domain, or without pairs.

@@ -8,20 +8,20 @@
 
 /// The JKR curve with its derivatives, for fits: along the contact radius, against force, against depth.
 ///
-/// Two terms of force and two of depth, with x the contact radius, are all there is:
+/// Two terms of force and two of depth, with x the contact radius, are sufficient:
 ///
 ///   f = e x³ − g x^(3/2),  d = x² − (2/3)(g/e) √x
 ///
-/// In SI units x = a, f = F, δ = d/R, e = 4E*/(3R), g = √(8πE*W). The curve is smooth in x through the folds where the
-/// contact parts, and with a signed g it goes on to W < 0, contacts smaller than Hertz's, so that a fit near W = 0
-/// needs no bound.
+/// In SI units x = a, f = F, δ = d/R, e = 4E*/(3R), g = √(8πE*W). The curve is smooth in x through the folds at
+/// separation, and with a signed g it continues to W < 0, contacts smaller than Hertz's, so that a fit near W = 0 needs
+/// no bound.
 namespace setae::contact::jkr {
 
 /// e of E* and R [N/m³], and g of √(E*W) with the sign of W [N/m^1.5].
 [[nodiscard]] double press_coefficient(double contact_modulus, double radius);
 [[nodiscard]] double pull_coefficient(double modulus_work_root);
 
-/// The curve at one contact radius x > 0, or at several at once where Real is an array.
+/// The curve at one contact radius x > 0, or at several where Real is an array.
 template <class Real>
 struct CurveAt {
     Real x, root, square, cube, three_halves;  ///< x, √x, x², x³, x^(3/2)

@@ -31,7 +31,7 @@ struct LoopPath {
 struct FrontStep {
     FrontState state;
     double position = 0.0;  ///< value of the controlled quantity [m], [N]
-    /// D = ½ (F_{n−1} + F_n) Δδ − Δ(U + surface energy) [J]: work of the machine that is not stored.
+    /// D = ½ (F_{n−1} + F_n) Δδ − Δ(U + surface energy) [J]: work of the testing machine that is not stored.
     double dissipation = 0.0;
     double machine_work = 0.0;  ///< ½ (F_{n−1} + F_n) Δδ [J]
     /// On retraction: smallest distance that any point has moved back since the turn [m].

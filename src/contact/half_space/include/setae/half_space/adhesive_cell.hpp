@@ -61,7 +61,7 @@ struct AdhesiveOptions {
 /// 2ρ and to that boundary where E has negative curvature; an unstable state thus moves to a nearby stable one. Equal
 /// bytes for any number of threads.
 ///
-/// Mean displacement of a layer is not included: k(0) is in series with the machine.
+/// Mean displacement of a layer is not included: k(0) is in series with the testing machine.
 /// Sources: Steihaug, SIAM J. Numer. Anal. 20 (1983) 626; Bugnicourt et al., Tribol. Int. 121 (2018) 366.
 class AdhesiveCell {
 public:

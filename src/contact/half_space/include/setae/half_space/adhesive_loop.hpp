@@ -16,8 +16,8 @@ struct LoopStep {
     AdhesiveState state;
     /// Controlled position [m]: the mean gap, or the stage z = ⟨g⟩ + T/k_m.
     double position = 0.0;
-    /// D_n = ½ (T_{n−1} + T_n) Δ⟨g⟩ − ΔE [J/m²]: work of the machine that is not stored; equal for a controlled gap,
-    /// load or stage, and 0 for the first.
+    /// D_n = ½ (T_{n−1} + T_n) Δ⟨g⟩ − ΔE [J/m²]: work of the testing machine that is not stored; equal for a controlled
+    /// gap, load or stage, and 0 for the first.
     double dissipation = 0.0;
     bool approaching = true;
 };

@@ -13,7 +13,7 @@ namespace setae::half_space {
 [[nodiscard]] std::string loop_key(const ArrayView2D& heights, const Grid& grid, const Body& body,
                                    const Interaction& interaction, const LoopOptions& options);
 
-/// Replaces the file as a whole: a line that names it, the key, then numbers as this machine keeps them.
+/// Replaces the file as a whole: a line that names it, the key, then numbers as this testing machine keeps them.
 /// @throws FileError.
 void write_checkpoint(const std::string& path, const std::string& key, const LoopCheckpoint& checkpoint);
 

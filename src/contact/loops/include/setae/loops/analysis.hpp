@@ -131,7 +131,7 @@ struct CycleAnalysis {
     double energy_standard_error = 0.0;  ///< [J]; NaN where unknown
 };
 
-/// Effect of the standard error of the machine stiffness.
+/// Effect of the standard error of the stiffness of the testing machine.
 struct ComplianceEffect {
     Estimate stiffness;           ///< k as given [N/m]
     double modulus_change = 0.0;  ///< change of E* from F–δ of loading for k one standard error higher [Pa]
@@ -167,7 +167,7 @@ struct ContactAnalysis {
     LoopContext context;
     Outcome<ContactPoints> contact_points;
     Outcome<EnergyBudget> ledger;
-    std::optional<ComplianceEffect> compliance;  ///< where the machine's stiffness has a standard error
+    std::optional<ComplianceEffect> compliance;  ///< where the stiffness of the testing machine has a standard error
 };
 
 /// Effect of bulk relaxation on a contact, contact::relaxation_force().
@@ -178,11 +178,11 @@ struct BulkRelaxation {
 
 /// Results of a record: its first contact in full, and further parts.
 struct LoopAnalysis : ContactAnalysis {
-    /// the record as analysed: force relative to its zero, drift and deflection of the machine subtracted
+    /// the record as analysed: force relative to its zero, drift and deflection of the testing machine subtracted
     Loop corrected;
     ForceZero force_zero;  ///< zero that was subtracted from the force
     Segments segments;
-    std::vector<Outcome<ContactAnalysis>> further_contacts;  ///< of segments.contacts 1, 2, …
+    std::vector<Outcome<ContactAnalysis>> further_contacts;  ///< contacts 1, 2, … of segments.contacts
     std::vector<CycleAnalysis> cycles;
     std::vector<ForceStep> steps_in_contact;  ///< sudden changes of the force
     RecordFaults faults;

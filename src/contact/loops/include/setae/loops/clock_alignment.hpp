@@ -18,7 +18,7 @@ struct CameraRecord {
 struct ClockOptions {
     /// search range [s]; else wherever half of the frames overlap
     std::optional<double> smallest_offset, largest_offset;
-    double min_overlap = 0.5;  ///< share of the frames that must lie within the force record
+    double min_overlap = 0.5;  ///< share of the frames that must be within the force record
 };
 
 /// Offset of the camera's clock relative to that of the force.

@@ -17,11 +17,11 @@ namespace setae::loops {
 enum class ContactPointMethod {
     force_departure,     ///< where the force leaves the baseline: a jump, or first contact without attraction
     broken_line,         ///< baseline and F = C (δ − δ0)^(3/2) joined at δ0; without attraction
-    jump_in,             ///< first sample after the jump, along the machine's line: δ + F/k
+    jump_in,             ///< first sample after the jump, along the testing machine's line: δ + F/k
     force_displacement,  ///< fitted with E* and W to F(δ) of loading
     pointwise,           ///< from F, δ and a, independent of W: F = 2aE* (δ − δ0 − a²/(3R))
     zero_force,          ///< δ0 = δ(F=0) − a²/(3R), a(F=0) measured or JKR's (9πWR²/(2E*))^(1/3)
-    pull_off,            ///< at separation, with the instability for the machine stiffness
+    pull_off,            ///< at separation, with the instability for the stiffness of the testing machine
 };
 
 /// Every method with its name in texts and JSON: "force_departure", …
@@ -38,7 +38,7 @@ struct ContactPointChoice {
     };
     Mode mode = Mode::automatic;
     ContactPointMethod estimator = ContactPointMethod::force_displacement;
-    double value = 0.0;  ///< [m], of the record's displacement with the deflection of the machine subtracted
+    double value = 0.0;  ///< [m], of the record's displacement with the deflection of the testing machine subtracted
 
     friend bool operator==(const ContactPointChoice&, const ContactPointChoice&) = default;
 };
@@ -55,7 +55,7 @@ struct ContactPointEstimate {
 
 /// All estimates.
 struct ContactPoints {
-    std::vector<ContactPointEstimate> estimates;  ///< of every method, in order
+    std::vector<ContactPointEstimate> estimates;  ///< estimates of every method, in order
     std::optional<ContactPointMethod> chosen;     ///< none where a value was given
     Estimate contact_point;                       ///< the chosen estimate [m]
     double spread = 0.0;                          ///< largest minus smallest [m]
@@ -77,7 +77,7 @@ struct ContactPointInputs {
     Index contact = 0;
     BranchData loading;                       ///< samples of the loading fit
     Outcome<JkrFit> force_displacement;       ///< fit of loading, δ0 free
-    Outcome<PointwiseModulus> pointwise;      ///< of loading
+    Outcome<PointwiseModulus> pointwise;      ///< fit of loading
     std::optional<JkrFit> unloading;          ///< the best fit of W and E* of the retraction
     std::optional<double> machine_stiffness;  ///< [N/m] where it is known; else that of the jump out
 };

@@ -22,7 +22,7 @@ struct EnergyBudget {
     Index contact = 0;
     LoopEnergy loop;                   ///< ∮F dδ
     WorkEntry before_contact;          ///< free flight: remainder of noise and drift
-    std::optional<WorkEntry> jump_in;  ///< over the samples of the jump
+    std::optional<WorkEntry> jump_in;  ///< work over the samples of the jump
     WorkEntry approach;                ///< up to the end of the last loading
     WorkEntry retraction;              ///< from there to the jump out; negative where energy is recovered
     std::optional<WorkEntry> jump_out;
@@ -30,7 +30,7 @@ struct EnergyBudget {
     double recovered_share = 0.0;  ///< −retraction divided by approach
 
     double ideal_fixed_grips = 0.0;   ///< loss of the smooth JKR sphere with W and E* of loading under fixed grips [J]
-    double ideal_this_machine = 0.0;  ///< the loss at the machine stiffness [J]
+    double ideal_this_machine = 0.0;  ///< the loss at the stiffness of the testing machine [J]
     double machine_stiffness = 0.0;   ///< machine stiffness [N/m], infinite for fixed grips
 
     double largest_contact_area = 0.0;    ///< π a_max² [m²], apparent
@@ -38,7 +38,7 @@ struct EnergyBudget {
     double loss_per_apparent_area = 0.0;  ///< [J/m²]
     double loss_per_true_area = 0.0;      ///< loss divided by r π a_max² [J/m²]
 
-    /// r π a_max² [m²]. Losses of many loops against it lie on a line whose slope is the energy loss per cycle and
+    /// r π a_max² [m²]. Losses of many loops against it are on a line whose slope is the energy loss per cycle and
     /// area.
     [[nodiscard]] double largest_true_area() const { return true_area_ratio * largest_contact_area; }
 };

@@ -24,11 +24,11 @@ struct BranchData {
     double contact_radius_noise = 0.0;
     /// Independent errors of the zero of force [N]: samples × modes, each of one standard deviation.
     Array2D force_zero_modes{};
-    /// compliance of the machine, whose deflection was subtracted from the displacement [m/N]
+    /// compliance of the testing machine, whose deflection was subtracted from the displacement [m/N]
     double compliance = 0.0;
 
     /// The branch with another zero: forces higher by this amount, displacements smaller by the deflection of the
-    /// machine under it.
+    /// testing machine under it.
     [[nodiscard]] BranchData with_higher_force(const Eigen::Ref<const Array1D>& shift) const;
 };
 
@@ -139,7 +139,7 @@ struct PointwiseModulus {
     Estimate youngs_modulus;    ///< [Pa]
     Estimate contact_point;     ///< δ0 [m]
     Array1D pointwise;          ///< E* of each sample with that δ0 [Pa]; NaN where the bracket vanishes
-    double rms_residual = 0.0;  ///< of F/(2a) [N/m]
+    double rms_residual = 0.0;  ///< rms of F/(2a) [N/m]
     double relative_residual = 0.0;
     Index n = 0;
 };

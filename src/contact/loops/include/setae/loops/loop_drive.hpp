@@ -8,7 +8,7 @@
 
 namespace setae::loops {
 
-/// Motion of the machine during the first contact of a record.
+/// Motion of the testing machine during the first contact of a record.
 struct LoopDrive {
     double approach_speed = 0.0;    ///< speed of the motor [m/s], > 0
     double retraction_speed = 0.0;  ///< speed of the motor [m/s], > 0

@@ -11,11 +11,12 @@ namespace setae::loops {
 
 /// One standard deviation of each cause of error of a loop energy [J].
 struct LoopErrorBudget {
-    double noise = 0.0;           ///< of force and displacement, sample by sample
-    double drift = 0.0;           ///< of the zero of force and its drift; NaN without a search for drift
-    double compliance = 0.0;      ///< of the machine stiffness: 0 over a closed loop, because the spring is elastic
+    double noise = 0.0;  ///< noise of force and displacement, sample by sample
+    double drift = 0.0;  ///< error by the zero of force and its drift; NaN without a search for drift
+    /// error by the stiffness of the testing machine: 0 over a closed loop, because the spring is elastic
+    double compliance = 0.0;
     double sampling = 0.0;        ///< position of the jumps within one sampling step
-    double discretisation = 0.0;  ///< of the trapezoid rule, from a comparison with every second sample
+    double discretisation = 0.0;  ///< error of the trapezoid rule, from a comparison with every second sample
     double total = 0.0;           ///< square root of the sum of squares of the known errors
 };
 
@@ -39,9 +40,9 @@ struct LoopEnergy {
 /// Loss of one contact, ∮F dδ by the trapezoid rule from the last sample of free flight before it to the first after
 /// it; in free flight the force is zero.
 ///
-/// The rule is exact along a jump on the machine's straight unloading line, and for a vertical jump sampled at both
-/// ends; between, it is of second order in the step for a curve sampled evenly in contact radius, and of order 3/2 for
-/// one sampled evenly in displacement, whose slope diverges at the pull-off under fixed grips.
+/// The rule is exact along a jump on the testing machine's straight unloading line, and for a vertical jump sampled at
+/// both ends; between, it is of second order in the step for a curve sampled evenly in contact radius, and of order 3/2
+/// for one sampled evenly in displacement, whose slope diverges at the pull-off under fixed grips.
 /// @throws UndefinedDataError without displacement or without return to free flight.
 [[nodiscard]] LoopEnergy loop_energy(const Loop& loop, const Segments& segments, Index contact = 0,
                                      DriftModel drift = DriftModel::automatic);

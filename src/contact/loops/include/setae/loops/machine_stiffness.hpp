@@ -6,7 +6,8 @@
 
 namespace setae::loops {
 
-/// Stiffness of the machine from a contact so stiff that all motion of the stage is deflection of the machine.
+/// Stiffness of the testing machine from a contact so stiff that all motion of the stage is deflection of the testing
+/// machine.
 struct MachineStiffness {
     Estimate stiffness;  ///< k = dF/d(stage) [N/m], both branches together
     Estimate loading;    ///< the stiffness of each branch [N/m]

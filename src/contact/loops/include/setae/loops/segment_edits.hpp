@@ -47,7 +47,7 @@ struct IgnoredSamples {
 struct SegmentEdits {
     std::optional<GivenRange> baseline_before;
     std::optional<GivenRange> baseline_after;
-    std::vector<ContactEdits> contacts;  ///< of contacts 0, 1, …; further ones stay as found
+    std::vector<ContactEdits> contacts;  ///< edits of contacts 0, 1, …; further ones stay as found
     std::vector<IgnoredSamples> ignored;
 
     [[nodiscard]] bool empty() const { return *this == SegmentEdits{}; }
@@ -63,7 +63,7 @@ struct Segments;
 /// that was not found, and samples ignored without a reason.
 [[nodiscard]] Segments apply(const SegmentEdits& edits, Segments segments, const Loop& loop);
 
-/// The samples of a record that lie in a range. @throws InvalidArgument as apply; `name` is its name in the message.
+/// The samples of a record in a range. @throws InvalidArgument as apply; `name` is its name in the message.
 [[nodiscard]] IndexRange samples_of(const GivenRange& range, const Loop& loop, const std::string& name);
 
 /// Adds an edit written as text:

@@ -13,7 +13,7 @@ enum class SharedInput {
     sphere_radius,               ///< R [m]
     sphere_height,               ///< h of the soft lens, or of the soft layer [m]
     poisson_ratio,               ///< ν of the soft body
-    machine_stiffness,           ///< k of the machine [N/m]
+    machine_stiffness,           ///< stiffness k of the testing machine [N/m]
     force_calibration,           ///< true force divided by the force of the record, f
     displacement_calibration,    ///< true displacement divided by that of the record, d
     contact_radius_calibration,  ///< true contact radius divided by that of the record, c: the size of a pixel

@@ -17,7 +17,7 @@ struct SpringJumps {
     contact::jkr::State after_jump_in;
     contact::jkr::State before_jump_out;
     double jump_in_loss = 0.0;   ///< [J]
-    double jump_out_loss = 0.0;  ///< [J], with the energy the spring held
+    double jump_out_loss = 0.0;  ///< [J], including the energy of the spring
 
     [[nodiscard]] double total() const { return jump_in_loss + jump_out_loss; }
 };

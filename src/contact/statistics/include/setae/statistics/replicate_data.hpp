@@ -29,7 +29,7 @@ struct ReplicateData {
     std::vector<std::string> levels{"surface", "lens",
                                     "spot"};  ///< outermost first; the first is the surface, a fixed effect
     /// levels whose labels are common to all surfaces, such as a lens that was pressed on all of them; groups of the
-    /// others lie on one surface
+    /// others are on one surface
     std::vector<std::string> crossed;
     std::vector<Replicate> rows;
     std::vector<Exclusion> exclusions;

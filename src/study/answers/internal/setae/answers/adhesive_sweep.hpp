@@ -44,7 +44,7 @@ struct SweepAnswer {
     half_space::AdhesiveLoop loop;
     Table steps;  ///< half_space::loop_table()
     std::vector<Quantity> quantities;
-    std::vector<SweepMaps> maps;  ///< where wanted
+    std::vector<SweepMaps> maps;  ///< on request
     std::vector<Alert> alerts;
 };
 

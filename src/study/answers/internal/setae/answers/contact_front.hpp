@@ -49,7 +49,7 @@ struct FrontRun {
     [[nodiscard]] double pinning_coefficient() const;
 };
 
-/// Loops of surfaces alike.
+/// Loops of equivalent surfaces.
 struct FrontAnswer {
     std::string file;
     contact::AdhesiveContact contact;
@@ -57,7 +57,8 @@ struct FrontAnswer {
     std::vector<FrontRun> runs;
     Table steps;  ///< crack_front::loop_table() of the first
     Table edge;   ///< edge of the first surface, on request: contact_line::as_table() with "displacement" and "force"
-    std::vector<Quantity> quantities;  ///< means over the surfaces, ± of their mean where there are several
+    /// means over the surfaces, with the standard error of the mean where there are several
+    std::vector<Quantity> quantities;
     std::vector<Alert> alerts;
 };
 

@@ -37,7 +37,7 @@ struct InteractionRequest {
     [[nodiscard]] half_space::Interaction interaction() const;
 };
 
-/// A surface that touches.
+/// A surface in contact.
 struct TouchingSurface {
     half_space::Grid grid;
     Array2D heights;    ///< [m]

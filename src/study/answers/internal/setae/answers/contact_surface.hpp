@@ -19,7 +19,7 @@ namespace setae::answers {
 /// Continuation of a map beyond its edges in a contact.
 enum class BeyondMap {
     itself,   ///< the map again
-    nothing,  ///< nothing that touches: free edges, or a contact that ends within the map
+    nothing,  ///< no contact: free edges, or a contact that ends within the map
 };
 
 /// Use of a measured map or line in a contact.
@@ -49,7 +49,7 @@ struct MeasuredSurfaceRequest {
                                                       const MeasuredSurfaceRequest& request, BeyondMap beyond,
                                                       parallel::Threads threads = {});
 
-/// Whose surface touches.
+/// Request of the surface of a contact.
 struct ContactSurfaceRequest {
     MeasuredSurfaceRequest measured;  ///< for a map or a line that is read
     MadeSurfaceRequest made;          ///< for a surface that is generated from a spectrum or a study

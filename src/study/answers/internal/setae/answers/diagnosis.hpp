@@ -40,7 +40,7 @@ struct Diagnosis {
 [[nodiscard]] Diagnosis diagnosis(const std::vector<Suspect>& suspects, const DiagnosisRequest& request,
                                   parallel::Threads threads = {}, bool every_measurement = false);
 
-/// Alerts with "effects".
+/// Warnings with "effects".
 [[nodiscard]] output::Json to_json(const Diagnosis& diagnosis);
 
 }  // namespace setae::answers

@@ -41,7 +41,7 @@ struct FunctionsOfScale {
     std::vector<std::string> failures;  ///< failures of measurements
 };
 
-/// @throws InvalidArgument for a table of a spectrum; what the functions throw where every measurement is wanted.
+/// @throws InvalidArgument for a table of a spectrum; what the functions throw where every measurement is requested.
 [[nodiscard]] FunctionsOfScale functions_of_scale(ScaleFunction function, const ScaleRequest& request,
                                                   parallel::Threads threads = {});
 

@@ -29,10 +29,10 @@ struct LoopFiles : CameraPictures {
     /// a file.
     [[nodiscard]] std::vector<std::string> expanded() const;
     [[nodiscard]] study::LoopSource source(const std::string& file) const;
-    /// The file of the mapping that was named, by its path or by the name it has in the folder; nothing where none was.
-    /// @throws FileError.
+    /// The file of the given mapping, by its path or by its name in the folder; empty without a mapping. @throws
+    /// FileError.
     [[nodiscard]] std::optional<std::string> mapping() const;
-    /// The loop, or the force curve of the number wanted.
+    /// The loop, or the force curve of the requested number.
     [[nodiscard]] study::OpenedLoop open(const std::string& file) const;
 };
 
@@ -57,7 +57,7 @@ struct LoopSettings {
     long samples_dropped = 3;
     bool unweighted = false, modulus_free = false, no_drift = false, whole_retraction = false;
 
-    /// Values given here; the machine stiffness else from the loop's metadata.
+    /// Values given here; the stiffness of the testing machine else from the loop's metadata.
     /// @throws as reading and analysing the rigid contact.
     [[nodiscard]] loops::AnalysisOptions options(const Table& loop) const;
     [[nodiscard]] loops::DriftModel drift_model() const;

@@ -9,7 +9,7 @@
 
 namespace setae::answers {
 
-/// Stiffness of the machine from its loop on something rigid.
+/// Stiffness of the testing machine from its loop on a rigid body.
 /// @throws as loops::machine_stiffness_from_rigid_contact().
 [[nodiscard]] loops::MachineStiffness machine_stiffness(const study::OpenedLoop& rigid);
 

@@ -39,7 +39,7 @@ struct Parameters {
 /// The headline in words: the numbers with their standard errors, their waves, the removed trend and the measurements.
 [[nodiscard]] std::string headline_text(const Parameters& parameters);
 
-/// @throws what reading throws where every measurement is wanted.
+/// @throws what reading throws where every measurement is requested.
 [[nodiscard]] Parameters parameters(const ParametersRequest& request, parallel::Threads threads = {});
 
 /// A list of quantities, each with "file", "measurement", "channel", "purpose" and "headline": whether it is one to

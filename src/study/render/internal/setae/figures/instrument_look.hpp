@@ -11,8 +11,8 @@ struct InstrumentLook {
     int symbol = 0;  ///< symbol and dash
 };
 
-/// The look of a type of instruments, in capitals or not: "stylus"; "afm"; "tem"; "optical", "confocal" and
-/// "interferometer" alike; grey for all others.
+/// The appearance of a type of instruments, in capitals or not: "stylus"; "afm"; "tem"; "optical", "confocal" and
+/// "interferometer" equally; grey for all others.
 [[nodiscard]] InstrumentLook instrument_look(std::string_view type);
 
 }  // namespace setae::figures

@@ -7,7 +7,7 @@
 
 namespace setae::figures {
 
-/// A stretch of an axis' quantity set in one way.
+/// A part of an axis' quantity in one style.
 struct Span {
     enum class Place { line, lowered, raised };
     std::string text;  ///< letter by letter

@@ -18,7 +18,7 @@ struct Look {
     [[nodiscard]] bool wide() const { return width == FigureWidth::double_column; }
 };
 
-/// What a figure can be written as, for messages: ".svg, .pdf or .png".
+/// Endings of figures, for messages: ".svg, .pdf or .png".
 inline constexpr const char* figure_endings = ".svg, .pdf or .png";
 
 /// Whether a path ends as a figure does.

@@ -6,7 +6,7 @@
 
 namespace setae::file_figures {
 
-/// A loop with its fits: study_figures::loop_figures()'s "loop" in the width that is wanted.
+/// A loop with its fits: study_figures::loop_figures()'s "loop" in the requested width.
 [[nodiscard]] StudyFigure loop_figure(const study_figures::DrawnLoop& loop, const Look& look);
 
 }  // namespace setae::file_figures

@@ -31,8 +31,7 @@ struct SurfaceResult;
 
 namespace setae::output {
 
-/// Keys keep the order in which they are written. Whoever does more with it than hand it on includes
-/// <nlohmann/json.hpp>.
+/// Keys keep the order in which they are written. Code that does more than pass it on includes <nlohmann/json.hpp>.
 using Json = nlohmann::ordered_json;
 
 /// {"quantity", "symbol", "value", "unit"} and, where they exist, "standard_error", "interval" (lower, upper, level),

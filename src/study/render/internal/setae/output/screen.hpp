@@ -19,7 +19,7 @@ struct Screen {
 /// rows and warnings are counted and are in the files.
 [[nodiscard]] std::string screen(const study::StudyResult& result, const Screen& size = {}, std::size_t reserved = 0);
 
-/// Every table, in the units of the field, with the verdict first and all alerts last.
+/// Every table, in the units of the field, with the verdict first and all warnings last.
 [[nodiscard]] std::string summary(const study::StudyResult& result, std::size_t width = 100);
 
 }  // namespace setae::output

@@ -46,7 +46,7 @@ struct NamedLoss {
     std::string name;
     Estimate loss;            ///< [J]
     double true_area = 0.0;   ///< r π a_max² [m²]
-    double ideal_loss = 0.0;  ///< loss of a smooth sphere in this machine [J]
+    double ideal_loss = 0.0;  ///< loss of a smooth sphere in this testing machine [J]
 };
 
 /// E_loss against true area at the largest preload, with the line through the origin (true-area loss, Eq. 10), for all

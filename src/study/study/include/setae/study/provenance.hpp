@@ -10,7 +10,7 @@
 
 namespace setae::study {
 
-/// A file a study read.
+/// A file that a study read.
 struct InputFile {
     std::string path;         ///< path as named in results
     std::string sha256;       ///< digest of the content, 64 hexadecimal digits; empty where it could not be read

@@ -32,7 +32,7 @@
 namespace setae::study {
 
 /// One loop file of a study, or the reason of its failure. Standard errors in `analysis` are those of the loop's own
-/// noise; those of the study's inputs, including the machine stiffness, are in `dependence` only.
+/// noise; those of the study's inputs, including the stiffness of the testing machine, are in `dependence` only.
 struct ExperimentResult {
     ExperimentInput input;  ///< its options in units of the record as analysed, with calibrations applied
     loops::LensAndCounterBody bodies;
