@@ -86,15 +86,15 @@ void add_elastomer(StudyLines& lines, const Recipe& recipe, const ElastomerRecip
         std::tie(elastomer.youngs_modulus, elastomer.surface_energy, elastomer.sphere_radius);
     lines.add("\n[elastomers.{}]", bytes::toml_quoted(elastomer.name));
     if (modulus_is_stated(elastomer, loops)) {
-        if (modulus.told.uncertain()) lines.add("youngs_modulus = \"{}\"", stated_text(modulus));
+        if (modulus.stated_value.uncertain()) lines.add("youngs_modulus = \"{}\"", stated_text(modulus));
         else lines.add("youngs_modulus = \"{} Pa\"", modulus.value);
     }
     lines.add("poisson_ratio = {}", elastomer.poisson_ratio);
     if (energy.input.empty())
-        lines.add("surface_energy = \"{} ± {} J/m2\"", energy.told.value, energy.told.standard_error);
+        lines.add("surface_energy = \"{} ± {} J/m2\"", energy.stated_value.value, energy.stated_value.standard_error);
     else lines.add("surface_energy = {}", bytes::toml_quoted(energy.input));
     if (!radius.input.empty()) lines.add("sphere_radius = {}", bytes::toml_quoted(radius.input));
-    else if (radius.told.uncertain()) lines.add("sphere_radius = \"{}\"", stated_text(radius));
+    else if (radius.stated_value.uncertain()) lines.add("sphere_radius = \"{}\"", stated_text(radius));
     else lines.add("sphere_radius = \"{} m\"", radius.value);
     if (!elastomer.body.relaxation.empty()) {
         std::vector<std::string> terms;

@@ -15,7 +15,7 @@ std::string shared_name(TomlReader& reader, const char* key) {
     return name.value_or("");
 }
 
-StatedQuantity read_modulus(TomlReader& reader, const std::string& table, bool told, const RangeDraws& ranges,
+StatedQuantity read_modulus(TomlReader& reader, const std::string& table, bool stated_value, const RangeDraws& ranges,
                             StatedDraws& stated) {
     constexpr const char* key = "youngs_modulus";
     if (reader.is_list(key)) {
@@ -23,7 +23,7 @@ StatedQuantity read_modulus(TomlReader& reader, const std::string& table, bool t
         return {value, {value, 0.0}, "Pa"};
     }
     auto modulus = stated.required(reader, table, key, positive(dimension::pressure));
-    if (modulus.told.uncertain() && !told)
+    if (modulus.stated_value.uncertain() && !stated_value)
         reader.fail(key, "a ± of a modulus that the study is not told; add tell_modulus = true, or leave the ± out");
     return modulus;
 }
@@ -73,8 +73,8 @@ ElastomerRecipe read_elastomer(const std::string& name, TomlReader reader, const
         elastomer.surface_energy = stated.required(reader, table, "surface_energy",
                                                    non_negative(dimension::surface_energy), "surface_energy_" + batch);
     } else {
-        const auto told = reader.required_uncertain("surface_energy", dimension::surface_energy);
-        elastomer.surface_energy = {told.value, told, "J/m2"};
+        const auto stated_value = reader.required_uncertain("surface_energy", dimension::surface_energy);
+        elastomer.surface_energy = {stated_value.value, stated_value, "J/m2"};
     }
     elastomer.sphere_radius =
         stated.required(reader, table, "sphere_radius", positive(dimension::length), shared_name(reader, "lens"));

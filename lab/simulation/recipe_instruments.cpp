@@ -64,7 +64,7 @@ std::optional<StatedQuantity> shared_tip(const char* name, std::optional<Protoco
         auto& protocol = rough.*instrument;
         if (!protocol || protocol->tip_radius == 0.0) continue;
         tip = stated.drawn(
-            {.told = {protocol->tip_radius, protocol->tip_radius_standard_error}, .unit = "m", .input = name},
+            {.stated_value = {protocol->tip_radius, protocol->tip_radius_standard_error}, .unit = "m", .input = name},
             "the protocol of surfaces." + rough.surface.name, reader, "shared_tips");
         protocol->shared_tip_radius = tip->value;
     }

@@ -31,18 +31,18 @@ public:
                                        const bytes::TomlReader& reader, const char* key);
 
 private:
-    struct Told {
+    struct StatedScope {
         StatedQuantity quantity;
         std::string place;
     };
     std::uint64_t seed_;
-    std::map<std::string, Told> told_;
+    std::map<std::string, StatedScope> scopes_;
 };
 
 /// Text of a quantity in the study, SI: "0.025 ± 0.001 J/m2", "0.0012 to 0.0013 m".
-[[nodiscard]] std::string stated_text(const Estimate& told, const std::string& unit);
+[[nodiscard]] std::string stated_text(const Estimate& stated_value, const std::string& unit);
 [[nodiscard]] inline std::string stated_text(const StatedQuantity& quantity) {
-    return stated_text(quantity.told, quantity.unit);
+    return stated_text(quantity.stated_value, quantity.unit);
 }
 /// The same as a key of the study has it: its name, where it has one.
 [[nodiscard]] inline std::string mention(const StatedQuantity& quantity) {

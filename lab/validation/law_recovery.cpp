@@ -37,15 +37,15 @@ RetractionChoice planted_as(Law law) {
 
 /// Crack tips of elastomers: as in the recipe, else decreasing from one elastomer to the next.
 void plant_tip(std::vector<simulation::ElastomerRecipe>& elastomers, Tip tip) {
-    const bool told = std::ranges::any_of(elastomers, [&](const auto& e) {
+    const bool stated_value = std::ranges::any_of(elastomers, [&](const auto& e) {
         return tip == Tip::reference ? e.tip_factor > 1.0 : e.body.edge.has_value();
     });
     double factor = 1.5, speed = 1e-6;
     for (auto& elastomer : elastomers) {
         if (tip != Tip::reference) elastomer.tip_factor = 1.0;
-        else if (!told) elastomer.tip_factor = factor;
+        else if (!stated_value) elastomer.tip_factor = factor;
         if (tip != Tip::speed) elastomer.body.edge.reset();
-        else if (!told) elastomer.body.edge = hysteresis::EdgeSpeed{.reference_speed = speed, .exponent = 0.6};
+        else if (!stated_value) elastomer.body.edge = hysteresis::EdgeSpeed{.reference_speed = speed, .exponent = 0.6};
         factor = std::max(1.1, factor - 0.1);
         speed *= 2.0;
     }

@@ -44,12 +44,12 @@ std::vector<StatedQuantity*> named(Recipe& recipe, const std::string& name) {
 
 /// Half the standard error, and half the deviation of the true value from the stated one.
 void halve(StatedQuantity& quantity) {
-    auto& told = quantity.told;
-    quantity.value = told.value + 0.5 * (quantity.value - told.value);
-    told.standard_error *= 0.5;
-    if (auto& range = told.interval) {
-        range->lower += 0.5 * (told.value - range->lower);
-        range->upper += 0.5 * (told.value - range->upper);
+    auto& stated_value = quantity.stated_value;
+    quantity.value = stated_value.value + 0.5 * (quantity.value - stated_value.value);
+    stated_value.standard_error *= 0.5;
+    if (auto& range = stated_value.interval) {
+        range->lower += 0.5 * (stated_value.value - range->lower);
+        range->upper += 0.5 * (stated_value.value - range->upper);
     }
 }
 

@@ -38,11 +38,11 @@ constexpr double lengths_per_line = 8.0;
 template <class Protocol>
 double radius_of_tip(const Protocol& protocol, RandomKey key) {
     if (protocol.shared_tip_radius) return *protocol.shared_tip_radius;
-    const double told = protocol.tip_radius, standard_error = protocol.tip_radius_standard_error;
-    const double radius = told + standard_error * numerics::normal_number(substream(key, of_tip), 0);
+    const double stated_value = protocol.tip_radius, standard_error = protocol.tip_radius_standard_error;
+    const double radius = stated_value + standard_error * numerics::normal_number(substream(key, of_tip), 0);
     if (!(radius > 0.0))
         throw InvalidArgument(
-            fmt::format("a tip of {} ± {} m was drawn with a radius of {} m; give a smaller uncertainty", told,
+            fmt::format("a tip of {} ± {} m was drawn with a radius of {} m; give a smaller uncertainty", stated_value,
                         standard_error, radius));
     return radius;
 }

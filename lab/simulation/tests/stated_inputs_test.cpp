@@ -97,7 +97,7 @@ std::string refusal(const std::string& from, const std::string& to) {
 std::map<std::string, double> deviations(const Recipe& recipe) {
     std::map<std::string, double> found;
     const auto add = [&](const std::string& scope, const StatedQuantity& q) {
-        found[scope] = (q.value - q.told.value) / q.told.standard_error;
+        found[scope] = (q.value - q.stated_value.value) / q.stated_value.standard_error;
     };
     for (const auto& quantity : named_inputs(recipe)) add(quantity.input, quantity);
     add("modulus", recipe.elastomers[0].youngs_modulus);
@@ -161,7 +161,7 @@ TEST(StatedInputs, DoNotDependOnOtherScopes) {
     for (const auto& quantity : named_inputs(more)) {
         const auto same = all.find(quantity.input);
         if (same == all.end()) continue;
-        EXPECT_EQ((quantity.value - quantity.told.value) / quantity.told.standard_error, same->second)
+        EXPECT_EQ((quantity.value - quantity.stated_value.value) / quantity.stated_value.standard_error, same->second)
             << quantity.input;
     }
     EXPECT_EQ(more.elastomers[3].sphere_radius.value, recipe_of(calibrated).elastomers[2].sphere_radius.value);

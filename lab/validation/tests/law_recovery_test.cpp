@@ -38,21 +38,22 @@ TEST(ModelRecovery, PlantsTheSpeedOfAnEdge) {
     ASSERT_TRUE(made.elastomers[0].body.edge && made.elastomers[2].body.edge);
     EXPECT_DOUBLE_EQ(made.elastomers[2].body.edge->reference_speed, 4e-6);
     EXPECT_EQ(made.elastomers[0].tip_factor, 1.0);
-    auto told = recipe();
-    told.elastomers[1].body.edge = hysteresis::EdgeSpeed{.reference_speed = 7e-6, .exponent = 0.5};
-    EXPECT_FALSE(with_model(told, {Law::pinning, Tip::speed}).elastomers[0].body.edge) << "the recipe's own";
-    EXPECT_DOUBLE_EQ(with_model(told, {Law::pinning, Tip::speed}).elastomers[1].body.edge->reference_speed, 7e-6);
-    EXPECT_FALSE(with_model(told, {Law::pinning, Tip::reference}).elastomers[1].body.edge);
+    auto stated_value = recipe();
+    stated_value.elastomers[1].body.edge = hysteresis::EdgeSpeed{.reference_speed = 7e-6, .exponent = 0.5};
+    EXPECT_FALSE(with_model(stated_value, {Law::pinning, Tip::speed}).elastomers[0].body.edge) << "the recipe's own";
+    EXPECT_DOUBLE_EQ(with_model(stated_value, {Law::pinning, Tip::speed}).elastomers[1].body.edge->reference_speed,
+                     7e-6);
+    EXPECT_FALSE(with_model(stated_value, {Law::pinning, Tip::reference}).elastomers[1].body.edge);
 }
 
 TEST(ModelRecovery, PlantsALawAlone) {
-    auto told = recipe();
-    told.elastomers[1].tip_factor = 1.7;
-    const auto opening = with_model(told, {Law::opening_work, hysteresis::Tip::none});
+    auto stated_value = recipe();
+    stated_value.elastomers[1].tip_factor = 1.7;
+    const auto opening = with_model(stated_value, {Law::opening_work, hysteresis::Tip::none});
     EXPECT_EQ(opening.loops->law, simulation::RetractionChoice::opening);
     EXPECT_DOUBLE_EQ(opening.loops->opening_work, 0.074);
     EXPECT_EQ(opening.elastomers[1].tip_factor, 1.0) << "the crack tip is another mechanism";
-    EXPECT_EQ(with_model(told, {Law::pinning, hysteresis::Tip::reference}).elastomers[1].tip_factor, 1.7);
+    EXPECT_EQ(with_model(stated_value, {Law::pinning, hysteresis::Tip::reference}).elastomers[1].tip_factor, 1.7);
     const auto tip = with_model(recipe(), {Law::reversible, hysteresis::Tip::reference});
     EXPECT_DOUBLE_EQ(tip.elastomers[0].tip_factor, 1.5);
     EXPECT_DOUBLE_EQ(tip.elastomers[2].tip_factor, 1.3);

@@ -52,23 +52,23 @@ TEST(RecipeWith, AnInputKnownBetterIsHalfAsFarOff) {
     const auto before = recipe();
     const auto after = recipe_with(before, {.kind = Kind::input, .name = "force_calibration"});
     const auto &was = *before.calibrations.force, &is = *after.calibrations.force;
-    EXPECT_DOUBLE_EQ(is.told.value, was.told.value);
-    EXPECT_DOUBLE_EQ(is.told.standard_error, 0.005);
-    EXPECT_NEAR(is.value - is.told.value, 0.5 * (was.value - was.told.value), 1e-15);
-    EXPECT_NE(is.value, is.told.value);
+    EXPECT_DOUBLE_EQ(is.stated_value.value, was.stated_value.value);
+    EXPECT_DOUBLE_EQ(is.stated_value.standard_error, 0.005);
+    EXPECT_NEAR(is.value - is.stated_value.value, 0.5 * (was.value - was.stated_value.value), 1e-15);
+    EXPECT_NE(is.value, is.stated_value.value);
 }
 
 TEST(RecipeWith, ATipOfAllSurfacesIsThatOfTheirProtocols) {
     const auto after = recipe_with(recipe(), {.kind = Kind::input, .name = "afm_tip"});
     EXPECT_DOUBLE_EQ(after.surfaces.front().afm->shared_tip_radius.value(), after.afm_tip->value);
-    EXPECT_DOUBLE_EQ(after.afm_tip->told.standard_error, 0.5e-9);
+    EXPECT_DOUBLE_EQ(after.afm_tip->stated_value.standard_error, 0.5e-9);
 }
 
 TEST(RecipeWith, AnInputWithoutANameIsFoundByItsPlace) {
     const auto modulus = recipe_with(recipe(), {.kind = Kind::input, .name = "elastomers.E07.youngs_modulus"});
-    EXPECT_DOUBLE_EQ(modulus.elastomers.front().youngs_modulus.told.standard_error, 1e4);
+    EXPECT_DOUBLE_EQ(modulus.elastomers.front().youngs_modulus.stated_value.standard_error, 1e4);
     const auto radius = recipe_with(recipe(), {.kind = Kind::input, .name = "elastomers.E07.sphere_radius"});
-    const auto range = radius.elastomers.front().sphere_radius.told.interval.value();
+    const auto range = radius.elastomers.front().sphere_radius.stated_value.interval.value();
     EXPECT_NEAR(range.upper - range.lower, 0.05e-3, 1e-12);
     EXPECT_THROW((void)recipe_with(recipe(), {.kind = Kind::input, .name = "lens_9"}), InvalidArgument);
 }

@@ -90,7 +90,7 @@ std::pair<Counts, Rims> counted(const ArrayView2D& pressures, Index first_row, b
 }
 
 /// Gathers `each` numbers of every process in all of them.
-Array1D told(const parallel::Slab& slab, const Array1D& own) {
+Array1D gathered(const parallel::Slab& slab, const Array1D& own) {
     std::vector<Index> begins;
     for (int rank = 0; rank <= slab.ranks(); ++rank) begins.push_back(rank * own.size());
     Array1D all(begins.back());
@@ -107,7 +107,7 @@ public:
         const Index ny = own.first_patch.size();
         Array1D row(4 * ny);
         row << own.first_patch, own.last_patch, own.first_size, own.last_size;
-        const Array1D all = told(slab, row);
+        const Array1D all = gathered(slab, row);
         for (Index rank = 0; rank < slab.ranks(); ++rank) {
             const auto part = [&](Index k) -> Array1D { return all.segment((4 * rank + k) * ny, ny); };
             rims_.push_back({part(0), part(1), part(2), part(3)});
@@ -158,7 +158,7 @@ ContactArea contact_area(const ArrayView2D& pressures, const Grid& grid, const p
     constexpr Index kinds = 5;
     Array1D numbers(kinds);
     numbers << own.touching, own.edges_along_x, own.edges_along_y, own.patches, own.largest_patch;
-    const Array1D all = told(slab, numbers);
+    const Array1D all = gathered(slab, numbers);
     Counts counts;
     for (Index rank = 0; rank < slab.ranks(); ++rank) {
         const auto of_rank = all.segment(kinds * rank, kinds);

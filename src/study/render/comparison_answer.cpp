@@ -16,18 +16,18 @@ namespace setae::output {
 namespace {
 
 /// A column in words; values of unit "1" are printed in per cent.
-struct Told {
+struct ColumnWords {
     const char *column, *words, *unit;
     bool when_full;  ///< whether it is defined in full contact, where there is neither a gap nor a finite stiffness
 };
-constexpr std::array<Told, 4> told{{{"area_fraction", "area", "1", true},
-                                    {"mean_gap", "mean gap", "m", false},
-                                    {"contact_stiffness", "stiffness", "Pa/m", false},
-                                    {"stored_energy", "stored energy", "J/m2", true}}};
+constexpr std::array<ColumnWords, 4> columns_in_words{{{"area_fraction", "area", "1", true},
+                                                       {"mean_gap", "mean gap", "m", false},
+                                                       {"contact_stiffness", "stiffness", "Pa/m", false},
+                                                       {"stored_energy", "stored energy", "J/m2", true}}};
 
 bool is_full(const Table& load, Index i) { return load.at("area_fraction")[i] > 0.99995; }
 
-std::string shown(double value, const Told& what) {
+std::string shown(double value, const ColumnWords& what) {
     const std::string_view unit = what.unit;
     if (unit == "1") return fmt::format("{:.3g} %", 100.0 * value);
     if (unit == "Pa/m") return format_value(1e-6 * value, "Pa", 3) + "/µm";
@@ -35,7 +35,7 @@ std::string shown(double value, const Told& what) {
 }
 
 /// Least and greatest of theory over solution less one.
-std::string deviation(const Table& load, const Told& what) {
+std::string deviation(const Table& load, const ColumnWords& what) {
     const std::string column = what.column;
     double least = undefined, greatest = undefined;
     const auto &solved = load.at(column), &theory = load.at(column + "_persson");
@@ -54,7 +54,7 @@ std::string deviation(const Table& load, const Told& what) {
 
 std::string contact_at(const Table& load, Index i) {
     std::string line;
-    for (const auto& what : told) {
+    for (const auto& what : columns_in_words) {
         if (is_full(load, i) && !what.when_full) continue;
         const std::string column = what.column;
         const double error = load.at(column + "_standard_error")[i];
@@ -69,7 +69,7 @@ std::string contact_at(const Table& load, Index i) {
 
 std::string comparison_answer(const Table& load, const Band& band, int surfaces, std::size_t columns) {
     std::string deviations;
-    for (const auto& what : told) deviations += (deviations.empty() ? "" : ", ") + deviation(load, what);
+    for (const auto& what : columns_in_words) deviations += (deviations.empty() ? "" : ", ") + deviation(load, what);
     auto text = wrapped(fmt::format("Persson's theory relative to the solved contact of {}, waves from {} to {}: {}",
                                     counted(static_cast<std::size_t>(surfaces), "surface", "surfaces"),
                                     format_value(2.0 * pi / band.lower, "m", 3),

@@ -84,7 +84,7 @@ void protect_inputs(const study::Study& study) {
 
 ResultFolder::ResultFolder(const study::Study& study) : folder_(study.output.empty() ? "." : study.output) {
     protect_inputs(study);
-    const auto alone = locked_folder(folder_, made_);
+    const auto folder_lock = locked_folder(folder_, made_);
     study_ = identity_of(study, folder_);
     std::error_code ignored;
     if (fs::exists(list_path(), ignored)) {
@@ -99,7 +99,7 @@ ResultFolder::ResultFolder(const study::Study& study) : folder_(study.output.emp
 ResultFolder::~ResultFolder() {
     if (!listed_.empty()) return;
     std::error_code ignored;
-    const bytes::FolderLock alone(folder_);
+    const bytes::FolderLock folder_lock(folder_);
     try {
         // another run of the same study may have written since
         if (study::read_result_list(list_path()) == study::ResultList{study_, {}}) fs::remove(list_path(), ignored);
@@ -138,7 +138,7 @@ void ResultFolder::remove(const std::string& name) const {
 }
 
 void ResultFolder::begin() const {
-    const bytes::FolderLock alone(folder_);
+    const bytes::FolderLock folder_lock(folder_);
     require_own_folder();
     for (const char* mark : marks)
         if (listed_.contains(mark)) remove(mark);
@@ -155,7 +155,7 @@ std::string ResultFolder::claim(const std::string& name) {
     bytes::require_no_input(path);
     if (!is_inside(name))
         throw FileError(fmt::format("{}: its folder is a link that leads out of the results; remove the link", path));
-    const bytes::FolderLock alone(folder_);  // another process may be running the same study
+    const bytes::FolderLock folder_lock(folder_);  // another process may be running the same study
     require_own_folder();
     if (!listed_.contains(name)) {
         if (holds(name) && !study::read_result_list(list_path()).names.contains(name))
@@ -180,7 +180,7 @@ void ResultFolder::drop(const std::string& name) {
 
 void ResultFolder::finish() {
     const std::lock_guard lock(mutex_);
-    const bytes::FolderLock alone(folder_);
+    const bytes::FolderLock folder_lock(folder_);
     require_own_folder();
     auto names = study::read_result_list(list_path()).names;  // with those another process has claimed since
     for (const auto& name : listed_)

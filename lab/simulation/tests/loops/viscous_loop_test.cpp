@@ -38,19 +38,19 @@ TEST(ViscousLoop, HasTheLawOfSpeedThatItWasMadeWith) {
 TEST(ViscousLoop, WithARelaxingBulkIsFoundWhereTheRelaxationIsTold) {
     const hysteresis::ViscousBody body{.edge = {}, .relaxation = {{0.1, 15.0}, {0.05, 60.0}}};
     const auto made = simulated_loop(specimen, {.hold_time = 30.0, .camera_rate = 2.0}, noise, body);
-    const auto told = loops::analyse(made.loop, bodies, {.relaxation = body.relaxation});
+    const auto stated_value = loops::analyse(made.loop, bodies, {.relaxation = body.relaxation});
     const auto untold = loops::analyse(made.loop, bodies);
-    ASSERT_TRUE(told.bulk);
+    ASSERT_TRUE(stated_value.bulk);
     EXPECT_FALSE(untold.bulk);
     const auto modulus_of = [](const auto& analysis) { return analysis.loading.primary().contact_modulus.value; };
     const auto work_of = [](const auto& analysis) { return analysis.loading.primary().work_of_adhesion.value; };
-    EXPECT_NEAR(modulus_of(told) / specimen.contact_modulus, 1.0, 5e-3);
+    EXPECT_NEAR(modulus_of(stated_value) / specimen.contact_modulus, 1.0, 5e-3);
     EXPECT_GT(modulus_of(untold) / specimen.contact_modulus, 1.03);
-    EXPECT_NEAR(work_of(told) / specimen.work_approach, 1.0, 5e-3);
-    EXPECT_NEAR(told.retraction->work_of_adhesion.value / specimen.work_retraction, 1.0, 1e-2);
+    EXPECT_NEAR(work_of(stated_value) / specimen.work_approach, 1.0, 5e-3);
+    EXPECT_NEAR(stated_value.retraction->work_of_adhesion.value / specimen.work_retraction, 1.0, 1e-2);
     EXPECT_GT(untold.retraction->work_of_adhesion.value / specimen.work_retraction, 1.05);
-    EXPECT_NEAR(told.bulk->energy_loss / made.truth.bulk_loss, 1.0, 0.04);
-    EXPECT_NEAR(told.loop->energy / untold.loop->energy, 1.0, 1e-3) << "the loop loses what it loses";
+    EXPECT_NEAR(stated_value.bulk->energy_loss / made.truth.bulk_loss, 1.0, 0.04);
+    EXPECT_NEAR(stated_value.loop->energy / untold.loop->energy, 1.0, 1e-3) << "the loop loses what it loses";
 }
 
 TEST(ViscousLoop, TellsHowItsMachineMoved) {

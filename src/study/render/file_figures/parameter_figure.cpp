@@ -50,11 +50,11 @@ StudyFigure parameter_figure(const study::SurfaceResult& surface, const Look& lo
     add("stored energy", below.elastic_energy_per_modulus, 1.0);
     add("mean square slope", below.rms_slope, 2.0);
     add("mean square curvature", below.rms_curvature, 2.0);
-    const auto alone = surface.measurements.size() == 1;
+    const auto single = surface.measurements.size() == 1;
     StudyFigure drawn{.identifier = "parameters", .name = "parameters", .command = look.command};
     drawn.title =
-        alone ? "Contributions of wavelengths to the roughness of " + file_name(surface.measurements.front().file)
-              : "Contributions of wavelengths to the roughness";
+        single ? "Contributions of wavelengths to the roughness of " + file_name(surface.measurements.front().file)
+               : "Contributions of wavelengths to the roughness";
     const auto& p = spectrum.parameters;
     drawn.caption = fmt::format(
         "Shares of h_rms² (h_rms = {}), stored energy U_el (U_el/(A E*) = {}), h'_rms² (h'_rms = {:.3g}) and h''_rms² (h''_rms = {}) from "

@@ -38,42 +38,43 @@ public:
 
     std::vector<Limit> take() {
         if (result_.surfaces.empty() && result_.experiments.empty() && result_.study.published.empty()) {
-            say("The study names no surface and no experiment. Nothing can be concluded about roughness or adhesion.");
+            add_limit(
+                "The study names no surface and no experiment. Nothing can be concluded about roughness or adhesion.");
             return std::move(limits_);
         }
-        say_of_failures();
-        say_of_test();
-        say_of_rivals();
-        say_of_fits();
-        say_of_retraction();
-        say_of_design();
-        say_of_spectra();
-        say_of_alerts();
-        say_of_exact_inputs();
+        add_failures();
+        add_test();
+        add_rivals();
+        add_fits();
+        add_retraction();
+        add_design();
+        add_spectra();
+        add_warnings();
+        add_exact_inputs();
         return std::move(limits_);
     }
 
 private:
-    void say(std::string sentence, std::string note = "") {
+    void add_limit(std::string sentence, std::string note = "") {
         limits_.push_back({std::move(sentence), std::move(note), true});
     }
     /// A limit that the answer also states, or a note on a missing number.
     void add_reservation(std::string sentence) { limits_.push_back({std::move(sentence), "", false}); }
 
-    void say_of_failures() {
+    void add_failures() {
         for (const auto& surface : result_.surfaces)
             if (!surface.likelihood_error.empty())
-                say(
+                add_limit(
                     fmt::format("The numbers of {} come from the average over its measurements, because the likelihood "
                                 "fit failed: {}.",
                                 surface.name, surface.likelihood_error));
         if (result_.failures() > 0)
-            say(fmt::format("{} of the study failed and {} not contribute to any number.",
-                            counted(static_cast<std::size_t>(result_.failures()), "part", "parts"),
-                            result_.failures() == 1 ? "does" : "do"));
+            add_limit(fmt::format("{} of the study failed and {} not contribute to any number.",
+                                  counted(static_cast<std::size_t>(result_.failures()), "part", "parts"),
+                                  result_.failures() == 1 ? "does" : "do"));
     }
 
-    void say_of_test() {
+    void add_test() {
         if (!result_.prediction_test) return;
         const auto& test = *result_.prediction_test;
         const auto& worst = worst_of(test);
@@ -86,29 +87,31 @@ private:
                             test.n == 1 ? "the pair" : fmt::format("the {} pairs", test.n), test_text(test),
                             worst.standardised(), name));
         else if (stands_out(worst.standardised(), test.n))
-            say(fmt::format(
-                    "{} deviates by {:+.1f} standard errors from its prediction, although the test of all pairs "
-                    "gives p = {}.",
-                    name, worst.standardised(), probability_text(test.probability)),
-                deviation_note(test));
+            add_limit(fmt::format(
+                          "{} deviates by {:+.1f} standard errors from its prediction, although the test of all pairs "
+                          "gives p = {}.",
+                          name, worst.standardised(), probability_text(test.probability)),
+                      deviation_note(test));
         if (test.probability < improbable && test.extra_scatter > 0.0)
             add_reservation(
                 fmt::format("A prediction of the full-contact balance (Eq. 7) for another pair has an additional "
                             "uncertainty of {}, the scatter between pairs.",
                             format_value(test.extra_scatter, "J/m2", 2)));
-        if (!test.left_out.empty()) say("The test of the balance does not include " + listed(test.left_out) + ".");
+        if (!test.left_out.empty())
+            add_limit("The test of the balance does not include " + listed(test.left_out) + ".");
     }
 
-    void say_of_rivals() {
+    void add_rivals() {
         const auto rivals = rivals_of(result_);
         if (!rivals.alike.empty())
-            say(fmt::format("The pairs cannot distinguish the full-contact balance (Eq. 7) from {}.",
-                            listed(rivals.alike)));
+            add_limit(fmt::format("The pairs cannot distinguish the full-contact balance (Eq. 7) from {}.",
+                                  listed(rivals.alike)));
         if (!rivals.better.empty())
-            say(fmt::format("The pairs support {} more than the full-contact balance (Eq. 7).", listed(rivals.better)));
+            add_limit(
+                fmt::format("The pairs support {} more than the full-contact balance (Eq. 7).", listed(rivals.better)));
     }
 
-    void say_of_fits() {
+    void add_fits() {
         if (const auto apart = loss_minus_approach(result_); apart && interval_of(*apart) && !may_be_zero(*apart))
             add_reservation(fmt::format(
                 "The energy loss and the approach give different W_int, with a difference of {} by generalised "
@@ -117,18 +120,18 @@ private:
                 format_uncertain(*apart, "J/m2")));
         if (const auto apart = loss_minus_approach(result_);
             apart && may_be_zero(*apart) && !could_have_refused(*apart, result_))
-            say(
+            add_limit(
                 fmt::format("The data do not test whether the loss is proportional to the true area (Eq. 10). Half or "
                             "twice the W_int of approach would agree with the data of {} as well.",
                             pairs_text(result_.loop->through_origin.n)));
         if (result_.pairs.empty()) return;
         if (!result_.modified && result_.work_of_adhesion)
-            say("The approach is not fitted: " + result_.modified.reason + ".");
+            add_limit("The approach is not fitted: " + result_.modified.reason + ".");
         if (!result_.loop) add_reservation("The loop energies are not fitted: " + result_.loop.reason + ".");
-        if (!result_.work_of_adhesion) say("W_app is not predicted: " + result_.work_of_adhesion.reason + ".");
+        if (!result_.work_of_adhesion) add_limit("W_app is not predicted: " + result_.work_of_adhesion.reason + ".");
     }
 
-    void say_of_retraction() {
+    void add_retraction() {
         int unknown = 0;
         std::vector<std::string> changing;
         for (const auto& pair : result_.pairs) {
@@ -140,34 +143,37 @@ private:
                                                format_uncertain(along->at_pull_off, "J/m2")));
         }
         if (unknown > 0)
-            say(fmt::format(
+            add_limit(fmt::format(
                 "Whether W_ret is constant along the retraction is undetermined for {}: only the pull-off is "
                 "known.",
                 pairs_text(unknown)));
         if (!changing.empty())
-            say("W_ret changes along the retraction of " + listed(changing) +
-                ". The value at pull-off is not the work of the whole retraction.");
+            add_limit("W_ret changes along the retraction of " + listed(changing) +
+                      ". The value at pull-off is not the work of the whole retraction.");
     }
 
-    void say_of_exact_inputs() {
+    void add_exact_inputs() {
         std::vector<std::string> kinds;
         for (const auto& [what, names] : study::exact_inputs(result_))
             kinds.push_back(names.empty() ? what : fmt::format("{} ({})", what, fmt::join(names, ", ")));
         if (!kinds.empty() && result_.work_of_adhesion)
-            say(fmt::format("The study gives no ± for some inputs, which are treated as exact: {}.", listed(kinds)));
+            add_limit(
+                fmt::format("The study gives no ± for some inputs, which are treated as exact: {}.", listed(kinds)));
     }
 
-    void say_of_design() {
+    void add_design() {
         const auto surfaces = std::count_if(result_.surfaces.begin(), result_.surfaces.end(), fine);
         const auto experiments = std::count_if(result_.experiments.begin(), result_.experiments.end(), fine);
         if (result_.surfaces.empty())
-            say("The study contains no surface. No work of adhesion is predicted or compared with a measured one.");
-        else if (surfaces == 0) say("No surface could be analysed. No work of adhesion is predicted.");
+            add_limit(
+                "The study contains no surface. No work of adhesion is predicted or compared with a measured one.");
+        else if (surfaces == 0) add_limit("No surface could be analysed. No work of adhesion is predicted.");
         if (tested_.pairs == 0 && surfaces > 0) {
             const std::string none = result_.experiments.empty() ? "The study contains no experiment."
                                      : experiments == 0          ? "No experiment could be analysed."
                                                         : "The study contains no experiment on a rough surface.";
-            say(none +
+            add_limit(
+                none +
                 (result_.study.work_of_adhesion
                      ? fmt::format(
                            " W_app is predicted with the given W_int of {}. No measurement tests this prediction.",
@@ -176,19 +182,20 @@ private:
                                    "work_of_adhesion.")));
         }
         if (tested_.pairs == 1)
-            say("Only one pair is measured. One value of W_int always matches one pair, so the data neither support nor "
+            add_limit(
+                "Only one pair is measured. One value of W_int always matches one pair, so the data neither support nor "
                 "rule out the balance.");
         else if (tested_.pairs > 1 && tested_.surfaces.size() == 1)
-            say(fmt::format(
+            add_limit(fmt::format(
                 "All {} pairs are on one surface, {}. The data do not test how adhesion depends on roughness.",
                 tested_.pairs, *tested_.surfaces.begin()));
         if (tested_.pairs > 1 && tested_.elastomers.size() == 1)
-            say(fmt::format(
+            add_limit(fmt::format(
                 "All {} pairs are on one elastomer, {}. The data do not test that the stored energy grows with "
                 "the modulus.",
                 tested_.pairs, *tested_.elastomers.begin()));
         if (result_.experiments.size() == 1)
-            say("The study contains one experiment. The scatter between repeated loops is not known.");
+            add_limit("The study contains one experiment. The scatter between repeated loops is not known.");
     }
 
     /// Names of the surfaces that something holds for.
@@ -200,9 +207,9 @@ private:
         return names;
     }
 
-    void say_of_spectra() {
+    void add_spectra() {
         if (const auto names = surfaces_where([](const auto& s) { return s.reconstructed; }); !names.empty())
-            say(fmt::format(
+            add_limit(fmt::format(
                 "The {} of {} {} from published moments, not measured. Stored energy and the balance scale by "
                 "scale depend on the self-affine model.",
                 names.size() == 1 ? "spectrum" : "spectra", listed(names),
@@ -211,19 +218,20 @@ private:
             return std::count_if(s.measurements.begin(), s.measurements.end(), fine) == 1;
         };
         if (const auto names = surfaces_where(measured_once); !names.empty())
-            say(fmt::format("The study contains one measurement{} of {}. The variation between places is not known.",
+            add_limit(
+                fmt::format("The study contains one measurement{} of {}. The variation between places is not known.",
                             names.size() == 1 ? "" : " each", listed(names)));
         std::vector<std::string> nonconforming;
         for (const auto& pair : result_.pairs)
             if (pair.modified && !pair.modified->work.conforms)
                 nonconforming.push_back(pair.surface + " × " + pair.elastomer);
         if (!nonconforming.empty())
-            say("The full-contact balance (Eq. 7) gives no adhesion for " + listed(nonconforming) +
-                ". The balance applies to full contact only; its value is set to 0.");
+            add_limit("The full-contact balance (Eq. 7) gives no adhesion for " + listed(nonconforming) +
+                      ". The balance applies to full contact only; its value is set to 0.");
     }
 
     /// Warnings that limit the conclusions, each matter in one sentence with the items concerned.
-    void say_of_alerts() {
+    void add_warnings() {
         const auto groups = grouped_alerts(result_);
         const Subjects concerned(result_);
         for (const auto& bearing : bearings()) {
@@ -231,7 +239,7 @@ private:
             for (const auto& group : groups)
                 if (std::find(bearing.codes.begin(), bearing.codes.end(), group.code) != bearing.codes.end())
                     for (const auto& alert : group.alerts) subjects.push_back(concerned.of(alert));
-            if (!subjects.empty()) say(fmt::format(fmt::runtime(bearing.sentence), listed(names_of(subjects))));
+            if (!subjects.empty()) add_limit(fmt::format(fmt::runtime(bearing.sentence), listed(names_of(subjects))));
         }
     }
 

@@ -61,7 +61,7 @@ private:
     template <class Fit>
     [[nodiscard]] std::invoke_result_t<Fit> attempted(const char* part, const Fit& fit) {
         std::invoke_result_t<Fit> outcome;
-        if (!alone(to_.failed_parts, part, [&] { outcome = fit(); }))
+        if (!isolated(to_.failed_parts, part, [&] { outcome = fit(); }))
             outcome = std::invoke_result_t<Fit>::missing(to_.failed_parts.back().message);
         return outcome;
     }
@@ -119,7 +119,7 @@ std::vector<PairPoint> Concluding::points(Balance balance, const ParametersOf& p
         const auto& elastomer = result_.elastomer(pair.elastomer);
         if (!predictable(surface, elastomer)) continue;
         const auto index = static_cast<std::size_t>(&surface - result_.surfaces.data());
-        alone(to_.failed_parts, pair_name(pair), [&] {
+        isolated(to_.failed_parts, pair_name(pair), [&] {
             const auto rough = in_contact(pair, parameters_of(index));
             auto point = balance({surface.name, rough.parameters, rough.spread}, elastomer.soft_side());
             if (!std::isfinite(point.slope) || !std::isfinite(point.offset))
@@ -361,7 +361,7 @@ void Concluding::fit() {
     if (to_.modified) {
         const auto& pairs = to_.modified->pairs;
         const auto part = [&](const char* name, const auto& computation) {
-            alone(to_.failed_parts, name, computation);
+            isolated(to_.failed_parts, name, computation);
         };
         part("leave-one-out predictions", [&] { to_.left_out = adhesion::predict_left_out(pairs); });
         part("profiles over inputs",
@@ -481,7 +481,7 @@ void Concluding::predict() {
         const auto& elastomer = result_.elastomer(pair.elastomer);
         if (!predictable(surface, elastomer)) continue;
         auto predicted = pair;
-        if (alone(pair.alerts, pair_name(pair), [&] { predict(predicted, surface, elastomer); }))
+        if (isolated(pair.alerts, pair_name(pair), [&] { predict(predicted, surface, elastomer); }))
             pair = std::move(predicted);
     }
 }
@@ -534,7 +534,7 @@ void conclude(const StudyResult& result, Conclusions& conclusions) {
     concluding.fit();
     concluding.predict();
     concluding.test();
-    alone(conclusions.failed_parts, "draws of W_int and of the predictions", [&] { concluding.draw(); });
+    isolated(conclusions.failed_parts, "draws of W_int and of the predictions", [&] { concluding.draw(); });
 }
 
 }  // namespace setae::study

@@ -24,7 +24,7 @@ inline void add_failed_part(std::vector<Alert>& alerts, const std::string& part,
 
 /// Computes a part of a study; where that fails, the others are computed all the same. @throws Cancelled.
 template <class Computation>
-bool alone(std::vector<Alert>& alerts, const std::string& part, const Computation& computation) {
+bool isolated(std::vector<Alert>& alerts, const std::string& part, const Computation& computation) {
     try {
         computation();
         return true;

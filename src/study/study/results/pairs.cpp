@@ -140,7 +140,7 @@ std::vector<PairResult> measured_pairs(const StudyResult& result) {
             pair.surface = surface.name;
             pair.elastomer = elastomer.input.name;
             auto measured = pair;
-            if (alone(pair.alerts, pair_name(pair), [&] { take_measured(measured, result, elastomer); }))
+            if (isolated(pair.alerts, pair_name(pair), [&] { take_measured(measured, result, elastomer); }))
                 pair = std::move(measured);
             pairs.push_back(std::move(pair));
         }

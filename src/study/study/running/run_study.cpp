@@ -178,12 +178,12 @@ void expect_steps(const Study& study, Run& run) {
 void bring_together(StudyResult& result) {
     for (const auto& input : result.study.elastomers) {
         ElastomerResult elastomer{.input = input};
-        alone(elastomer.alerts, "elastomer " + input.name, [&] { elastomer = elastomer_result(input, result); });
+        isolated(elastomer.alerts, "elastomer " + input.name, [&] { elastomer = elastomer_result(input, result); });
         result.elastomers.push_back(std::move(elastomer));
     }
-    alone(result.alerts, "repeated loops", [&] { result.replicates = elastomer_replicates(result); });
+    isolated(result.alerts, "repeated loops", [&] { result.replicates = elastomer_replicates(result); });
     result.pairs = measured_pairs(result);
-    alone(result.alerts, "smooth references", [&] { evaluate_references(result); });
+    isolated(result.alerts, "smooth references", [&] { evaluate_references(result); });
     const bool likelihoods = std::any_of(result.surfaces.begin(), result.surfaces.end(),
                                          [](const auto& s) { return s.method == SpectrumMethod::likelihood; });
     if (likelihoods) {
@@ -191,7 +191,7 @@ void bring_together(StudyResult& result) {
         conclude(result, *result.by_average);
     }
     conclude(result, result);
-    alone(result.alerts, "losses of the measured works", [&] {
+    isolated(result.alerts, "losses of the measured works", [&] {
         compare_losses_with_works(result);
         result.loss_slope_of_works = loss_slope_of_works(result);
     });
