@@ -218,7 +218,7 @@ struct Study {
 };
 
 /// Reads a study from TOML; docs/reference/study-keys.md describes every key. A mapping that is no file next to the
-/// study goes by by name in `mapping_folder`.
+/// study is looked up by name in `mapping_folder`.
 /// @throws FileError; FormatError with the line for text that is no TOML, an unknown key (with the nearest known one),
 /// a missing or wrong unit, a name that is not declared, a surface without data.
 [[nodiscard]] Study read_study(const std::string& path, const std::string& mapping_folder = {});
