@@ -159,7 +159,7 @@ TidyTable with_columns(const TidyTable& table, const std::vector<std::string>& n
 
 TidyTable constants_in_title(const TidyTable& table, int significant_digits) {
     if (table.rows.size() < 2) return table;
-    const auto shown = without_silent_columns(table);
+    const auto shown = without_empty_columns(table);
     const auto cells = text_cells(shown, significant_digits);
     std::vector<std::string> others;
     std::string constants;

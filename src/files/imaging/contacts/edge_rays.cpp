@@ -13,7 +13,7 @@
 namespace setae::imaging {
 namespace {
 
-constexpr double arc_per_ray = 6.0;                       // px of perimeter
+constexpr double perimeter_per_ray = 6.0;                       // px of perimeter
 constexpr double narrowest_ray = 0.3, widest_ray = 12.0;  // widths of edges [px]; the area of a pixel causes 0.29
 constexpr double bin = 0.5;                               // px of distance, of profiles
 constexpr double min_contrast = 0.3;                      // of that of the median ray
@@ -364,7 +364,7 @@ EdgeFit fit_edge(const FramePixels& pixels, const Outline& start, double sign, d
         const Window window{std::min(reach, 0.85 * outline.semi_minor()), fringes ? std::min(outside, reach) : reach};
         if (stage != Stage::polish)
             count = static_cast<std::size_t>(
-                std::clamp(2 * std::numbers::pi * outline.mean_radius / arc_per_ray, 16.0, 240.0));
+                std::clamp(2 * std::numbers::pi * outline.mean_radius / perimeter_per_ray, 16.0, 240.0));
         const auto sectors = gathered(pixels, outline, count, window);
         fit.rays = fitted_rays(sectors, outline, width, sign, stage, fit.contrast, fit.noise);
         if (stage == Stage::polish)

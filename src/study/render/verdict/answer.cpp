@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "setae/core/uncertain_text.hpp"
 #include "setae/core/units.hpp"
@@ -178,6 +179,26 @@ std::vector<std::string> sentences_of_roughness(const StudyResult& result) {
     return sentences;
 }
 
+/// Measured values of studies with one or two measured pairs, where a fit says little.
+std::vector<std::string> sentences_of_measured(const StudyResult& result) {
+    constexpr std::size_t max_pairs = 2;
+    std::vector<std::string> sentences;
+    for (const auto& pair : result.pairs) {
+        std::vector<std::string> values;
+        const auto add = [&](const char* name, const std::optional<Estimate>& value, const char* unit) {
+            if (value) values.push_back(fmt::format("{} = {}", name, format_uncertain(*value, unit)));
+        };
+        add("W_app", pair.approach, "J/m2");
+        add("W_ret", pair.retraction, "J/m2");
+        add("E_loss", pair.loss, "J");
+        if (values.empty()) continue;
+        sentences.push_back(
+            fmt::format("Measured with {} on {}: {}.", pair.elastomer, pair.surface, fmt::join(values, ", ")));
+    }
+    if (sentences.size() > max_pairs) sentences.clear();
+    return sentences;
+}
+
 }  // namespace
 
 std::string pairs_text(int n) { return counted(static_cast<std::size_t>(n), "pair", "pairs"); }
@@ -220,6 +241,8 @@ std::vector<std::string> answer_of(const StudyResult& result) {
         sentences.emplace_back(result.successes() > 0
                                    ? "Loops were analysed. Without an analysed surface, nothing is predicted for them."
                                    : "Nothing can be concluded: no part of the study gave a result.");
+    const auto measured = sentences_of_measured(result);
+    sentences.insert(sentences.begin(), measured.begin(), measured.end());
     return sentences;
 }
 
