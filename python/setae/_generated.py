@@ -170,7 +170,7 @@ class LineRequest(TypedDict, total=False):
     """grey level of the contact relative to the surroundings; one of automatic, dark, bright."""
     smallest_radius: float
     """smallest radius of a contact, in pixels."""
-    least_confidence: float
+    min_confidence: float
     """smallest confidence of a reported contact, from 0 to 1."""
     exclude: Sequence[float]
     """numbers of frames that are left out, such as "12,17"."""
@@ -366,7 +366,7 @@ class RadiusRequest(TypedDict, total=False):
     """grey level of the contact relative to the surroundings; one of automatic, dark, bright."""
     smallest_radius: float
     """smallest radius of a contact, in pixels."""
-    least_confidence: float
+    min_confidence: float
     """smallest confidence of a reported contact, from 0 to 1."""
     exclude: Sequence[float]
     """numbers of frames that are left out, such as "12,17"."""

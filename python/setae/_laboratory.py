@@ -107,7 +107,7 @@ def contact_radii(
     polarity: str = "automatic",
     fringes: bool = False,
     smallest_radius: float | None = None,
-    least_confidence: float | None = None,
+    min_confidence: float | None = None,
     exclude: Sequence[int] = (),
     reason: str | None = None,
     ignore_stated_pixel_size: bool = False,
@@ -132,7 +132,7 @@ def contact_radii(
         pictures show Newton's rings around the contact; the innermost ring is the edge
     smallest_radius : float
         smallest radius of a contact, in pixels
-    least_confidence : float
+    min_confidence : float
         smallest confidence of a reported contact, from 0 to 1
     exclude : Sequence[int], default ()
         numbers of frames that are left out, such as "12,17"
@@ -151,7 +151,7 @@ def contact_radii(
         polarity=polarity,
         fringes=fringes,
         smallest_radius=smallest_radius,
-        least_confidence=least_confidence,
+        min_confidence=min_confidence,
         exclude=list(exclude),
         reason=reason,
         ignore_stated_pixel_size=ignore_stated_pixel_size,

@@ -119,7 +119,7 @@ Layout layout_of(const Figure& figure, std::size_t panel) {
     layout.legend_left = layout.axes.right + 1.0;
     if (!(layout.axes.left < layout.axes.right && layout.axes.bottom < layout.axes.top))
         throw InvalidArgument(
-            fmt::format("{} panels in {} columns leave no room for axes in {} mm x {} mm; expected a larger figure",
+            fmt::format("{} panels in {} columns leave no space for axes in {} mm x {} mm; expected a larger figure",
                         figure.panels.size(), figure.columns, figure.width_mm, figure.height_mm));
     return layout;
 }

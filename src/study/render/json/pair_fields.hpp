@@ -340,7 +340,7 @@ struct Described<output::PredictedPair> {
                 })
             .as("work_of_adhesion")
             .from("of end states, or [D19], Eqs. 5 and 6 where form = printed"),
-        made<T>("residual", "W_app - max(0, (7))", "J/m2",
+        made<T>("residual", "W_app - max(0, Eq. 7)", "J/m2",
                 "measured W_app minus that of the full-contact balance (Eq. 7)",
                 [](const T& of) { return of.residual(); })
             .from("measured minus predicted"),

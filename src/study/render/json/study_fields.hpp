@@ -161,7 +161,7 @@ struct Described<output::BudgetEntry> {
     using T = output::BudgetEntry;
     static constexpr std::array rows{
         made<T>("input", "name of the input", [](const T& of) -> const std::string& { return of.row.input; }),
-        made<T>("standard_error", "standard error that this input alone would give",
+        made<T>("standard_error", "standard error from this input only",
                 [](const T& of) { return of.row.standard_error; }),
         made<T>("share_of_variance", "share of the variance of the quantity", [](const T& of) { return of.row.share; }),
         made<T>("standard_error_with_half_of_it", "standard error of the quantity with half the error of this input",
@@ -247,7 +247,7 @@ struct Described<adhesion::InputProfile> {
         field<&T::input>("input", "name of the input"),
         field<&T::points>("points", "one entry per value of the input"),
         quantity<&T::by_pairs>("by_pairs", "(x - stated)/u(x)", "1",
-                               "shift of the input that the pairs alone prefer, in its standard errors")
+                               "shift of the input at the largest likelihood of the pairs, in its standard errors")
             .as("shift"),
     };
     static constexpr Description description{"input_profile", "W_int against the value of one stated input", rows};
@@ -261,7 +261,7 @@ struct Described<adhesion::PredictionResidual> {
         field<&T::surface>("surface", "name of the surface"),
         field<&T::elastomer>("elastomer", "name of the elastomer"),
         quantity<&T::measured>("measured", "W_app", "J/m2", "measured W_app"),
-        quantity<&T::predicted>("predicted", "max(0, (7))", "J/m2",
+        quantity<&T::predicted>("predicted", "max(0, Eq. 7)", "J/m2",
                                 "W_app by the full-contact balance (Eq. 7), floored at 0"),
         made<T>("residual", "measured - predicted", "J/m2", "measured minus predicted value",
                 [](const T& of) {

@@ -53,7 +53,7 @@ struct setae::fields::Asked<setae::answers::RadiusRequest> {
         option<&R::smallest_radius>("smallest_radius", "smallest radius of a contact, in pixels")
             .default_shown()
             .advanced(),
-        option<&R::min_confidence>("least_confidence", "smallest confidence of a reported contact, from 0 to 1")
+        option<&R::min_confidence>("min_confidence", "smallest confidence of a reported contact, from 0 to 1")
             .default_shown()
             .advanced(),
         option<&R::exclude>("exclude", "numbers of frames that are left out").such_as("12,17").separated_by(','),

@@ -282,7 +282,7 @@ struct Described<output::SurfaceMeanEntry> {
         made<T>("n", "number of rows of the mean", [](const T& of) { return of.surface->n; }),
         made<T>("excluded", "number of excluded rows", [](const T& of) { return of.surface->excluded; }),
         made<T>("influence", "mean without each outermost group", [](const T& of) { return of.influence(); }),
-        made<T>("notes", "further remarks on the mean", [](const T& of) -> const auto& { return of.surface->notes; }),
+        made<T>("notes", "further notes on the mean", [](const T& of) -> const auto& { return of.surface->notes; }),
     };
     static constexpr Description description{"", "mean of a surface", rows};
 };
@@ -323,7 +323,7 @@ struct Described<output::ReplicateMeans> {
         made<T>("differences", "one entry per pair of surfaces",
                 [](const T& of) { return of.entries<output::DifferenceEntry>(of.model->differences); }),
         made<T>("rows", "one entry per measurement", [](const T& of) { return output::rows_of(*of.data); }),
-        made<T>("notes", "further remarks", [](const T& of) -> const auto& { return of.model->notes; }),
+        made<T>("notes", "further notes", [](const T& of) -> const auto& { return of.model->notes; }),
     };
     static constexpr Description description{"replicates", "means over repeated measurements and their scatter", rows};
 };
