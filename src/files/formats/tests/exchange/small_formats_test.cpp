@@ -43,8 +43,8 @@ TEST(Gsf, IsWrittenAsItIsRead) {
 
 TEST(Gsf, OtherQuantitiesAreListed) {
     const auto content = ByteBuilder()
-                             .text(std::string("Gwyddion Simple Field 1.0\nXRes = 2\nYRes = 2\nZUnits = V\n\0", 62))
-                             .pad_to(64 + 16)
+                             .text("Gwyddion Simple Field 1.0\nXRes = 2\nYRes = 2\nZUnits = V\n")  // 55 bytes
+                             .pad_to(56 + 16)
                              .content();
     EXPECT_FALSE(opened(content).at(0).info.is_height);
     EXPECT_NE(refusal("Gwyddion Simple Field 1.0\nXRes = 2\nZUnits = m\n" + std::string(20, '\0')).find("'yres'"),
