@@ -262,7 +262,7 @@ class LoopSettings(TypedDict, total=False):
     machine_stiffness: Text
     """stiffness of the testing machine, where the displacement is that of the stage, such as "30 ± 1 N/m"."""
     rigid_contact: Text
-    """file of a loop on a rigid body, from which the machine stiffness is measured."""
+    """file of a loop on a rigid body that gives the stiffness of the testing machine."""
     contact_point: Text
     """contact point of force-displacement fits: auto, fit, a method such as jump_in, or a displacement."""
     segments: Sequence[str] | str
@@ -289,7 +289,7 @@ class LoopSettings(TypedDict, total=False):
     whole_retraction: bool
     """fit of the retraction from the largest force on, pinned stretch included."""
     retraction_modulus_free: bool
-    """E* as a free parameter of the retraction fit (S2)."""
+    """E* as a free parameter of the retraction fit (Eq. S2)."""
 
 
 class MadeSurfaceRequest(TypedDict, total=False):
