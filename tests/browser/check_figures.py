@@ -33,8 +33,9 @@ def figures(setae, folder):
     run("study", os.path.join(folder, "mine", "adhesion.toml"), "--no-cache", "--progress", "none", "--output", tutorial)
     one = lambda name: os.path.join(folder, name + ".svg")  # noqa: E731
     for width in ("single", "double"):
-        for figure in ("1", "2", "4", "S1"):
-            run("plot", "examples/nanodiamond/published.toml", "--no-cache", "--figure", figure, "--width", width, "-o", one(f"published_{figure}_{width}"))
+        for figure in ("1", "4", "hysteresis", "losses", "balances", "budget"):
+            run("plot", "examples/nanodiamond/published.toml", "--cache", os.path.join(folder, "cache"), "--progress", "none", "--figure", figure, "--width", width,
+                "-o", one(f"published_{figure}_{width}"))
     scan = next(iter(sorted(glob.glob(os.path.join(folder, "mine", "**", "*.x3p"), recursive=True))), None)
     for command in ("psd", "acf", "sdrp", "vbw") if scan else ():
         run(command, scan, "-o", one(command))

@@ -23,7 +23,7 @@ std::string yes(bool value) { return value ? "yes" : "no"; }
 
 template <class Formats>
 tables::TidyTable as_table(const std::string& title, const Formats& formats) {
-    tables::TidyTable table{title, {"format", "name", "extensions", "real files", "description"}, {}};
+    tables::TidyTable table{title, {"format", "name", "extensions", "tested", "description"}, {}};
     for (const auto& f : formats)
         table.rows.push_back({f.identifier, f.name, f.extensions, yes(f.tested_on_real_files), f.description});
     return table;
@@ -57,7 +57,7 @@ std::string explanation() {
 /// Formats of topographies; formats that are not tested on an instrument file are marked.
 tables::TidyTable topographies_table() {
     tables::TidyTable table{
-        "topographies", {"format", "name", "extensions", "reads", "writes", "real files", "description"}, {}};
+        "topographies", {"format", "name", "extensions", "reads", "writes", "tested", "description"}, {}};
     for (const auto& f : formats::formats())
         table.rows.push_back({f.identifier, f.name, f.extensions, "yes", yes(f.writes()),
                               f.tested_on_real_files ? "yes" : "NO", f.description});
@@ -78,7 +78,7 @@ ExitCode run(const Arguments& arguments) {
     const bool all = arguments.common.all;
     print(
         text_of(topographies_table(), all) +
-        "\nreal files NO: made from the published layout, not tested on a file of an instrument (please send one)\n\n" +
+        "\ntested NO: made from the published layout, not tested on a file of an instrument (please send one)\n\n" +
         text_of(curves, all) + "\n" + text_of(micrographs, all) +
         "\nloops of force, displacement and contact radius: any table with units, workbooks (.xlsx), docs/reference/loop-format.md\n" +
         (all ? "" : "--all prints the descriptions\n"));

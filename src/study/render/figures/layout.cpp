@@ -56,6 +56,13 @@ Margins margins_of(const Figure& figure, std::size_t p) {
     return margins;
 }
 
+/// Width of a label: letters of 7 points, capitals wider.
+double legend_text_mm(const std::string& label) {
+    constexpr double letter = 1.25, capital = 1.8;
+    const auto capitals = std::count_if(label.begin(), label.end(), [](char c) { return c >= 'A' && c <= 'Z'; });
+    return letter * static_cast<double>(letters_in(label)) + (capital - letter) * static_cast<double>(capitals);
+}
+
 }  // namespace
 
 Place place_of(const Figure& figure, std::size_t panel) {
@@ -88,6 +95,7 @@ LegendSize legend_size(const Panel& panel) {
         if (series.label.empty() || !series.in_legend || (series.x.size() == 0 && !series.legend_only)) continue;
         ++size.entries;
         size.letters = std::max(size.letters, letters_in(series.label));
+        size.text_mm = std::max(size.text_mm, legend_text_mm(series.label));
     }
     return size;
 }

@@ -32,8 +32,9 @@ struct Layout {
 /// Entries of a panel's legend and the letters of its longest.
 struct LegendSize {
     std::size_t entries = 0, letters = 0;
+    double text_mm = 0.0;  ///< width of the widest label
 
-    [[nodiscard]] double width_mm() const { return 9.0 + 1.25 * static_cast<double>(letters); }
+    [[nodiscard]] double width_mm() const { return 9.0 + text_mm; }
     /// Distance of two columns: gnuplot's SVG has no font to measure and allows 0.7 of the letters' height for each.
     [[nodiscard]] double column_mm() const { return 9.4 + 1.73 * static_cast<double>(letters); }
     [[nodiscard]] double height_mm() const { return height_mm(entries); }
