@@ -13,7 +13,7 @@
 namespace setae::imaging {
 namespace {
 
-constexpr double perimeter_per_ray = 6.0;                       // px of perimeter
+constexpr double perimeter_per_ray = 6.0;                 // px of perimeter
 constexpr double narrowest_ray = 0.3, widest_ray = 12.0;  // widths of edges [px]; the area of a pixel causes 0.29
 constexpr double bin = 0.5;                               // px of distance, of profiles
 constexpr double min_contrast = 0.3;                      // of that of the median ray

@@ -69,8 +69,9 @@ Place place_of(const Figure& figure, std::size_t panel) {
     if (const auto& place = figure.panels[panel].place) return *place;
     const auto columns = std::min(static_cast<std::size_t>(figure.columns), figure.panels.size());
     const auto rows = (figure.panels.size() + columns - 1) / columns;
+    const auto row = panel / columns, column = panel % columns;
     const double width = 1.0 / static_cast<double>(columns), height = 1.0 / static_cast<double>(rows);
-    return {width * static_cast<double>(panel % columns), height * static_cast<double>(panel / columns), width, height};
+    return {width * static_cast<double>(column), height * static_cast<double>(row), width, height};
 }
 
 std::string_view title_quantity(const Axis& axis, double length_mm) {

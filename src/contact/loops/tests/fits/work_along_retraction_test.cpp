@@ -87,7 +87,7 @@ TEST(WorkAlongRetraction, OfAConstantWorkHasNoSlope) {
     double squares = 0.0;
     constexpr int loops = 12;
     for (unsigned seed = 1; seed <= loops; ++seed) {
-        const auto& found = course_of(analyse(noisy(constant.make(), seed), tests::rubber_on_diamond()));
+        const auto found = course_of(analyse(noisy(constant.make(), seed), tests::rubber_on_diamond()));
         EXPECT_LT(std::abs(found.slope.value), 4.0 * found.slope.standard_error) << seed;
         squares += std::pow(found.slope.value / found.slope.standard_error, 2);
     }

@@ -91,7 +91,7 @@ TEST(ForceDrift, ThatBendsIsFollowedByACurve) {
         EXPECT_TRUE(has(found, "DRIFT_NOT_LINEAR")) << share;
         EXPECT_NEAR(loading.value, work, 3.0 * loading.standard_error) << share;
         EXPECT_NEAR(loading.value, work, 0.02 * work) << share;
-        const Estimate& by_line =
+        const Estimate by_line =
             analyse(loop, rubber_on_diamond(), with(DriftModel::linear)).loading.primary().work_of_adhesion;
         EXPECT_GT(std::abs(by_line.value - work), 2.0 * by_line.standard_error) << share;
     }
