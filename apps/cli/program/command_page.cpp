@@ -77,7 +77,7 @@ std::string index_page(const std::vector<ProgramCommand>& commands) {
     std::string text =
         "# Commands\n\n*Reference · [all documents](../../README.md)*\n\n"
         "`setae man --documentation docs/reference/commands` writes these pages from the commands of the program: edit the commands, not these\n"
-        "pages. Arguments carry their units: `0.7MPa`, `37mJ/m2`, `\"8 nm\"`. Standard output carries data, standard error messages. Exit code 0:\n"
+        "pages. Arguments have units: `0.7MPa`, `37mJ/m2`, `\"8 nm\"`. Data go to standard output, messages to standard error. Exit code 0:\n"
         "done, 1: some items failed, 2: nothing done. [Options of files](input.md) are those that several commands share.\n";
     const auto& program = commands.front();
     std::string topic;

@@ -90,6 +90,11 @@ struct ConclusionsEntry {
     }
 };
 
+/// An elastomer of a study.
+struct ElastomerEntry {
+    const study::ElastomerResult* elastomer;
+};
+
 /// A loop, or why it failed.
 struct ExperimentEntry {
     const study::ExperimentResult* experiment;
@@ -397,6 +402,15 @@ struct Described<study::ElastomerResult> {
 static_assert(complete<study::ElastomerResult>);
 
 template <>
+struct Described<output::ElastomerEntry> {
+    using T = output::ElastomerEntry;
+    static constexpr std::array rows{
+        fields_of<T>([](const T& of) -> const study::ElastomerResult& { return *of.elastomer; }),
+    };
+    static constexpr Description description{"", "an elastomer", rows};
+};
+
+template <>
 struct Described<output::ConclusionsEntry> {
     using T = output::ConclusionsEntry;
     static constexpr std::array work_rows{
@@ -536,9 +550,9 @@ struct Described<output::StudyEntry> {
         objects_filled_later<output::SurfaceEntry>("surfaces", "surfaces by name"),
         made<T>("elastomers", "elastomers by name",
                 [](const T& of) {
-                    std::vector<std::pair<std::string, study::ElastomerResult>> all;
+                    std::vector<std::pair<std::string, output::ElastomerEntry>> all;
                     for (const auto& elastomer : of.result->elastomers)
-                        all.emplace_back(elastomer.input.name, elastomer);
+                        all.emplace_back(elastomer.input.name, output::ElastomerEntry{&elastomer});
                     return all;
                 }),
         list_filled_later<output::PairEntry>("pairs", "one entry per surface and elastomer"),

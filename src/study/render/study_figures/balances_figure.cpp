@@ -19,8 +19,6 @@ struct NamedBalance {
     const char* label;
 };
 
-constexpr std::size_t min_compared_pairs = 3;  // W_int is fitted to them, and one degree of freedom compares nothing
-
 constexpr std::array<NamedBalance, 7> balances{{{"modified", "Eq. 7"},
                                                 {"without_area_change", "Eq. 2"},
                                                 {"persson_tosatti", "Eq. S13"},

@@ -18,6 +18,8 @@ inline constexpr int blue = 0, vermilion = 1, green = 2, pink = 3, black = 4, or
 }
 
 inline constexpr double MPa = 1e-6, mJ = 1e3;  ///< per SI unit
+/// Pairs that a comparison of balances or of W_ret needs: with two, one degree of freedom compares nothing.
+inline constexpr std::size_t min_compared_pairs = 3;
 
 [[nodiscard]] inline bool wide(const FigureRequest& request) {
     return request.options.width == FigureWidth::double_column;

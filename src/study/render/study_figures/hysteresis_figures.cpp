@@ -23,7 +23,6 @@ using hysteresis::EnergyShares;
 using study::PairHysteresis;
 
 constexpr double milli = 1e-3;
-constexpr std::size_t min_compared_pairs = 3;
 
 /// Place of a name in the order in which names come.
 int place_of(std::vector<std::string>& names, const std::string& name) {

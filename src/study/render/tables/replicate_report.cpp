@@ -20,12 +20,6 @@ namespace {
 using statistics::MixedModel;
 using statistics::ReplicateData;
 
-const statistics::Exclusion* exclusion_of(const ReplicateData& data, std::size_t row) {
-    const auto found =
-        std::find_if(data.exclusions.begin(), data.exclusions.end(), [row](const auto& e) { return e.row == row; });
-    return found == data.exclusions.end() ? nullptr : &*found;
-}
-
 std::string between(const std::optional<Interval>& interval, const std::string& unit) {
     return interval ? format_value(interval->lower, unit) + " … " + format_value(interval->upper, unit) : "–";
 }
@@ -42,9 +36,8 @@ tables::TidyTable replicate_table(const ReplicateData& data) {
         const auto& row = data.rows[i];
         Cells cells{row.name};
         for (const auto& group : row.groups) cells.emplace_back(group);
-        const auto* exclusion = exclusion_of(data, i);
         add_cells(cells, data.quantity, row.value, row.standard_error, data.unit,
-                  exclusion ? exclusion->reason : std::string());
+                  ReplicateRow{&data, i}.exclusion().value_or(""));
         table.rows.push_back(std::move(cells));
     }
     return table;
