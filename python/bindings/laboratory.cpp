@@ -12,6 +12,7 @@
 #include "setae/contact_line/line_table.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/output/contour_file.hpp"
+#include "setae/output/field_json.hpp"
 
 namespace setae::python {
 namespace {
@@ -25,7 +26,7 @@ void bind_lens(nb::module_& module) {
         "lens",
         [](const std::string& file, const Request& request) {
             return unlocked(
-                [&](const auto&) { return output::as_text(answers::to_json(answers::lens_of(file, request))); });
+                [&](const auto&) { return output::as_text(output::described(answers::lens_of(file, request))); });
         },
         nb::arg("file"), nb::arg("request"), "as printed by `setae jkr lens --json`");
     module.def(

@@ -13,6 +13,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/core/uncertain_text.hpp"
 #include "setae/core/units.hpp"
+#include "setae/output/field_json.hpp"
 
 namespace setae::cli::jkr_lens_command {
 namespace {
@@ -62,7 +63,7 @@ ExitCode run(const Arguments& arguments) {
     output::Json lenses = output::Json::array();
     const ExitCode code = for_each_item(arguments.files, [&](const std::string& file) {
         const auto lens = answers::lens_of(file, arguments.request);
-        if (arguments.common.json) lenses.push_back(answers::to_json(lens));
+        if (arguments.common.json) lenses.push_back(output::described(lens));
         else print(as_text(lens));
     });
     if (arguments.common.json) print_json(arguments.files.size() == 1 && lenses.size() == 1 ? lenses.front() : lenses);

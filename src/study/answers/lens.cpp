@@ -5,7 +5,6 @@
 #include <limits>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
@@ -70,31 +69,6 @@ Lens lens_of(const std::string& file, const LensRequest& request) {
     lens.first = along.minCoeff();
     lens.last = along.maxCoeff();
     return lens;
-}
-
-output::Json to_json(const Lens& lens) {
-    output::Json json{{"file", lens.file}, {"n", lens.points}};
-    json["radius_of_curvature"] =
-        output::to_json(output::quantity("radius_of_curvature", "R", lens.circle.radius, "m"));
-    json["rms_residual"] = output::to_json(output::quantity("rms_residual", "", lens.circle.rms_residual, "m"));
-    json["centre"] = {{"x", lens.circle.centre_x}, {"z", lens.circle.centre_y}, {"unit", "m"}};
-    json["range"] = {{"from", lens.first}, {"to", lens.last}, {"unit", "m"}};
-    if (const auto& conic = lens.conic) {
-        json["conic"] = {{"apex", {{"x", conic->apex_x}, {"z", conic->apex_z}, {"unit", "m"}}},
-                         {"probability_of_a_sphere", output::number(conic->probability)}};
-        const auto add = [&](const char* name, const char* symbol, const Estimate& value, const char* unit) {
-            json["conic"][name] = output::to_json(output::quantity(name, symbol, value, unit));
-        };
-        add("radius_of_curvature", "R", conic->radius, "m");
-        add("conic_constant", "k", conic->conic_constant, "1");
-        add("departure_from_the_apex_sphere", "", {.value = conic->departure}, "m");
-        add("rms_residual", "", {.value = conic->rms_residual}, "m");
-    } else {
-        json["conic"] = nullptr;
-        json["no_conic"] = lens.no_conic;
-    }
-    json["alerts"] = output::to_json(lens.alerts);
-    return json;
 }
 
 }  // namespace setae::answers

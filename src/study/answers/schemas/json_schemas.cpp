@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "schemas/described_outputs.hpp"
 #include "schemas/schema_texts.hpp"
 #include "setae/answers/replicates.hpp"
 #include "setae/core/errors.hpp"
@@ -33,10 +34,21 @@ std::string command_of(std::string_view file) {
     return command;
 }
 
+/// A schema of this folder.
 Json parsed(std::string_view file) {
     for (const auto& [name, text] : schemas::texts)
         if (name == file) return Json::parse(text);
     throw InternalError(fmt::format("no schema is called {}", file));
+}
+
+/// The schema of rows; a result that has a name is one of the shared parts.
+Json schema_of(const schemas::DescribedOutput& output) {
+    const auto& description = *output.description;
+    auto one = description.name.empty() ? output::schema_of(description)
+                                        : Json{{"description", description.meaning},
+                                               {"$ref", std::string(place_of_shared) + std::string(description.name)}};
+    if (!output.is_list) return one;
+    return {{"description", description.meaning}, {"type", "array"}, {"items", std::move(one)}};
 }
 
 std::string file_of(std::string command) {
@@ -62,6 +74,16 @@ Json chosen(const Json& parts, const std::set<std::string>& names) {
     return some;
 }
 
+/// Schema of a command's output, without the shared parts.
+Json own_schema(const std::string& command) {
+    for (const auto& output : schemas::described_outputs())
+        if (output.command == command) return schema_of(output);
+    const auto commands = commands_with_schema();
+    if (std::find(commands.begin(), commands.end(), command) == commands.end())
+        throw InvalidArgument(fmt::format("'{}' has no schema; expected {}", command, fmt::join(commands, ", ")));
+    return parsed(file_of(command));
+}
+
 }  // namespace
 
 Json shared_json_parts() {
@@ -74,6 +96,7 @@ Json shared_json_parts() {
     output::add_named_schemas(fields::Described<loops::ModelFit>::description, described);
     output::add_named_schemas(fields::Described<loops::GlobalFit>::description, described);
     output::add_named_schemas(fields::Described<loops::CrackSpeedFit>::description, described);
+    for (const auto& output : schemas::described_outputs()) output::add_named_schemas(*output.description, described);
     for (auto& [name, schema] : described) parts[name] = std::move(schema);
     return parts;
 }
@@ -84,14 +107,13 @@ std::vector<std::string> commands_with_schema() {
     std::vector<std::string> commands;
     for (const auto& [name, text] : schemas::texts)
         if (name != shared) commands.push_back(command_of(name));
+    for (const auto& output : schemas::described_outputs()) commands.emplace_back(output.command);
+    std::sort(commands.begin(), commands.end());
     return commands;
 }
 
 Json json_schema(const std::string& command) {
-    const auto commands = commands_with_schema();
-    if (std::find(commands.begin(), commands.end(), command) == commands.end())
-        throw InvalidArgument(fmt::format("'{}' has no schema; expected {}", command, fmt::join(commands, ", ")));
-    const auto own = parsed(file_of(command));
+    const auto own = own_schema(command);
     const auto parts = shared_json_parts();
     std::set<std::string> names;
     add_references(own, parts, names);

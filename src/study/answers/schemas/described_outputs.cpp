@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "schemas/described_outputs.hpp"
+
+#include "setae/answers/lens.hpp"
+
+namespace setae::answers::schemas {
+namespace {
+
+template <fields::HasRows T>
+constexpr DescribedOutput one(std::string_view command) {
+    return {.command = command, .description = &fields::Described<T>::description};
+}
+
+constexpr DescribedOutput outputs[]{
+    one<Lens>("jkr lens"),
+};
+
+}  // namespace
+
+std::span<const DescribedOutput> described_outputs() { return outputs; }
+
+}  // namespace setae::answers::schemas
