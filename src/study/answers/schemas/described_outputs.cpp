@@ -2,6 +2,7 @@
 #include "schemas/described_outputs.hpp"
 
 #include "setae/answers/lens.hpp"
+#include "setae/output/contour_fields.hpp"
 
 namespace setae::answers::schemas {
 namespace {
@@ -12,6 +13,7 @@ constexpr DescribedOutput one(std::string_view command) {
 }
 
 constexpr DescribedOutput outputs[]{
+    one<output::ContourEntry>("contour"),
     one<Lens>("jkr lens"),
 };
 

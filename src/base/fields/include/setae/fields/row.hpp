@@ -120,6 +120,12 @@ struct Row {
         row.source = formula;
         return row;
     }
+    /// The number, or each number of a list, has this unit; only schemas contain it.
+    [[nodiscard]] consteval Row in(std::string_view of_number) const {
+        Row row = *this;
+        row.unit = of_number;
+        return row;
+    }
     /// The allowed words.
     [[nodiscard]] consteval Row one_of(std::span<const std::string_view> words) const {
         Row row = *this;
