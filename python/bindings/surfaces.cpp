@@ -10,9 +10,10 @@
 #include "setae/answers/diagnosis.hpp"
 #include "setae/answers/functions_of_scale.hpp"
 #include "setae/answers/parameters.hpp"
-#include "setae/answers/power_spectrum.hpp"
+#include "setae/answers/power_spectrum_fields.hpp"
 #include "setae/answers/texture.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/output/field_json.hpp"
 #include "setae/output/study_tables.hpp"
 
 namespace setae::python {
@@ -136,7 +137,7 @@ void bind_surfaces(nb::module_& module) {
     nb::class_<Spectrum>(module, "Spectrum")
         .def_prop_ro("columns", [](nb::handle self) { return columns(nb::cast<const Spectrum&>(self).table, self); })
         .def_prop_ro("units", [](const Spectrum& spectrum) { return units(spectrum.table); })
-        .def("json", [](const Spectrum& spectrum) { return output::as_text(answers::to_json(spectrum)); });
+        .def("json", [](const Spectrum& spectrum) { return output::as_text(output::described(spectrum)); });
     module.def(
         "power_spectrum",
         [](const Items& items, const answers::AnalysisRequest& analysis, bool isotropic, bool abel, bool binned,

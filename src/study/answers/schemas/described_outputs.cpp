@@ -3,6 +3,7 @@
 
 #include "setae/answers/contents_fields.hpp"
 #include "setae/answers/lens.hpp"
+#include "setae/answers/power_spectrum_fields.hpp"
 #include "setae/output/contour_fields.hpp"
 
 namespace setae::answers::schemas {
@@ -17,6 +18,7 @@ constexpr DescribedOutput outputs[]{
     one<output::ContourEntry>("contour"),
     one<Contents>("info"),
     one<Lens>("jkr lens"),
+    one<PowerSpectrum>("psd"),
 };
 
 }  // namespace
