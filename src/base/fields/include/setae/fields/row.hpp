@@ -120,10 +120,10 @@ struct Row {
         row.source = formula;
         return row;
     }
-    /// The number, or each number of a list, has this unit; only schemas contain it.
-    [[nodiscard]] consteval Row in(std::string_view of_number) const {
+    /// The unit of a number that outputs contain without its unit.
+    [[nodiscard]] consteval Row in_unit(std::string_view si_unit) const {
         Row row = *this;
-        row.unit = of_number;
+        row.unit = si_unit;
         return row;
     }
     /// The allowed words.

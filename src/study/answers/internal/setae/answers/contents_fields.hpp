@@ -81,15 +81,15 @@ struct Described<answers::ChannelEntry> {
                 [](const T& of) -> const auto& { return of.instrument().type; }),
         made<T>("tip_radius", "radius of the tip", [](const T& of) { return of.instrument().tip_radius; })
             .or_null()
-            .in("m"),
+            .in_unit("m"),
         made<T>("tip_radius_standard_error", "standard error of the tip radius",
                 [](const T& of) { return of.instrument().tip_radius_standard_error; })
             .or_null()
-            .in("m"),
+            .in_unit("m"),
         made<T>("resolution", "shortest wavelength that the instrument resolves",
                 [](const T& of) { return of.instrument().resolution; })
             .or_null()
-            .in("m"),
+            .in_unit("m"),
     };
     static constexpr Description instrument{"", "instrument, as the file states it", rows_of_instrument};
     static constexpr std::array rows{
@@ -102,7 +102,7 @@ struct Described<answers::ChannelEntry> {
                 [](const T& of) -> const auto& { return of.info().shape; }),
         made<T>("size", "extent along x and y, or along a line; empty where it is not given",
                 [](const T& of) -> const auto& { return of.info().size; })
-            .in("m"),
+            .in_unit("m"),
         made<T>("unit", "unit of the heights in the file; empty where it is not given",
                 [](const T& of) -> const auto& { return of.info().unit; }),
         made<T>("orientation", "origin of the arrangement of rows and columns; empty for lines",
@@ -119,13 +119,13 @@ struct Described<answers::ChannelEntry> {
             .or_null(),
         made<T>("undefined_share", "share of undefined heights",
                 [](const T& of) { return of.heights().undefined_share(); })
-            .in("1"),
-        made<T>("mean", "mean of the heights", [](const T& of) { return of.heights().mean; }).in("m"),
+            .in_unit("1"),
+        made<T>("mean", "mean of the heights", [](const T& of) { return of.heights().mean; }).in_unit("m"),
         made<T>("standard_deviation", "standard deviation of the heights",
                 [](const T& of) { return of.heights().standard_deviation; })
-            .in("m"),
-        made<T>("minimum", "minimum of the heights", [](const T& of) { return of.heights().least; }).in("m"),
-        made<T>("maximum", "maximum of the heights", [](const T& of) { return of.heights().greatest; }).in("m"),
+            .in_unit("m"),
+        made<T>("minimum", "minimum of the heights", [](const T& of) { return of.heights().least; }).in_unit("m"),
+        made<T>("maximum", "maximum of the heights", [](const T& of) { return of.heights().greatest; }).in_unit("m"),
         part<T>("instrument", "instrument, as the file states it", instrument),
         made<T>("acquisition_time", "time of acquisition, as the file states it",
                 [](const T& of) -> const auto& { return of.info().metadata.acquisition_time; }),
@@ -199,8 +199,8 @@ struct Described<answers::ListedFile> {
                     return std::array{of.pixel_size->x, of.pixel_size->y};
                 })
             .or_null()
-            .in("m"),
-        field<&P::frame_rate>("frame_rate", "frames per second; null where it is not given").or_null().in("1/s"),
+            .in_unit("m"),
+        field<&P::frame_rate>("frame_rate", "frames per second; null where it is not given").or_null().in_unit("1/s"),
         field<&P::images>("images", "images of the file, in the order of their numbers"),
         field<&P::image>("image", "number of the described image, counted from 0"),
         field<&P::instrument>("instrument", "instrument, as the file states it"),

@@ -42,9 +42,9 @@ struct Described<spectra::SelfAffineFit> {
     };
     static constexpr Description covariance{"", "covariance of the parameters", rows_of_covariance};
     static constexpr std::array rows_of_residuals{
-        field<&T::wavevector>("wavevector", "wavevector q").in("1/m"),
+        field<&T::wavevector>("wavevector", "wavevector q").in_unit("1/m"),
         field<&T::residual>("residual", "signed root of the deviance of each value; normal if the model is correct")
-            .in("1"),
+            .in_unit("1"),
     };
     static constexpr Description residuals{"", "residuals of the fitted values", rows_of_residuals};
     static constexpr std::array rows{
@@ -94,9 +94,9 @@ struct Described<answers::MeasuredSpectrumEntry> {
         made<T>("name", "name of the measurement", [](const T& of) -> const auto& { return of.measurement->name; }),
         made<T>("q_min", "smallest reliable wavevector",
                 [](const T& of) { return of.measurement->spectrum.band.lower; })
-            .in("1/m"),
+            .in_unit("1/m"),
         made<T>("q_max", "largest reliable wavevector", [](const T& of) { return of.measurement->spectrum.band.upper; })
-            .in("1/m"),
+            .in_unit("1/m"),
         made<T>("window", "window of the transform",
                 [](const T& of) -> const auto& { return of.measurement->spectrum.window; }),
         made<T>("processing", "processing steps that were applied to the heights",

@@ -59,9 +59,9 @@ template <>
 struct Described<topography::ReentrantStretch> {
     using T = topography::ReentrantStretch;
     static constexpr std::array rows{
-        field<&T::begin>("begin", "position along the edge where the overhang begins").in("m"),
-        field<&T::end>("end", "position along the edge where the overhang ends").in("m"),
-        field<&T::depth>("depth", "distance by which the edge turns back along x").in("m"),
+        field<&T::begin>("begin", "position along the edge where the overhang begins").in_unit("m"),
+        field<&T::end>("end", "position along the edge where the overhang ends").in_unit("m"),
+        field<&T::depth>("depth", "distance by which the edge turns back along x").in_unit("m"),
     };
     static constexpr Description description{"", "a part of the edge that is an overhang", rows};
 };
@@ -71,12 +71,14 @@ template <>
 struct Described<topography::ParametricStatistics> {
     using T = topography::ParametricStatistics;
     static constexpr std::array rows{
-        field<&T::length>("length", "length along the edge; of a closed outline its perimeter").in("m"),
-        field<&T::tortuosity>("tortuosity", "length over the distance of the ends; null for a closed outline").in("1"),
-        field<&T::rms_normal_distance>("rms_normal_distance", "rms distance from the mean line").in("m"),
-        field<&T::rms_angle>("rms_angle", "rms angle between the edge and the mean line").in("rad"),
-        field<&T::rms_curvature>("rms_curvature", "rms curvature, with the noise of the trace").in("1/m"),
-        field<&T::reentrant_share>("reentrant_share", "share of the length that overhangs hide from above").in("1"),
+        field<&T::length>("length", "length along the edge; of a closed outline its perimeter").in_unit("m"),
+        field<&T::tortuosity>("tortuosity", "length over the distance of the ends; null for a closed outline")
+            .in_unit("1"),
+        field<&T::rms_normal_distance>("rms_normal_distance", "rms distance from the mean line").in_unit("m"),
+        field<&T::rms_angle>("rms_angle", "rms angle between the edge and the mean line").in_unit("rad"),
+        field<&T::rms_curvature>("rms_curvature", "rms curvature, with the noise of the trace").in_unit("1/m"),
+        field<&T::reentrant_share>("reentrant_share", "share of the length that overhangs hide from above")
+            .in_unit("1"),
     };
     static constexpr Description description{"", "statistics of the edge as a curve", rows};
 };
@@ -90,43 +92,43 @@ struct Described<output::SegmentEntry> {
                 [](const T& of) { return of.profile->levelled.profile.positions.size(); }),
         made<T>("length", "length of the profile along x",
                 [](const T& of) { return of.profile->levelled.profile.size(); })
-            .in("m"),
+            .in_unit("m"),
         made<T>("rotation", "angle by which the edge was turned to its mean line, counterclockwise",
                 [](const T& of) { return of.profile->levelled.rotation; })
-            .in("rad"),
+            .in_unit("rad"),
         made<T>("rms_height", "rms height Rq, without the contribution of noise",
                 [](const T& of) { return of.profile->rms_height; })
-            .in("m"),
+            .in_unit("m"),
         made<T>("rms_error", "rms of the standard errors of heights", [](const T& of) { return of.profile->rms_error; })
-            .in("m"),
+            .in_unit("m"),
         made<T>("reentrant_share", "share of the length that is in overhangs",
                 [](const T& of) { return of.profile->levelled.reentrant_share; })
-            .in("1"),
+            .in_unit("1"),
         made<T>("reentrant", "overhanging parts of the edge",
                 [](const T& of) -> const auto& { return of.profile->levelled.reentrant; }),
     };
     static constexpr Description profile{"", "heights above the mean line", rows_of_profile};
     static constexpr std::array rows{
-        made<T>("length", "length along the edge", [](const T& of) { return of.segment->length; }).in("px"),
+        made<T>("length", "length along the edge", [](const T& of) { return of.segment->length; }).in_unit("px"),
         made<T>("points", "number of points", [](const T& of) { return of.segment->x.size(); }),
         made<T>("closed", "whether the edge is a closed outline", [](const T& of) { return of.segment->closed; }),
         made<T>("edge_width", "standard deviation of the blur across the edge",
                 [](const T& of) { return of.segment->edge_width; })
-            .in("px"),
+            .in_unit("px"),
         made<T>("smoothing_length", "smoothing length along the edge",
                 [](const T& of) { return of.segment->smoothing_length; })
-            .in("px"),
+            .in_unit("px"),
         made<T>("noise_density", "noise density of positions along the edge, before smoothing",
                 [](const T& of) { return of.segment->noise_density; })
-            .in("px3"),
+            .in_unit("px3"),
         made<T>("contrast_to_noise", "grey-level step of the edge over the noise of a pixel",
                 [](const T& of) { return of.segment->contrast_to_noise; })
-            .in("1"),
+            .in_unit("1"),
         made<T>("fringe", "whether a Fresnel fringe was detected", [](const T& of) { return of.segment->fringe; }),
         made<T>("converged", "whether the iteration converged", [](const T& of) { return of.segment->converged; }),
         made<T>("mean_standard_error", "mean standard error of positions along the normal",
                 [](const T& of) { return of.segment->standard_error.mean(); })
-            .in("px"),
+            .in_unit("px"),
         part<T>("profile", "heights above the mean line", profile),
         made<T>("curve", "statistics of the edge as a curve",
                 [](const T& of) -> const auto& { return of.profile->statistics; }),
@@ -159,10 +161,10 @@ struct Described<output::ContourEntry> {
                     const auto& size = of.picture->calibration.pixel_size;
                     return std::array{size.x, size.y};
                 })
-            .in("m"),
+            .in_unit("m"),
         made<T>("relative_standard_error", "relative standard error of the pixel size",
                 [](const T& of) { return of.picture->calibration.relative_standard_error; })
-            .in("1"),
+            .in_unit("1"),
         made<T>("source", "source of the pixel size",
                 [](const T& of) -> const auto& { return of.picture->calibration.source; }),
     };
@@ -174,17 +176,17 @@ struct Described<output::ContourEntry> {
         made<T>("smoothing_length", "smoothing length along the edge; null where it follows from the picture",
                 [](const T& of) { return of.options->trace.smoothing_length; })
             .or_null()
-            .in("px"),
+            .in_unit("px"),
         made<T>("denoise", "standard deviation of the Gaussian that smooths the picture",
                 [](const T& of) { return of.options->trace.denoise; })
-            .in("px"),
+            .in_unit("px"),
         made<T>("least_length", "shortest length of a section that is kept; null where it follows from the picture",
                 [](const T& of) { return of.options->trace.min_length; })
             .or_null()
-            .in("px"),
+            .in_unit("px"),
         made<T>("hidden", "parts of the picture that are left out: x, y, width, height of each",
                 [](const T& of) { return of.hidden(); })
-            .in("px"),
+            .in_unit("px"),
         made<T>("hide_annotations", "whether scale bars and text are left out",
                 [](const T& of) { return of.options->hide_annotations; }),
         made<T>("shape", "treatment of overhangs in the profile",
@@ -193,7 +195,7 @@ struct Described<output::ContourEntry> {
         made<T>("foil_thickness", "thickness of the sample along the beam; null where it is not given",
                 [](const T& of) { return of.options->foil_thickness; })
             .or_null()
-            .in("m"),
+            .in_unit("m"),
     };
     static constexpr Description options{"", "options of the tracing", rows_of_options};
     static constexpr std::array rows_of_levels{
@@ -220,7 +222,7 @@ struct Described<output::ContourEntry> {
         part<T>("options", "options of the tracing", options),
         made<T>("anchors", "points through which the edge passes: x and y of each, one list per section of the edge",
                 [](const T& of) { return of.anchors(); })
-            .in("px"),
+            .in_unit("px"),
         part<T>("levels", "grey levels on both sides of the edge", levels),
         made<T>("segments", "sections of the edge", [](const T& of) { return of.segments(); }),
         made<T>("alerts", "warnings", [](const T& of) -> const auto& { return of.picture->alerts; }),
