@@ -431,8 +431,9 @@ static_assert(complete<loops::CycleAnalysis>);
 template <>
 struct Described<loops::BulkRelaxation> {
     using T = loops::BulkRelaxation;
-    static constexpr std::array rows{quantity<&T::energy_loss>("energy_loss", "E_bulk", "J", "∮ F₁ dδ"),
-                                     quantity<&T::largest_force>("largest_force", "F_1", "N", "largest |F₁|")};
+    static constexpr std::array rows{
+        quantity<&T::energy_loss>("energy_loss", "E_bulk", "J", "∮ F₁ dδ").as("bulk_energy_loss"),
+        quantity<&T::largest_force>("largest_force", "F_1", "N", "largest |F₁|")};
     static constexpr Description description{"", "relaxation in the bulk", rows};
 };
 static_assert(complete<loops::BulkRelaxation>);
