@@ -84,7 +84,7 @@ std::string section(const std::string& title, const Json& schema) {
 std::string json_page() {
     std::string text =
         "# Names of JSON\n\n*Reference · [all documents](../README.md)*\n\n"
-        "Made by `setae schema --documentation docs/reference/json.md` from the schemas that `setae schema COMMAND` prints: edit those, not this page.\n"
+        "Made by `setae schema --documentation docs/reference` from the schemas that `setae schema COMMAND` prints: edit those, not this page.\n"
         "The name of an object precedes a dot, `[]` denotes the entries of a list, NAME a name given by the user. Numbers are in SI; `null` is given where\n"
         "a number is unknown or a part is missing.\n";
     for (const auto& command : commands_with_schema()) text += section("setae " + command, json_schema(command));
