@@ -2,6 +2,7 @@
 #include "schemas/described_outputs.hpp"
 
 #include "setae/answers/lens.hpp"
+#include "setae/fields/describe.hpp"
 
 namespace setae::answers::schemas {
 namespace {

@@ -81,14 +81,14 @@ std::string section(const std::string& title, const Json& schema) {
 
 }  // namespace
 
-std::string json_page() {
+std::string json_page(const JsonSchemas& schemas) {
     std::string text =
         "# Names of JSON\n\n*Reference · [all documents](../README.md)*\n\n"
         "Made by `setae schema --documentation docs/reference` from the schemas that `setae schema COMMAND` prints: edit those, not this page.\n"
         "The name of an object precedes a dot, `[]` denotes the entries of a list, NAME a name given by the user. Numbers are in SI; `null` is given where\n"
         "a number is unknown or a part is missing.\n";
-    for (const auto& command : commands_with_schema()) text += section("setae " + command, json_schema(command));
-    const auto parts = shared_json_parts();
+    for (const auto& command : schemas.commands()) text += section("setae " + command, schemas.of(command));
+    const auto parts = schemas.shared_parts();
     for (const auto& [name, part] : parts.items()) text += section(name, part);
     return text;
 }
