@@ -46,7 +46,7 @@ void bind_containers(nb::module_& module) {
     module.def(
         "formats", [] { return output::as_text(answers::formats_json()); }, "as printed by `setae formats --json`");
     module.def(
-        "schema", [](const std::string& command) { return output::as_text(answers::json_schema(command)); },
+        "schema", [](const std::string& command) { return output::as_text(answers::JsonSchemas().of(command)); },
         nb::arg("command"), "as printed by `setae schema COMMAND`");
 }
 

@@ -27,28 +27,29 @@ struct Arguments {
     std::string documentation, output;
 };
 
-void write_all(const std::vector<std::string>& commands, const std::filesystem::path& folder) {
+void write_all(const answers::JsonSchemas& schemas, const std::filesystem::path& folder) {
     std::filesystem::create_directories(folder);
+    const auto commands = schemas.commands();
     for (const auto& command : commands)
         bytes::write_whole_file((folder / answers::schema_file(command)).string(),
-                                output::as_text(answers::json_schema(command)));
+                                output::as_text(schemas.of(command)));
     print(fmt::format("{}: {} schemas\n", folder.string(), commands.size()));
 }
 
 ExitCode run(const Arguments& arguments) {
+    const answers::JsonSchemas schemas;
     if (!arguments.documentation.empty()) {
-        write_page(arguments.documentation, answers::json_page());
-        return ExitCode::done;
-    }
-    const auto commands = answers::commands_with_schema();
-    if (!arguments.output.empty()) {
-        write_all(commands, arguments.output);
+        const std::filesystem::path folder = arguments.documentation;
+        write_page((folder / "json.md").string(), answers::json_page(schemas));
+        write_page((folder / "quantities.md").string(), answers::quantities_page(schemas));
+    } else if (!arguments.output.empty()) {
+        write_all(schemas, arguments.output);
     } else if (!arguments.command.empty()) {
-        print_json(answers::json_schema(fmt::format("{}", fmt::join(arguments.command, " "))));
+        print_json(schemas.of(fmt::format("{}", fmt::join(arguments.command, " "))));
     } else if (arguments.common.json) {
-        print_json({{"verbs", commands}});
+        print_json({{"verbs", schemas.commands()}});
     } else {
-        print(fmt::format("{}\n", fmt::join(commands, "\n")));
+        print(fmt::format("{}\n", fmt::join(schemas.commands(), "\n")));
     }
     return ExitCode::done;
 }
@@ -60,7 +61,7 @@ Action declare(Options& options) {
     options.add("command", arguments->command,
                 "command whose JSON is described, such as psd or contact solve; without a command: list of commands");
     options.output("-o,--output", arguments->output, "folder for all schemas, one file per command");
-    options.add("--documentation", arguments->documentation, "file for the documentation page of all names")
+    options.add("--documentation", arguments->documentation, "folder for the documentation pages of all names and quantities")
         .in(OptionGroup::advanced);
     options.example("setae schema study", "names, types, units and meanings in study.json");
     options.example("setae schema contact solve", "JSON Schema of setae contact solve --json");

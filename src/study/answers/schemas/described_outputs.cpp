@@ -4,6 +4,7 @@
 #include "setae/answers/contents_fields.hpp"
 #include "setae/answers/lens.hpp"
 #include "setae/answers/power_spectrum_fields.hpp"
+#include "setae/fields/describe.hpp"
 #include "setae/output/contour_fields.hpp"
 
 namespace setae::answers::schemas {

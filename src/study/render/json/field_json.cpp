@@ -36,7 +36,8 @@ public:
         const auto fill = [](std::string& text, std::string_view of_row) {
             if (text.empty()) text = of_row;
         };
-        fill(whole.quantity, row.term.empty() ? row.name : row.term);
+        if (!row.term.empty()) whole.quantity = row.term;
+        fill(whole.quantity, row.name);
         fill(whole.symbol, row.symbol);
         fill(whole.unit, row.unit);
         fill(whole.source, row.source);
@@ -122,6 +123,8 @@ Json type_of(const Row& row) {
 
 Json property_of(const Row& row) {
     Json property{{"description", row.meaning}};
+    if (row.kind == Kind::quantity) property["quantity"] = row.term.empty() ? row.name : row.term;
+    if (!row.symbol.empty()) property["symbol"] = row.symbol;
     if (!row.unit.empty()) property["unit"] = row.unit;
     const bool may_be_null = row.if_missing != Missing::never && row.if_missing != Missing::left_out;
     if (may_be_null) property["anyOf"] = {type_of(row), type("null")};

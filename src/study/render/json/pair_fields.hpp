@@ -165,7 +165,8 @@ struct Described<study::PairWorkAlong> {
         quantity<&T::at_largest_contact>("work_at_largest_contact", "W_ret(a_max)", "J/m2",
                                          "W_ret at the largest contact radius"),
         quantity<&T::slope>("slope", "dW_ret/da", "J/m3",
-                            "dW_ret/da; above 0, W_ret decreases while the contact shrinks"),
+                            "dW_ret/da; above 0, W_ret decreases while the contact shrinks")
+            .as("retraction_work_slope"),
         quantity<&T::energy_loss>("energy_loss", "E_loss", "J",
                                   "loss of loops with W_app on approach and this W_ret on retraction"),
         quantity<&T::energy_recorded>("energy_loss_recorded", "E_loss", "J", "loss of the same loops as recorded"),
@@ -239,7 +240,8 @@ struct Described<output::BalanceOfPair> {
     using T = output::BalanceOfPair;
     static constexpr std::array rows{
         made<T>("work_of_adhesion", "W_app", "J/m2", "W_app of the balance; negative where full contact costs energy",
-                [](const T& of) { return of.quoted(of.predicted->estimate); }),
+                [](const T& of) { return of.quoted(of.predicted->estimate); })
+            .as("apparent_work_of_adhesion"),
         made<T>("work_of_adhesion_floored", "max(0, W_app)", "J/m2", "max(0, W_app)",
                 [](const T& of) { return of.quoted(of.floored); }),
         made<T>("conforms", "whether W_app > 0: the balance allows full contact",
@@ -259,7 +261,8 @@ struct Described<output::PartialContact> {
     using T = output::PartialContact;
     static constexpr std::array rows{
         field<&T::area_fraction>("area_fraction", "area in contact over nominal area"),
-        quantity<&T::work_of_adhesion>("work_of_adhesion", "W_app", "J/m2", "W_app of this contact"),
+        quantity<&T::work_of_adhesion>("work_of_adhesion", "W_app", "J/m2", "W_app of this contact")
+            .as("apparent_work_of_adhesion"),
     };
     static constexpr Description description{
         "", "contact without load of simulated patches with the same stored energy", rows};
@@ -276,7 +279,8 @@ struct Described<study::ContactAnswer> {
         made<T>("assumes", "assumptions of the theory", [](const T& of) { return study::text_of(of.theory).assumes; }),
         field<&T::recommended>("recommended", "whether this theory is the answer of all commands"),
         quantity<&T::work_of_adhesion>("work_of_adhesion", "W_app", "J/m2",
-                                       "energy gained per nominal area on approach without load, 0 or more"),
+                                       "energy gained per nominal area on approach without load, 0 or more")
+            .as("apparent_work_of_adhesion"),
         quantity<&T::area_fraction>("area_fraction", "A/A0", "1", "area in contact over nominal area"),
         inner<&T::theory>(),
     };
@@ -306,7 +310,8 @@ struct Described<output::PredictedPair> {
                 [](const T& of) { return of.pair->area_ratio; })
             .from("[D19], Eq. 9"),
         made<T>("stored_energy", "U_el/A_app", "J/m2", "elastic energy stored in full contact per nominal area",
-                [](const T& of) { return of.pair->stored_energy; }),
+                [](const T& of) { return of.pair->stored_energy; })
+            .as("stored_energy_per_area"),
         made<T>("modified", "full-contact balance (Eq. 7)",
                 [](const T& of) {
                     const auto& pair = *of.pair;
@@ -338,11 +343,12 @@ struct Described<output::PredictedPair> {
                     if (!of.pair->general) return std::nullopt;
                     return of.pair->general->raw;
                 })
-            .as("work_of_adhesion")
+            .as("apparent_work_of_adhesion")
             .from("of end states, or [D19], Eqs. 5 and 6 where form = printed"),
-        made<T>("residual", "W_app - max(0, Eq. 7)", "J/m2",
+        made<T>("residual", "W_app - W_app,predicted", "J/m2",
                 "measured W_app minus that of the full-contact balance (Eq. 7)",
                 [](const T& of) { return of.residual(); })
+            .as("residual_work_of_adhesion")
             .from("measured minus predicted"),
         made<T>("wavelength_of_half_the_stored_energy", "lambda_1/2", "m",
                 "wavelength above which half of the energy is stored", [](const T& of) { return of.half_wavelength(); })
@@ -444,7 +450,8 @@ struct Described<study::ReferenceResult> {
     static constexpr std::array rows{
         field<&T::elastomer>("elastomer", "name of the elastomer"),
         field<&T::stage>("stage", "before or after the rough loops"),
-        quantity<&T::approach>("work_of_adhesion_approach", "W_app", "J/m2", "W_app of the approach"),
+        quantity<&T::approach>("work_of_adhesion_approach", "W_app", "J/m2", "W_app of the approach")
+            .as("apparent_work_of_adhesion"),
         quantity<&T::retraction>("work_of_adhesion_retraction", "W_ret", "J/m2", "W_ret at pull-off"),
         quantity<&T::excess_energy>("excess_energy", "E_excess", "J", "work of the loop above 0"),
         quantity<&T::ideal_loss>("ideal_smooth_sphere_loss", "E_ideal", "J",

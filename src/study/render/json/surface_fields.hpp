@@ -111,12 +111,14 @@ template <>
 struct Described<output::AnalysedMeasurement> {
     using T = output::AnalysedMeasurement;
     static constexpr std::array possible_rows{
-        possible("rms_height", "Sq", "m", "rms height: Sq of a map, Rq of a line"),
+        possible("rms_height", "Sq, Rq", "m", "rms height: Sq of a map, Rq of a line").as("rms_height_real_space"),
         possible("rms_height_of_lines", "Rq", "m", "rms height of the lines of a map, each about its own mean"),
-        possible("arithmetic_height", "Sa", "m", "mean absolute height: Sa of a map, Ra of a line"),
+        possible("arithmetic_height", "Sa, Ra", "m", "mean absolute height: Sa of a map, Ra of a line"),
         possible("rms_slope_x", "Rdq", "1", "rms slope of a map along x"),
-        possible("rms_slope", "Sdq", "1", "rms slope: Sdq of a map, Rdq of a line"),
-        possible("rms_curvature", "Rddq", "1/m", "rms curvature: half the rms Laplacian of a map, Rddq of a line"),
+        possible("rms_slope", "Sdq, Rdq", "1", "rms slope: Sdq of a map, Rdq of a line").as("rms_slope_real_space"),
+        possible("rms_curvature", "lap/2, Rddq", "1/m",
+                 "rms curvature: half the rms Laplacian of a map, Rddq of a line")
+            .as("rms_curvature_real_space"),
         possible("triangulated_area_ratio", "A_true/A_app", "1", "true area over nominal area from triangles"),
         possible("elastic_energy_per_modulus_of_waves", "U_el/(A_app E*)", "m",
                  "elastic energy from the waves of a map in all directions"),
@@ -178,7 +180,7 @@ struct Described<output::OtherConversion> {
         made<T>("rms_slope", "h'_rms", "1", "rms slope", [](const T& p) { return p.of(p.parameters->rms_slope); }),
         made<T>("rms_curvature", "h''_rms", "1/m", "rms curvature",
                 [](const T& p) { return p.of(p.parameters->rms_curvature); }),
-        made<T>("elastic_energy_per_modulus", "U_el/(A E*)", "m", "elastic energy per nominal area over E*",
+        made<T>("elastic_energy_per_modulus", "U_el/(A_app E*)", "m", "elastic energy per nominal area over E*",
                 [](const T& p) { return p.of(p.parameters->elastic_energy_per_modulus); }),
     };
     static constexpr Description description{"other_conversion", "parameters by the other conversion of C1D", rows};
@@ -361,13 +363,13 @@ struct Described<roughness::BeyondData> {
     static constexpr std::array rows{
         quantity<&T::end>("end_of_data", "q_e", "1/m", "wavevector at the end of the data"),
         quantity<&T::up_to>("end_of_waves", "q_s", "1/m", "wavevector at the end of the continued spectrum"),
-        quantity<&T::exponent>("exponent", "p", "1", "exponent of the continued C_iso"),
+        quantity<&T::exponent>("exponent", "p", "1", "exponent of the continued C_iso").as("spectrum_exponent"),
         quantity<&T::rms_height>("rms_height", "h_rms", "m", "rms height with the continued spectrum"),
         quantity<&T::rms_slope>("rms_slope", "h'_rms", "1", "rms slope with the continued spectrum"),
         quantity<&T::excess_area>("excess_area", "A_true/A_app - 1", "1",
                                   "true area over nominal area minus 1, with the continued spectrum"),
         quantity<&T::elastic_energy_per_modulus>(
-            "elastic_energy_per_modulus", "U_el/(A E*)", "m",
+            "elastic_energy_per_modulus", "U_el/(A_app E*)", "m",
             "elastic energy per nominal area over E*, with the continued spectrum"),
     };
     static constexpr Description description{
