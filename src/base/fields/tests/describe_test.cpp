@@ -339,6 +339,18 @@ TEST(Fields, MayBeColumnsOfATable) {
     EXPECT_EQ(sink.text_, "distance:=[;=2;]unforeseen:=[;]units={;distance:units=m;unforeseen:units=s;}");
 }
 
+TEST(Fields, MayBeColumnsWithUnits) {
+    static constexpr std::array columns{field<&Point::x>("x", "place").in_unit("m")};
+    static constexpr Description of_columns{"", "columns", columns};
+    static constexpr std::array units{units_of(of_columns)};
+    static constexpr auto rows = joined(columns, units);
+    static constexpr Description description{"", "columns and their units", rows};
+    const Point point{1.0, "first"};
+    Recorded sink;
+    put(&point, description, sink);
+    EXPECT_EQ(sink.text_, "x=1;units={;x:units=m;}");
+}
+
 struct Grown {
     double first = 0.0, second = 0.0;
 };

@@ -16,6 +16,7 @@
 //
 // A forgotten or misspelled member is a compile error.
 
+#include <algorithm>
 #include <array>
 #include <concepts>
 #include <cstddef>
@@ -521,6 +522,31 @@ consteval Row units_of_columns(From) {
                 }
                 sink.end(row);
             }};
+}
+
+/// Units of plain numbers, by the names of their fields.
+consteval Row units_of(const Description& fields) {
+    return {.name = "units",
+            .meaning = "unit of each column",
+            .kind = Kind::text_of,
+            .inner = &fields,
+            .put = [](const void*, const Row& row, Sink& sink) {
+                sink.begin(row);
+                for (const auto& field : row.inner->rows) {
+                    sink.key(field.name);
+                    sink.text(row, field.unit);
+                }
+                sink.end(row);
+            }};
+}
+
+/// The rows of several arrays.
+template <std::size_t... N>
+consteval auto joined(const std::array<Row, N>&... arrays) {
+    std::array<Row, (N + ...)> all{};
+    auto place = all.begin();
+    ((place = std::copy(arrays.begin(), arrays.end(), place)), ...);
+    return all;
 }
 
 /// A list whose elements other code adds: empty here.
