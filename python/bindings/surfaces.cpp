@@ -6,7 +6,7 @@
 
 #include "heights.hpp"
 #include "request.hpp"
-#include "setae/answers/adhesion.hpp"
+#include "setae/answers/adhesion_fields.hpp"
 #include "setae/answers/diagnosis.hpp"
 #include "setae/answers/functions_of_scale.hpp"
 #include "setae/answers/parameters.hpp"
@@ -106,7 +106,7 @@ void bind_adhesion(nb::module_& module) {
                     surface_of(items), analysis,
                     {.previews = false, .parameters = false, .map = true, .every_measurement = every_measurement}, {});
                 (void)analysed(surface.surface);
-                return output::as_text(answers::to_json(answers::adhesion(std::move(surface), analysis, solids)));
+                return output::as_text(output::described(answers::adhesion(std::move(surface), analysis, solids)));
             });
         },
         nb::arg("items"), nb::arg("analysis"), nb::arg("solids"), nb::arg("every_measurement"),
@@ -115,7 +115,7 @@ void bind_adhesion(nb::module_& module) {
         "adhesion_of_surface",
         [](const Surface& surface, const answers::AdhesionRequest& solids) {
             return unlocked([&](const auto&) {
-                return output::as_text(answers::to_json(answers::adhesion(surface.result, surface.analysis, solids)));
+                return output::as_text(output::described(answers::adhesion(surface.result, surface.analysis, solids)));
             });
         },
         nb::arg("surface"), nb::arg("solids"));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "schemas/described_outputs.hpp"
 
+#include "setae/answers/adhesion_fields.hpp"
 #include "setae/answers/contents_fields.hpp"
 #include "setae/answers/lens.hpp"
 #include "setae/answers/power_spectrum_fields.hpp"
@@ -16,6 +17,7 @@ constexpr DescribedOutput one(std::string_view command) {
 }
 
 constexpr DescribedOutput outputs[]{
+    one<Adhesion>("adhesion"),
     one<output::ContourEntry>("contour"),
     one<Contents>("info"),
     one<Lens>("jkr lens"),
