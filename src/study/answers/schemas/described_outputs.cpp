@@ -2,7 +2,9 @@
 #include "schemas/described_outputs.hpp"
 
 #include "setae/answers/adhesion_fields.hpp"
+#include "setae/answers/container_fields.hpp"
 #include "setae/answers/contents_fields.hpp"
+#include "setae/answers/format_list.hpp"
 #include "setae/answers/lens.hpp"
 #include "setae/answers/power_spectrum_fields.hpp"
 #include "setae/fields/describe.hpp"
@@ -18,7 +20,10 @@ constexpr DescribedOutput one(std::string_view command) {
 
 constexpr DescribedOutput outputs[]{
     one<Adhesion>("adhesion"),
+    one<CheckedContainers>("container check"),
+    one<WrittenContainer>("container write"),
     one<output::ContourEntry>("contour"),
+    one<FormatList>("formats"),
     one<Contents>("info"),
     one<Lens>("jkr lens"),
     one<PowerSpectrum>("psd"),
