@@ -9,6 +9,7 @@
 #include "setae/answers/power_spectrum_fields.hpp"
 #include "setae/fields/describe.hpp"
 #include "setae/output/contour_fields.hpp"
+#include "setae/study_figures/figure_fields.hpp"
 
 namespace setae::answers::schemas {
 namespace {
@@ -26,6 +27,8 @@ constexpr DescribedOutput outputs[]{
     one<FormatList>("formats"),
     one<Contents>("info"),
     one<Lens>("jkr lens"),
+    one<study_figures::PlottedFigure>("plot"),
+    one<study_figures::FigureList>("plot"),
     one<PowerSpectrum>("psd"),
 };
 
