@@ -82,7 +82,7 @@ void bind_texture(nb::module_& module) {
             return unlocked([&](const auto&) {
                 const auto answer = answers::texture_of(surface_of(items), request, {}, every_measurement);
                 if (answer.list.empty()) throw InvalidArgument(fmt::format("{}", fmt::join(answer.failures, "; ")));
-                return output::as_text(answers::to_json(answer));
+                return output::as_text(output::described(answers::texture_entries(answer)));
             });
         },
         nb::arg("items"), nb::arg("request"), nb::arg("every_measurement"),
@@ -164,7 +164,7 @@ void bind_surfaces(nb::module_& module) {
                 const auto parameters =
                     answers::parameters({surface_of(items), analysis.analysis(), every_measurement});
                 (void)analysed(parameters.surface);
-                return output::as_text(answers::to_json(parameters));
+                return output::as_text(output::described(answers::parameter_entries(parameters)));
             });
         },
         nb::arg("items"), nb::arg("analysis"), nb::arg("every_measurement"), "as printed by `setae params --json`");
@@ -205,7 +205,7 @@ void bind_surfaces(nb::module_& module) {
                 const auto found = answers::diagnosis(suspects, {tip_radius}, {}, every_measurement);
                 if (found.failures.size() == items.size())
                     throw InvalidArgument(fmt::format("{}", fmt::join(found.failures, "; ")));
-                return output::as_text(answers::to_json(found));
+                return output::as_text(output::described(found.findings));
             });
         },
         nb::arg("items"), nb::arg("tip_radius"), nb::arg("every_measurement"), "as printed by `setae check --json`");

@@ -4,9 +4,12 @@
 #include "setae/answers/adhesion_fields.hpp"
 #include "setae/answers/container_fields.hpp"
 #include "setae/answers/contents_fields.hpp"
+#include "setae/answers/diagnosis.hpp"
 #include "setae/answers/format_list.hpp"
 #include "setae/answers/lens.hpp"
+#include "setae/answers/parameters.hpp"
 #include "setae/answers/power_spectrum_fields.hpp"
+#include "setae/answers/texture.hpp"
 #include "setae/fields/describe.hpp"
 #include "setae/output/contour_fields.hpp"
 #include "setae/study_figures/figure_fields.hpp"
@@ -19,14 +22,23 @@ constexpr DescribedOutput one(std::string_view command) {
     return {.command = command, .description = &fields::Described<T>::description};
 }
 
+/// A list of such results.
+template <fields::HasRows T>
+constexpr DescribedOutput list(std::string_view command) {
+    return {.command = command, .description = &fields::Described<T>::description, .is_list = true};
+}
+
 constexpr DescribedOutput outputs[]{
     one<Adhesion>("adhesion"),
+    list<diagnostics::Finding>("check"),
     one<CheckedContainers>("container check"),
     one<WrittenContainer>("container write"),
     one<output::ContourEntry>("contour"),
     one<FormatList>("formats"),
     one<Contents>("info"),
     one<Lens>("jkr lens"),
+    list<ParameterEntry>("params"),
+    list<TextureEntry>("params"),
     one<study_figures::PlottedFigure>("plot"),
     one<study_figures::FigureList>("plot"),
     one<PowerSpectrum>("psd"),
