@@ -8,9 +8,9 @@
 #include "request.hpp"
 #include "setae/answers/adhesion_fields.hpp"
 #include "setae/answers/diagnosis.hpp"
-#include "setae/answers/functions_of_scale.hpp"
 #include "setae/answers/parameters.hpp"
 #include "setae/answers/power_spectrum_fields.hpp"
+#include "setae/answers/scale_fields.hpp"
 #include "setae/answers/texture.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/output/field_json.hpp"
@@ -173,7 +173,9 @@ void bind_surfaces(nb::module_& module) {
     nb::class_<Scales>(module, "FunctionsOfScale")
         .def_prop_ro("columns", [](nb::handle self) { return columns(nb::cast<const Scales&>(self).table, self); })
         .def_prop_ro("units", [](const Scales& found) { return units(found.table); })
-        .def("json", [](const Scales& found) { return output::as_text(answers::to_json(found)); });
+        .def("json", [](const Scales& found) {
+            return output::as_text(output::described(&found, answers::description_of(found.function)));
+        });
     using ScaleRequest = answers::ScaleRequest;
     nb::class_<ScaleRequest> scales(module, "ScaleRequest");
     scales.def(nb::init<>()).def_rw("every_measurement", &ScaleRequest::every_measurement);

@@ -9,6 +9,7 @@
 #include "setae/answers/lens.hpp"
 #include "setae/answers/parameters.hpp"
 #include "setae/answers/power_spectrum_fields.hpp"
+#include "setae/answers/scale_fields.hpp"
 #include "setae/answers/texture.hpp"
 #include "setae/fields/describe.hpp"
 #include "setae/output/contour_fields.hpp"
@@ -29,6 +30,7 @@ constexpr DescribedOutput list(std::string_view command) {
 }
 
 constexpr DescribedOutput outputs[]{
+    {.command = "acf", .description = &acf_description},
     one<Adhesion>("adhesion"),
     list<diagnostics::Finding>("check"),
     one<CheckedContainers>("container check"),
@@ -42,6 +44,8 @@ constexpr DescribedOutput outputs[]{
     one<study_figures::PlottedFigure>("plot"),
     one<study_figures::FigureList>("plot"),
     one<PowerSpectrum>("psd"),
+    {.command = "sdrp", .description = &sdrp_description},
+    {.command = "vbw", .description = &vbw_description},
 };
 
 }  // namespace
