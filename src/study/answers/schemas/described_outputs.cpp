@@ -13,6 +13,7 @@
 #include "setae/answers/texture.hpp"
 #include "setae/fields/describe.hpp"
 #include "setae/output/contour_fields.hpp"
+#include "setae/output/hysteresis_fields.hpp"
 #include "setae/study_figures/figure_fields.hpp"
 
 namespace setae::answers::schemas {
@@ -43,6 +44,7 @@ constexpr DescribedOutput outputs[]{
     list<TextureEntry>("params"),
     one<study_figures::PlottedFigure>("plot"),
     one<study_figures::FigureList>("plot"),
+    one<output::HysteresisEntry>("predict"),
     one<PowerSpectrum>("psd"),
     {.command = "sdrp", .description = &sdrp_description},
     {.command = "vbw", .description = &vbw_description},
