@@ -212,6 +212,28 @@ TEST(ParameterFigure, ShowsThatSlopeDependsOnShorterWavesThanHeight) {
     EXPECT_LT(slope.y[middle], 70.0);
 }
 
+TEST(ParameterFigure, DrawsTheSharesBetweenTwoRowsOfATable) {
+    auto few = power_law();
+    Array1D q(2), density(2);
+    q << 1e5, 1e8;
+    density << 1e-6 * std::pow(1e5, -3.0), 1e-6 * std::pow(1e8, -3.0);
+    few.average.curve = {q, density, {1e5, 1e8}, spectra::Density::C1D};
+    const auto many_rows = parameter_figure(power_law(), {}), two_rows = parameter_figure(few, {});
+    const auto &many = series_of(many_rows.figure.panels[0], "mean square slope"),
+               &two = series_of(two_rows.figure.panels[0], "mean square slope");
+    ASSERT_GT(two.x.size(), 100);
+    const auto share_near = [](const figures::Series& series, double wavelength) {
+        Index nearest = 0;
+        (series.x - wavelength).abs().minCoeff(&nearest);
+        return series.y[nearest];
+    };
+    for (Index i = 10; i < two.x.size(); i += 20) EXPECT_NEAR(two.y[i], share_near(many, two.x[i]), 2.0);
+}
+
+TEST(ParameterFigure, HasItsLegendAboveTheCurves) {
+    EXPECT_TRUE(parameter_figure(power_law(), {}).figure.panels[0].legend_place);
+}
+
 TEST(ContourFigure, ShadesNinetyFivePercentOfHeights) {
     study::TracedPicture picture;
     picture.micrograph.file = "folder/tem.dm3";
