@@ -27,7 +27,6 @@ set_tests_properties("property.ModelFitProperties.JkrIsRecoveredAtEveryScale" PR
 set_tests_properties("fuzz.topography" PROPERTIES COST 3)
 set_tests_properties("cli.plot_same_bytes" PROPERTIES COST 3)
 set_tests_properties("cli.study_published" PROPERTIES COST 2)
-set_tests_properties("docs.parity" PROPERTIES COST 2)
 set_tests_properties("cli.cache_show_and_clear" PROPERTIES COST 2)
 set_tests_properties("unit.Calibration.RefusesSizesThatContradictEachOther" PROPERTIES COST 2)
 set_tests_properties("fuzz.hdf5" PROPERTIES COST 2)
