@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -253,6 +254,55 @@ TEST(Fields, RefuseAQuantityThatNoRowAnnounces) {
     Held held;
     held.list.front().quantity = "speed";
     EXPECT_THROW(put(&held, Described<Held>::description, sink), InternalError);
+}
+
+/// Lists of lists, and what has its names from elsewhere.
+struct Nested {
+    std::vector<std::vector<int>> lists{{1, 2}, {}};
+    std::vector<std::array<double, 2>> pairs{{3.0, 4.0}};
+    std::map<std::string, std::string> notes{{"a", "one"}};
+};
+
+}  // namespace
+
+template <>
+struct Described<Nested> {
+    using T = Nested;
+    static constexpr std::array rows{
+        field<&T::lists>("lists", "lists of counts").with(Missing::left_out),
+        field<&T::pairs>("pairs", "pairs of numbers"),
+        field<&T::notes>("notes", "texts by name"),
+    };
+    static constexpr Description description{"", "lists of lists", rows};
+};
+static_assert(complete<Nested>);
+
+namespace {
+
+TEST(Fields, MayBeListsOfLists) {
+    Recorded sink;
+    const Nested nested;
+    put(&nested, Described<Nested>::description, sink);
+    EXPECT_EQ(sink.text_,
+              "lists=[;lists=[;lists=1;lists=2;]lists=[;]]pairs=[;pairs=[;pairs=3;pairs=4;]]notes={;a:notes=one;}");
+    const auto& rows = Described<Nested>::rows;
+    EXPECT_EQ(rows[0].kind, Kind::wholes);
+    EXPECT_EQ(rows[0].levels, 2);
+    EXPECT_EQ(rows[1].kind, Kind::numbers);
+    EXPECT_EQ(rows[1].levels, 2);
+    EXPECT_EQ(rows[2].kind, Kind::text_of);
+}
+
+TEST(Fields, MayBeColumnsOfATable) {
+    static constexpr std::array possible_rows{column("distance", "m", "a distance")};
+    static constexpr Description possible_columns{"", "columns", possible_rows};
+    constexpr auto itself = [](const Table& table) -> const Table& { return table; };
+    static constexpr std::array rows{columns_among<Table>(possible_columns, itself), units_of_columns<Table>(itself)};
+    static constexpr Description description{"", "a table", rows};
+    const Table table{{{"distance", "m", Array1D::Constant(1, 2.0)}, {"unforeseen", "s", {}}}, {}};
+    Recorded sink;
+    put(&table, description, sink);
+    EXPECT_EQ(sink.text_, "distance:=[;=2;]unforeseen:=[;]units={;distance:units=m;unforeseen:units=s;}");
 }
 
 struct Grown {

@@ -87,8 +87,8 @@ Json object_of(const fields::Description& description);
 
 Json inner_type(const Row& row) { return row.inner->name.empty() ? object_of(*row.inner) : reference(row.inner->name); }
 
-/// Type of the value under a name.
-Json type_of(const Row& row) {
+/// Type of the value under a name, with one level of lists.
+Json flat_type_of(const Row& row) {
     switch (row.kind) {
         case Kind::flag: return type("boolean");
         case Kind::whole: return type("integer");
@@ -112,6 +112,13 @@ Json type_of(const Row& row) {
         case Kind::objects_of: return by_name(inner_type(row));
     }
     return {};
+}
+
+/// Type of the value under a name.
+Json type_of(const Row& row) {
+    auto type = flat_type_of(row);
+    for (int level = 1; level < row.levels; ++level) type = list_of(std::move(type));
+    return type;
 }
 
 Json property_of(const Row& row) {

@@ -15,7 +15,7 @@
 #include "setae/core/statistics.hpp"
 #include "setae/fields/describe.hpp"
 #include "setae/output/json.hpp"
-#include "setae/processing/processed.hpp"
+#include "setae/output/step_fields.hpp"
 #include "setae/roughness/beyond_data.hpp"
 #include "setae/study/surface_analysis.hpp"
 
@@ -106,18 +106,6 @@ struct SurfaceEntry {
 }  // namespace setae::output
 
 namespace setae::fields {
-
-template <>
-struct Described<processing::StepRecord> {
-    using T = processing::StepRecord;
-    static constexpr std::array rows{
-        field<&T::step>("step", "name of the step in pipeline files"),
-        field<&T::numbers>("numbers", "quantities that the step determined"),
-        field<&T::alerts>("alerts", "warnings of the step"),
-    };
-    static constexpr Description description{"step", "a processing step that was applied", rows};
-};
-static_assert(complete<processing::StepRecord>);
 
 template <>
 struct Described<output::AnalysedMeasurement> {

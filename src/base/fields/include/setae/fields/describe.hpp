@@ -19,6 +19,7 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -28,6 +29,7 @@
 #include "setae/core/arrays.hpp"
 #include "setae/core/boxed.hpp"
 #include "setae/core/quantity.hpp"
+#include "setae/core/table.hpp"
 #include "setae/core/traced_value.hpp"
 #include "setae/fields/member_of.hpp"
 #include "setae/fields/row.hpp"
@@ -64,6 +66,8 @@ template <class T>
 inline constexpr bool is_vector = false;
 template <class T>
 inline constexpr bool is_vector<std::vector<T>> = true;
+template <class T, std::size_t N>
+inline constexpr bool is_vector<std::array<T, N>> = true;
 template <class T>
 inline constexpr bool is_optional = false;
 template <class T>
@@ -75,7 +79,11 @@ inline constexpr bool is_map = false;
 template <class T>
 inline constexpr bool is_map<std::vector<std::pair<std::string, T>>> = true;
 template <class T>
+inline constexpr bool is_map<std::map<std::string, T>> = true;
+template <class T>
 inline constexpr bool is_column = std::is_same_v<T, Array1D> || std::is_same_v<T, std::vector<double>>;
+template <class T>
+inline constexpr bool is_list = (is_vector<T> && !is_map<T>) || is_column<T>;
 template <class T>
 inline constexpr bool holds_error =
     std::is_same_v<T, Estimate> || std::is_same_v<T, TracedValue> || std::is_same_v<T, Quantity>;
@@ -139,11 +147,20 @@ consteval Kind kind_of() {
     else if constexpr (is_map<T>) return kind_by_name<typename T::value_type::second_type>();
     else if constexpr (is_vector<T>) {
         using Element = typename T::value_type;
-        if constexpr (std::is_same_v<Element, std::string>) return Kind::texts;
+        if constexpr (is_list<Element>) return kind_of<Element>();
+        else if constexpr (std::is_convertible_v<Element, std::string_view>) return Kind::texts;
         else if constexpr (holds_error<Element>) return Kind::quantities;
+        else if constexpr (std::is_floating_point_v<Element>) return Kind::numbers;
         else if constexpr (std::is_integral_v<Element>) return Kind::wholes;
         else return Kind::objects;
     } else return Kind::object;
+}
+
+/// Levels of nested lists.
+template <class T>
+consteval int levels_of() {
+    if constexpr (is_list<T>) return 1 + levels_of<typename T::value_type>();
+    else return 0;
 }
 
 /// The description of a type, or of the elements of a list.
@@ -168,7 +185,9 @@ template <class T>
 void put_list(const T& list, const Row& row, Sink& sink) {
     sink.begin_list(row);
     for (const auto& element : list) {
-        if constexpr (std::is_same_v<std::remove_cvref_t<decltype(element)>, double>) sink.number(row, element);
+        using Element = std::remove_cvref_t<decltype(element)>;
+        if constexpr (std::is_same_v<Element, double>) sink.number(row, element);
+        else if constexpr (is_list<Element>) put_list(element, row, sink);
         else put_value(element, row, sink);
     }
     sink.end_list(row);
@@ -229,6 +248,7 @@ consteval Row row_of(std::string_view name, std::string_view meaning) {
             .kind = kind_of<Value>(),
             .if_missing = otherwise<T>,
             .inner = inner_of<Value>(),
+            .levels = levels_of<Value>(),
             .has_error = holds_error<Value>};
 }
 
@@ -447,6 +467,47 @@ consteval Row quantities_among(const Description& possible, From) {
             .put = [](const void* result, const Row& row, Sink& sink) {
                 for (const Quantity& value : From{}(*static_cast<const T*>(result)))
                     sink.quantity(row_named(*row.inner, value.quantity), value);
+            }};
+}
+
+/// A column that a table may have: for columns_among().
+consteval Row column(std::string_view name, std::string_view unit, std::string_view meaning) {
+    return {.name = name,
+            .unit = unit,
+            .meaning = meaning,
+            .kind = Kind::numbers,
+            .if_missing = Missing::left_out,
+            .levels = 1};
+}
+
+/// Columns of a table that `from` has from a result, each a list of numbers under its own name; `possible` describes
+/// those whose names are fixed.
+template <class T, class From>
+consteval Row columns_among(const Description& possible, From) {
+    return {
+        .kind = Kind::object, .inner = &possible, .among = true, .put = [](const void* result, const Row&, Sink& sink) {
+            static constexpr Row numbers{.kind = Kind::numbers, .levels = 1};
+            const Table& table = From{}(*static_cast<const T*>(result));
+            for (const auto& column : table.columns) {
+                sink.key(column.name);
+                detail::put_list(column.values, numbers, sink);
+            }
+        }};
+}
+/// Units of these columns, by name.
+template <class T, class From>
+consteval Row units_of_columns(From) {
+    return {.name = "units",
+            .meaning = "unit of each column",
+            .kind = Kind::text_of,
+            .put = [](const void* result, const Row& row, Sink& sink) {
+                const Table& table = From{}(*static_cast<const T*>(result));
+                sink.begin(row);
+                for (const auto& column : table.columns) {
+                    sink.key(column.name);
+                    sink.text(row, column.unit);
+                }
+                sink.end(row);
             }};
 }
 
