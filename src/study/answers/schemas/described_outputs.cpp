@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "schemas/described_outputs.hpp"
 
+#include "setae/answers/curve_fields.hpp"
 #include "setae/answers/lens.hpp"
+#include "setae/answers/loop_fields.hpp"
 
 namespace setae::answers::schemas {
 namespace {
@@ -12,7 +14,8 @@ constexpr DescribedOutput one(std::string_view command) {
 }
 
 constexpr DescribedOutput outputs[]{
-    one<Lens>("jkr lens"),
+    one<FittedLoop>("jkr fit"),      one<SharedLoops>("jkr fit"), one<FittedCurve>("jkr fit"),
+    one<study::ForceMap>("jkr fit"), one<Lens>("jkr lens"),
 };
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <nlohmann/json.hpp>
 
-#include "json_support.hpp"
+#include "setae/loops/analysis.hpp"
 #include "setae/output/field_json.hpp"
 
 namespace setae::output {
@@ -22,7 +22,5 @@ Json energies_json(const loops::LoopAnalysis& analysis) {
     json["alerts"] = to_json(analysis.alerts);
     return json;
 }
-
-Json to_json(const loops::LoopAnalysis& analysis) { return described(analysis); }
 
 }  // namespace setae::output

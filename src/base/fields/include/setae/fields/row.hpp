@@ -120,6 +120,12 @@ struct Row {
         row.source = formula;
         return row;
     }
+    /// The plain number, or numbers, of this row have a unit, which the output states elsewhere or not at all.
+    [[nodiscard]] consteval Row measured_in(std::string_view si_unit) const {
+        Row row = *this;
+        row.unit = si_unit;
+        return row;
+    }
     /// The allowed words.
     [[nodiscard]] consteval Row one_of(std::span<const std::string_view> words) const {
         Row row = *this;

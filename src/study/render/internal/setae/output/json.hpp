@@ -56,11 +56,7 @@ using Json = nlohmann::ordered_json;
 /// Without a standard error > 0 or an interval it is printed as a plain value.
 [[nodiscard]] Quantity quantity(std::string name, std::string symbol, const Estimate& estimate, std::string unit);
 
-/// All results of one loop: "loading", "unloading", "retraction", "pull_off", "loop", "cycles", "alerts"; null with
-/// "…_reason" where a part is missing.
-[[nodiscard]] Json to_json(const loops::LoopAnalysis& analysis);
-
-/// Only its energies: "loop", "ledger", "cycles", "further_contacts", "alerts".
+/// Only the energies of a loop: "loop", "ledger", "cycles", "further_contacts", "alerts".
 [[nodiscard]] Json energies_json(const loops::LoopAnalysis& analysis);
 
 /// A surface as in the study's JSON: parameters by the spectrum used, "spectra", "likelihood", "measurements",
