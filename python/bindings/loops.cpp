@@ -97,7 +97,7 @@ void bind_loops(nb::module_& module) {
             return unlocked([&](const auto&) {
                 const auto analysed = answers::analysed_loop(loop.opened, loop.file, bodies, settings);
                 return LoopAnswer{output::as_text(output::described(answers::fitted(analysed, models.options()))),
-                                  output::as_text(answers::energy_json(analysed))};
+                                  output::as_text(output::described(answers::LoopEnergies{&analysed}))};
             });
         },
         nb::arg("loop"), nb::arg("bodies"), nb::arg("settings"), nb::arg("models"));

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "setae/bytes/archive_folder.hpp"
 #include "setae/bytes/source.hpp"
@@ -260,12 +259,6 @@ study::LoopModels models_of(const AnalysedLoop& loop, const study::LoopModelOpti
 
 FittedLoop fitted(const AnalysedLoop& loop, const study::LoopModelOptions& models) {
     return {&loop, models.any() ? std::optional(models_of(loop, models)) : std::nullopt};
-}
-
-output::Json energy_json(const AnalysedLoop& loop) {
-    auto json = output::energies_json(loop.analysis);
-    json["file"] = loop.file;
-    return json;
 }
 
 }  // namespace setae::answers

@@ -9,7 +9,6 @@
 #include "setae/answers/camera_pictures.hpp"
 #include "setae/fields/option.hpp"
 #include "setae/loops/analysis.hpp"
-#include "setae/output/json.hpp"
 #include "setae/parallel/for_each.hpp"
 #include "setae/study/loop_models.hpp"
 #include "setae/study/open_loop.hpp"
@@ -99,9 +98,6 @@ struct FittedLoop {
     std::optional<study::LoopModels> models;  ///< on request
 };
 [[nodiscard]] FittedLoop fitted(const AnalysedLoop& loop, const study::LoopModelOptions& models);
-
-/// Output of `setae jkr energy` for one loop.
-[[nodiscard]] output::Json energy_json(const AnalysedLoop& loop);
 
 }  // namespace setae::answers
 
