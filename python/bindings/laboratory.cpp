@@ -4,9 +4,9 @@
 #include "request.hpp"
 #include "setae/answers/camera_scale.hpp"
 #include "setae/answers/contact_line.hpp"
-#include "setae/answers/contact_radii.hpp"
 #include "setae/answers/contour.hpp"
 #include "setae/answers/lens.hpp"
+#include "setae/answers/radius_fields.hpp"
 #include "setae/answers/replicates.hpp"
 #include "setae/bytes/whole_file.hpp"
 #include "setae/contact_line/line_table.hpp"
@@ -84,7 +84,7 @@ void bind_radii(nb::module_& module) {
                 const imaging::FrameSource source(frames, request.frame_options());
                 const auto radii = imaging::measure_contact_radii(source, options);
                 return Radii{imaging::as_table(radii), imaging::as_csv(radii),
-                             output::as_text(answers::to_json(radii))};
+                             output::as_text(output::described(radii))};
             });
         },
         nb::arg("frames"), nb::arg("request"));

@@ -120,7 +120,7 @@ struct Row {
         row.source = formula;
         return row;
     }
-    /// The plain number, or numbers, of this row have a unit, which the output states elsewhere or not at all.
+    /// The numbers of the field have this unit, which the output states elsewhere or not at all.
     [[nodiscard]] consteval Row measured_in(std::string_view si_unit) const {
         Row row = *this;
         row.unit = si_unit;
