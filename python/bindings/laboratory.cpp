@@ -6,6 +6,7 @@
 #include "setae/answers/contact_line.hpp"
 #include "setae/answers/contour.hpp"
 #include "setae/answers/lens.hpp"
+#include "setae/answers/line_fields.hpp"
 #include "setae/answers/radius_fields.hpp"
 #include "setae/answers/replicates.hpp"
 #include "setae/bytes/whole_file.hpp"
@@ -115,7 +116,7 @@ void bind_line(nb::module_& module) {
                 const auto answer = answers::contact_line_answer(answers::recorded_edge(files, asked), asked);
                 const auto& kept = answer.recorded;
                 return Edge{answers::as_table(answer), contact_line::as_table(kept.line, kept.frames),
-                            answers::line_csv(kept), output::as_text(answers::to_json(answer))};
+                            answers::line_csv(kept), output::as_text(output::described(answer))};
             });
         },
         nb::arg("files"), nb::arg("request"));

@@ -3,6 +3,7 @@
 
 #include "setae/answers/curve_fields.hpp"
 #include "setae/answers/lens.hpp"
+#include "setae/answers/line_fields.hpp"
 #include "setae/answers/loop_fields.hpp"
 #include "setae/answers/radius_fields.hpp"
 
