@@ -2,6 +2,7 @@
 #include "schemas/described_outputs.hpp"
 
 #include "setae/answers/curve_fields.hpp"
+#include "setae/answers/import_fields.hpp"
 #include "setae/answers/lens.hpp"
 #include "setae/answers/line_fields.hpp"
 #include "setae/answers/loop_fields.hpp"
