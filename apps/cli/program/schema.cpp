@@ -27,30 +27,29 @@ struct Arguments {
     std::string documentation, output;
 };
 
-void write_all(const std::vector<std::string>& commands, const std::filesystem::path& folder) {
+void write_all(const answers::JsonSchemas& schemas, const std::filesystem::path& folder) {
     std::filesystem::create_directories(folder);
+    const auto commands = schemas.commands();
     for (const auto& command : commands)
         bytes::write_whole_file((folder / answers::schema_file(command)).string(),
-                                output::as_text(answers::json_schema(command)));
+                                output::as_text(schemas.of(command)));
     print(fmt::format("{}: {} schemas\n", folder.string(), commands.size()));
 }
 
 ExitCode run(const Arguments& arguments) {
+    const answers::JsonSchemas schemas;
     if (!arguments.documentation.empty()) {
         const std::filesystem::path folder = arguments.documentation;
-        write_page((folder / "json.md").string(), answers::json_page());
-        write_page((folder / "quantities.md").string(), answers::quantities_page());
-        return ExitCode::done;
-    }
-    const auto commands = answers::commands_with_schema();
-    if (!arguments.output.empty()) {
-        write_all(commands, arguments.output);
+        write_page((folder / "json.md").string(), answers::json_page(schemas));
+        write_page((folder / "quantities.md").string(), answers::quantities_page(schemas));
+    } else if (!arguments.output.empty()) {
+        write_all(schemas, arguments.output);
     } else if (!arguments.command.empty()) {
-        print_json(answers::json_schema(fmt::format("{}", fmt::join(arguments.command, " "))));
+        print_json(schemas.of(fmt::format("{}", fmt::join(arguments.command, " "))));
     } else if (arguments.common.json) {
-        print_json({{"verbs", commands}});
+        print_json({{"verbs", schemas.commands()}});
     } else {
-        print(fmt::format("{}\n", fmt::join(commands, "\n")));
+        print(fmt::format("{}\n", fmt::join(schemas.commands(), "\n")));
     }
     return ExitCode::done;
 }

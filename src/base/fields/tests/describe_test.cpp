@@ -293,6 +293,40 @@ TEST(Fields, MayBeListsOfLists) {
     EXPECT_EQ(rows[2].kind, Kind::text_of);
 }
 
+/// Texts and lists that may be empty.
+struct Empty {
+    std::string text;
+    std::vector<std::string> texts{""};
+    std::optional<std::string> given_text = "";
+    std::optional<std::vector<int>> given_list = std::vector<int>{};
+};
+
+}  // namespace
+
+template <>
+struct Described<Empty> {
+    using T = Empty;
+    static constexpr std::array rows{
+        field<&T::text>("always", "empty"),
+        field<&T::text>("left_out", "empty").with(Missing::left_out),
+        field<&T::text>("null", "empty").or_null(),
+        field<&T::texts>("texts", "empty texts").with(Missing::left_out),
+        field<&T::given_text>("given_text", "given and empty"),
+        field<&T::given_list>("given_list", "given and empty"),
+    };
+    static constexpr Description description{"", "what may be empty", rows};
+};
+static_assert(complete<Empty>);
+
+namespace {
+
+TEST(Fields, ThatAreEmptyMayBeMissing) {
+    Recorded sink;
+    const Empty empty;
+    put(&empty, Described<Empty>::description, sink);
+    EXPECT_EQ(sink.text_, "always=;null=null();texts=[;texts=;]given_text=;given_list=[;]");
+}
+
 TEST(Fields, MayBeColumnsOfATable) {
     static constexpr std::array possible_rows{column("distance", "m", "a distance")};
     static constexpr Description possible_columns{"", "columns", possible_rows};
@@ -303,6 +337,18 @@ TEST(Fields, MayBeColumnsOfATable) {
     Recorded sink;
     put(&table, description, sink);
     EXPECT_EQ(sink.text_, "distance:=[;=2;]unforeseen:=[;]units={;distance:units=m;unforeseen:units=s;}");
+}
+
+TEST(Fields, MayBeColumnsWithUnits) {
+    static constexpr std::array columns{field<&Point::x>("x", "place").in_unit("m")};
+    static constexpr Description of_columns{"", "columns", columns};
+    static constexpr std::array units{units_of(of_columns)};
+    static constexpr auto rows = joined(columns, units);
+    static constexpr Description description{"", "columns and their units", rows};
+    const Point point{1.0, "first"};
+    Recorded sink;
+    put(&point, description, sink);
+    EXPECT_EQ(sink.text_, "x=1;units={;x:units=m;}");
 }
 
 struct Grown {

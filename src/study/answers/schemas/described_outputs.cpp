@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "schemas/described_outputs.hpp"
 
+#include "setae/answers/adhesion_fields.hpp"
+#include "setae/answers/container_fields.hpp"
+#include "setae/answers/contents_fields.hpp"
 #include "setae/answers/curve_fields.hpp"
+#include "setae/answers/format_list.hpp"
 #include "setae/answers/import_fields.hpp"
 #include "setae/answers/lens.hpp"
 #include "setae/answers/line_fields.hpp"
 #include "setae/answers/loop_fields.hpp"
+#include "setae/answers/power_spectrum_fields.hpp"
 #include "setae/answers/radius_fields.hpp"
+#include "setae/fields/describe.hpp"
+#include "setae/output/contour_fields.hpp"
+#include "setae/study_figures/figure_fields.hpp"
 
 namespace setae::answers::schemas {
 namespace {
@@ -17,8 +25,25 @@ constexpr DescribedOutput one(std::string_view command) {
 }
 
 constexpr DescribedOutput outputs[]{
-    one<FittedLoop>("jkr fit"),      one<SharedLoops>("jkr fit"), one<FittedCurve>("jkr fit"),
-    one<study::ForceMap>("jkr fit"), one<Lens>("jkr lens"),
+    one<Adhesion>("adhesion"),
+    one<CheckedContainers>("container check"),
+    one<WrittenContainer>("container write"),
+    one<output::ContourEntry>("contour"),
+    one<FormatList>("formats"),
+    one<Contents>("info"),
+    one<LoopEnergies>("jkr energy"),
+    one<FittedLoop>("jkr fit"),
+    one<SharedLoops>("jkr fit"),
+    one<FittedCurve>("jkr fit"),
+    one<study::ForceMap>("jkr fit"),
+    one<ImportedLoop>("jkr import"),
+    one<Lens>("jkr lens"),
+    one<LineAnswer>("jkr line"),
+    one<ComparedLine>("jkr line"),
+    one<imaging::ContactRadii>("jkr radius"),
+    one<study_figures::PlottedFigure>("plot"),
+    one<study_figures::FigureList>("plot"),
+    one<PowerSpectrum>("psd"),
 };
 
 }  // namespace

@@ -42,13 +42,25 @@ Json parsed(std::string_view file) {
 }
 
 /// The schema of rows; a result that has a name is one of the shared parts.
-Json schema_of(const schemas::DescribedOutput& output) {
+Json schema_of(const DescribedOutput& output) {
     const auto& description = *output.description;
     auto one = description.name.empty() ? output::schema_of(description)
                                         : Json{{"description", description.meaning},
                                                {"$ref", std::string(place_of_shared) + std::string(description.name)}};
     if (!output.is_list) return one;
     return {{"description", description.meaning}, {"type", "array"}, {"items", std::move(one)}};
+}
+
+/// The schema of one output, or of outputs that are alternatives.
+Json schema_of(const std::vector<DescribedOutput>& outputs) {
+    if (outputs.size() == 1) return schema_of(outputs.front());
+    std::vector<std::string_view> meanings;
+    Json schemas = Json::array();
+    for (const auto& output : outputs) {
+        meanings.push_back(output.description->meaning);
+        schemas.push_back(schema_of(output));
+    }
+    return {{"description", fmt::format("{}", fmt::join(meanings, "; or "))}, {"anyOf", std::move(schemas)}};
 }
 
 std::string file_of(std::string command) {
@@ -74,19 +86,35 @@ Json chosen(const Json& parts, const std::set<std::string>& names) {
     return some;
 }
 
+}  // namespace
+
+JsonSchemas::JsonSchemas(std::span<const DescribedOutput> further) {
+    const auto own = schemas::described_outputs();
+    outputs_.assign(own.begin(), own.end());
+    outputs_.insert(outputs_.end(), further.begin(), further.end());
+}
+
+std::vector<std::string> JsonSchemas::commands() const {
+    std::set<std::string> names;
+    for (const auto& [name, text] : schemas::texts)
+        if (name != shared) names.insert(command_of(name));
+    for (const auto& output : outputs_) names.emplace(output.command);
+    return {names.begin(), names.end()};
+}
+
 /// Schema of a command's output, without the shared parts.
-Json own_schema(const std::string& command) {
-    for (const auto& output : schemas::described_outputs())
-        if (output.command == command) return schema_of(output);
-    const auto commands = commands_with_schema();
-    if (std::find(commands.begin(), commands.end(), command) == commands.end())
-        throw InvalidArgument(fmt::format("'{}' has no schema; expected {}", command, fmt::join(commands, ", ")));
+Json JsonSchemas::own_schema(const std::string& command) const {
+    std::vector<DescribedOutput> described;
+    for (const auto& output : outputs_)
+        if (output.command == command) described.push_back(output);
+    if (!described.empty()) return schema_of(described);
+    const auto known = commands();
+    if (std::find(known.begin(), known.end(), command) == known.end())
+        throw InvalidArgument(fmt::format("'{}' has no schema; expected {}", command, fmt::join(known, ", ")));
     return parsed(file_of(command));
 }
 
-}  // namespace
-
-Json shared_json_parts() {
+Json JsonSchemas::shared_parts() const {
     auto parts = parsed(shared);
     std::map<std::string, Json> described;
     output::add_study_schemas(described);
@@ -96,25 +124,14 @@ Json shared_json_parts() {
     output::add_named_schemas(fields::Described<loops::ModelFit>::description, described);
     output::add_named_schemas(fields::Described<loops::GlobalFit>::description, described);
     output::add_named_schemas(fields::Described<loops::CrackSpeedFit>::description, described);
-    for (const auto& output : schemas::described_outputs()) output::add_named_schemas(*output.description, described);
+    for (const auto& output : outputs_) output::add_named_schemas(*output.description, described);
     for (auto& [name, schema] : described) parts[name] = std::move(schema);
     return parts;
 }
 
-std::string schema_file(const std::string& command) { return file_of(command) + ".schema.json"; }
-
-std::vector<std::string> commands_with_schema() {
-    std::vector<std::string> commands;
-    for (const auto& [name, text] : schemas::texts)
-        if (name != shared) commands.push_back(command_of(name));
-    for (const auto& output : schemas::described_outputs()) commands.emplace_back(output.command);
-    std::sort(commands.begin(), commands.end());
-    return commands;
-}
-
-Json json_schema(const std::string& command) {
+Json JsonSchemas::of(const std::string& command) const {
     const auto own = own_schema(command);
-    const auto parts = shared_json_parts();
+    const auto parts = shared_parts();
     std::set<std::string> names;
     add_references(own, parts, names);
     Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
@@ -124,5 +141,7 @@ Json json_schema(const std::string& command) {
     schema["$defs"] = chosen(parts, names);
     return schema;
 }
+
+std::string schema_file(const std::string& command) { return file_of(command) + ".schema.json"; }
 
 }  // namespace setae::answers

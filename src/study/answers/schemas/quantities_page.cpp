@@ -48,21 +48,21 @@ std::string shown(const std::vector<std::string>& places) {
 
 }  // namespace
 
-std::vector<QuantityInJson> quantities_in_json() {
+std::vector<QuantityInJson> quantities_in_json(const JsonSchemas& schemas) {
     Quantities found;
-    for (const auto& command : commands_with_schema()) {
-        auto schema = json_schema(command);
+    for (const auto& command : schemas.commands()) {
+        auto schema = schemas.of(command);
         schema.erase("$defs");
         add_quantities(schema, command + ": ", found);
     }
-    const auto parts = shared_json_parts();
+    const auto parts = schemas.shared_parts();
     for (const auto& [name, part] : parts.items()) add_quantities(part, name + ".", found);
     std::vector<QuantityInJson> quantities;
     for (auto& [key, quantity] : found) quantities.push_back(std::move(quantity));
     return quantities;
 }
 
-std::string quantities_page() {
+std::string quantities_page(const JsonSchemas& schemas) {
     std::string text =
         "# Quantities\n\n*Reference · [all documents](../README.md)*\n\n"
         "Made by `setae schema --documentation docs/reference`: edit the descriptions of results, not this page.\n"
@@ -71,7 +71,7 @@ std::string quantities_page() {
         "places in the\n[JSON](json.md): `COMMAND: name`, or `part.name` of a part that several commands share. The "
         "[glossary](glossary.md) defines the\nterms.\n\n| quantity | symbol | unit | meaning | where |\n"
         "|---|---|---|---|---|\n";
-    for (const auto& quantity : quantities_in_json())
+    for (const auto& quantity : quantities_in_json(schemas))
         text += fmt::format("| `{}` | {} | {} | {} | {} |\n", quantity.name, quantity.symbol, quantity.unit,
                             quantity.meaning, shown(quantity.places));
     return text;

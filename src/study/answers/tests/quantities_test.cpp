@@ -11,7 +11,7 @@ namespace {
 
 TEST(QuantitiesInJson, HaveOneSymbolEach) {
     std::map<std::string, std::string> symbols;
-    for (const auto& quantity : quantities_in_json()) {
+    for (const auto& quantity : quantities_in_json(JsonSchemas())) {
         const auto [first, is_new] = symbols.emplace(quantity.name, quantity.symbol);
         EXPECT_EQ(first->second, quantity.symbol) << quantity.name << " at " << quantity.places.front();
     }
@@ -20,7 +20,7 @@ TEST(QuantitiesInJson, HaveOneSymbolEach) {
 
 TEST(QuantitiesInJson, HaveOneUnitOrThatOfTheData) {
     std::map<std::string, std::string> units;
-    for (const auto& quantity : quantities_in_json()) {
+    for (const auto& quantity : quantities_in_json(JsonSchemas())) {
         if (quantity.unit.empty()) continue;
         const auto [first, is_new] = units.emplace(quantity.name, quantity.unit);
         EXPECT_EQ(first->second, quantity.unit) << quantity.name << " at " << quantity.places.front();
@@ -28,7 +28,7 @@ TEST(QuantitiesInJson, HaveOneUnitOrThatOfTheData) {
 }
 
 TEST(QuantitiesInJson, HaveAMeaningAndAPlace) {
-    for (const auto& quantity : quantities_in_json()) {
+    for (const auto& quantity : quantities_in_json(JsonSchemas())) {
         EXPECT_FALSE(quantity.meaning.empty()) << quantity.name;
         EXPECT_FALSE(quantity.places.empty()) << quantity.name;
     }

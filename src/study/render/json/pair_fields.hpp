@@ -12,10 +12,11 @@
 #include "setae/adhesion/prediction_test.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/fields/describe.hpp"
+#include "setae/output/contact_answer_fields.hpp"
 #include "setae/output/json.hpp"
 #include "setae/output/predicted_quantities.hpp"
+#include "setae/output/quantity_rows.hpp"
 #include "setae/statistics/equivalence.hpp"
-#include "setae/study/contact_answers.hpp"
 #include "setae/study/study_result.hpp"
 #include "work_fit_fields.hpp"
 
@@ -270,39 +271,6 @@ struct Described<output::PartialContact> {
 static_assert(complete<output::PartialContact>);
 
 template <>
-struct Described<study::ContactAnswer> {
-    using T = study::ContactAnswer;
-    static constexpr std::array rows{
-        made<T>("theory", "`full_contact`, `patches`, `persson` or `simulated_cell`",
-                [](const T& of) { return study::text_of(of.theory).name; }),
-        made<T>("title", "name of the theory", [](const T& of) { return study::text_of(of.theory).title; }),
-        made<T>("assumes", "assumptions of the theory", [](const T& of) { return study::text_of(of.theory).assumes; }),
-        field<&T::recommended>("recommended", "whether this theory is the answer of all commands"),
-        quantity<&T::work_of_adhesion>("work_of_adhesion", "W_app", "J/m2",
-                                       "energy gained per nominal area on approach without load, 0 or more")
-            .as("apparent_work_of_adhesion"),
-        quantity<&T::area_fraction>("area_fraction", "A/A0", "1", "area in contact over nominal area"),
-        inner<&T::theory>(),
-    };
-    static constexpr Description description{"", "contact without load by one theory", rows};
-};
-static_assert(complete<study::ContactAnswer>);
-
-template <>
-struct Described<study::ContactAnswers> {
-    using T = study::ContactAnswers;
-    static constexpr std::array rows{
-        made<T>("recommended", "the theory whose numbers are the answer of all commands",
-                [](const T& of) { return study::text_of(of.recommended().theory).name; }),
-        field<&T::reason>("reason", "the reason for this theory, in a sentence"),
-        field<&T::answers>("theories", "one entry per theory"),
-    };
-    static constexpr Description description{
-        "contact_answers", "work of adhesion of contact without load by each theory, one of them recommended", rows};
-};
-static_assert(complete<study::ContactAnswers>);
-
-template <>
 struct Described<output::PredictedPair> {
     using T = output::PredictedPair;
     static constexpr std::array rows{
@@ -375,19 +343,7 @@ struct Described<output::PredictedPair> {
 template <>
 struct Described<output::LoopOfPair> {
     using T = output::LoopOfPair;
-    static constexpr std::array possible_rows{
-        possible("contact_radius", "a_max", "m", "contact radius at the preload"),
-        possible("energy_loss", "E_loss", "J", "loss of a reversible interface: a lower bound"),
-        possible("work_of_adhesion_retraction", "W_ret", "J/m2", "W_ret of a reversible interface: a lower bound"),
-        possible("pull_off_force", "F_po", "N", "pull-off force of a reversible interface: a lower bound"),
-        possible("smooth_sphere_pull_off_force", "F_po", "N", "pull-off force of a smooth sphere by JKR"),
-        possible("conformal_energy_loss", "E_loss", "J", "loss by the true-area balance (Eq. 10)"),
-        possible("conformal_work_of_adhesion_retraction", "W_ret", "J/m2", "W_ret by the true-area balance (Eq. 10)"),
-        possible("conformal_pull_off_force", "F_po", "N", "pull-off force by the true-area balance (Eq. 10)"),
-        possible("conformal_smooth_sphere_pull_off_force", "F_po", "N",
-                 "pull-off force of a smooth sphere by the true-area balance (Eq. 10)"),
-    };
-    static constexpr Description possible_quantities{"", "quantities of a predicted loop", possible_rows};
+    static constexpr Description possible_quantities{"", "quantities of a predicted loop", output::loop_quantity_rows};
     static constexpr std::array rows{
         quantities_among<T>(possible_quantities, [](const T& of) { return output::loop_quantities(*of.loop); }),
     };

@@ -255,7 +255,7 @@ struct Described<adhesion::InputProfile> {
         field<&T::points>("points", "one entry per value of the input"),
         quantity<&T::by_pairs>("by_pairs", "(x - stated)/u(x)", "1",
                                "shift of the input at the largest likelihood of the pairs, in its standard errors")
-            .as("shift"),
+            .as("input_shift"),
     };
     static constexpr Description description{"input_profile", "W_int against the value of one stated input", rows};
 };
@@ -595,7 +595,7 @@ struct Described<output::StudyEntry> {
                     if (!slope) return std::nullopt;
                     return with_count(slope->pairs, slope->work_per_true_area);
                 })
-            .as("work_per_true_area")
+            .as("loss_per_true_area")
             .from("loops with the measured W_app and W_ret, through the origin")
             .or_null(),
         made<T>("reported", "published values beside those of this study",

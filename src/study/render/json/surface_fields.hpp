@@ -15,6 +15,7 @@
 #include "setae/core/statistics.hpp"
 #include "setae/fields/describe.hpp"
 #include "setae/output/json.hpp"
+#include "setae/output/quantity_rows.hpp"
 #include "setae/output/step_fields.hpp"
 #include "setae/roughness/beyond_data.hpp"
 #include "setae/study/surface_analysis.hpp"
@@ -189,22 +190,12 @@ struct Described<output::OtherConversion> {
 template <>
 struct Described<output::SpectrumOfSurface> {
     using T = output::SpectrumOfSurface;
-    static constexpr std::array possible_rows{
-        possible("rms_height", "h_rms", "m", "rms height"),
-        possible("rms_slope", "h'_rms", "1", "rms slope"),
-        possible("rms_curvature", "h''_rms", "1/m", "rms curvature"),
-        possible("true_area_ratio", "A_true/A_app", "1", "true area over nominal area"),
-        possible("true_area_ratio_small_slope", "1 + h'^2/2", "1", "true area over nominal area for small slopes"),
-        possible("elastic_energy_per_modulus", "U_el/(A_app E*)", "m", "elastic energy per nominal area over E*"),
-        possible("true_area_ratio_gaussian", "A_true/A_app", "1", "true area over nominal area for Gaussian slopes"),
-        possible("true_area_ratio_measured_slopes", "A_true/A_app", "1",
-                 "true area over nominal area for slopes distributed as those of the maps"),
-    };
-    static constexpr Description possible_quantities{"", "quantities of a spectrum", possible_rows};
+    static constexpr Description possible_quantities{"", "quantities of a spectrum", output::surface_quantity_rows};
     static constexpr std::array rows{
         quantities_among<T>(
             possible_quantities,
-            [](const T& of) { return output::surface_quantities(*of.surface, *of.spectrum, of.options->conversion); }),
+            [](const T& of) { return output::surface_quantities(*of.surface, *of.spectrum, of.options->conversion); })
+            .with(Missing::never),
         made<T>("decades", "mean of C1D over each decade of wavevectors",
                 [](const T& of) { return output::decade_quantities(*of.surface, *of.spectrum); })
             .with(Missing::left_out),

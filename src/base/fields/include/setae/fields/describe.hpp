@@ -16,6 +16,7 @@
 //
 // A forgotten or misspelled member is a compile error.
 
+#include <algorithm>
 #include <array>
 #include <concepts>
 #include <cstddef>
@@ -83,6 +84,8 @@ inline constexpr bool is_map<std::map<std::string, T>> = true;
 template <class T>
 inline constexpr bool is_column = std::is_same_v<T, Array1D> || std::is_same_v<T, std::vector<double>>;
 template <class T>
+inline constexpr bool is_text = std::is_convertible_v<T, std::string_view>;
+template <class T>
 inline constexpr bool is_list = (is_vector<T> && !is_map<T>) || is_column<T>;
 template <class T>
 inline constexpr bool holds_error =
@@ -130,7 +133,7 @@ consteval Kind kind_by_name() {
     if constexpr (holds_error<T>) return Kind::quantity_of;
     else if constexpr (std::is_integral_v<T>) return Kind::whole_of;
     else if constexpr (std::is_floating_point_v<T>) return Kind::number_of;
-    else if constexpr (std::is_convertible_v<T, std::string_view>) return Kind::text_of;
+    else if constexpr (is_text<T>) return Kind::text_of;
     else return Kind::objects_of;
 }
 
@@ -141,14 +144,14 @@ consteval Kind kind_of() {
     else if constexpr (std::is_integral_v<T>) return Kind::whole;
     else if constexpr (std::is_floating_point_v<T>) return Kind::number;
     else if constexpr (holds_error<T>) return Kind::quantity;
-    else if constexpr (std::is_convertible_v<T, std::string_view>) return Kind::text;
+    else if constexpr (is_text<T>) return Kind::text;
     else if constexpr (std::is_same_v<T, Eigen::MatrixXd>) return Kind::matrix;
     else if constexpr (is_column<T>) return Kind::numbers;
     else if constexpr (is_map<T>) return kind_by_name<typename T::value_type::second_type>();
     else if constexpr (is_vector<T>) {
         using Element = typename T::value_type;
         if constexpr (is_list<Element>) return kind_of<Element>();
-        else if constexpr (std::is_convertible_v<Element, std::string_view>) return Kind::texts;
+        else if constexpr (is_text<Element>) return Kind::texts;
         else if constexpr (holds_error<Element>) return Kind::quantities;
         else if constexpr (std::is_floating_point_v<Element>) return Kind::numbers;
         else if constexpr (std::is_integral_v<Element>) return Kind::wholes;
@@ -179,16 +182,14 @@ inline void put_number(double value, const Row& row, Sink& sink) {
 }
 
 template <class T>
-void put_value(const T& value, const Row& row, Sink& sink);
+void put_present(const T& value, const Row& row, Sink& sink);
 
 template <class T>
 void put_list(const T& list, const Row& row, Sink& sink) {
     sink.begin_list(row);
     for (const auto& element : list) {
-        using Element = std::remove_cvref_t<decltype(element)>;
-        if constexpr (std::is_same_v<Element, double>) sink.number(row, element);
-        else if constexpr (is_list<Element>) put_list(element, row, sink);
-        else put_value(element, row, sink);
+        if constexpr (std::is_same_v<std::remove_cvref_t<decltype(element)>, double>) sink.number(row, element);
+        else put_present(element, row, sink);
     }
     sink.end_list(row);
 }
@@ -198,7 +199,7 @@ void put_by_name(const T& held, const Row& row, Sink& sink) {
     sink.begin(row);
     for (const auto& [name, value] : held) {
         sink.key(name);
-        put_value(value, row, sink);
+        put_present(value, row, sink);
     }
     sink.end(row);
 }
@@ -213,31 +214,43 @@ inline void put_matrix(const Eigen::MatrixXd& matrix, const Row& row, Sink& sink
     sink.end_list(row);
 }
 
+/// A value that is there, even an empty text or list.
 template <class T>
-void put_value(const T& value, const Row& row, Sink& sink) {
+void put_present(const T& value, const Row& row, Sink& sink) {
     if constexpr (std::is_same_v<T, bool>) sink.flag(row, value);
     else if constexpr (std::is_integral_v<T>) sink.whole(row, static_cast<long long>(value));
     else if constexpr (std::is_floating_point_v<T>) put_number(value, row, sink);
     else if constexpr (std::is_same_v<T, TracedValue>) sink.quantity(row, value.estimate());
     else if constexpr (holds_error<T>) sink.quantity(row, value);
-    else if constexpr (std::is_convertible_v<T, std::string_view>) sink.text(row, value);
+    else if constexpr (is_text<T>) sink.text(row, value);
     else if constexpr (is_optional<T> || WithReason<T>) {
-        if (value) return put_value(*value, row, sink);
+        if (value) return put_present(*value, row, sink);
         if (row.if_missing == Missing::left_out) return;
         if constexpr (WithReason<T>) sink.missing(row, value.reason);
         else if (row.if_missing != Missing::as_asked) sink.missing(row, {});
     } else if constexpr (std::is_same_v<T, Eigen::MatrixXd>) put_matrix(value, row, sink);
-    else if constexpr (is_map<T> || is_vector<T> || is_column<T>) {
-        if (value.size() == 0 && row.if_missing == Missing::left_out) return;
-        if (value.size() == 0 && row.if_missing == Missing::null) return sink.missing(row, {});
-        if constexpr (is_map<T>) put_by_name(value, row, sink);
-        else put_list(value, row, sink);
-    } else {
+    else if constexpr (is_map<T>) put_by_name(value, row, sink);
+    else if constexpr (is_list<T>) put_list(value, row, sink);
+    else {
         static_assert(HasRows<T>, "a type without rows: describe it where it is defined");
         sink.begin(row);
         put(&value, Described<T>::description, sink);
         sink.end(row);
     }
+}
+
+/// A value; an empty text or list is missing where the row states an output for missing values.
+template <class T>
+void put_value(const T& value, const Row& row, Sink& sink) {
+    if constexpr (is_text<T> || is_map<T> || is_list<T>) {
+        const bool empty = [&value] {
+            if constexpr (is_text<T>) return std::string_view(value).empty();
+            else return value.size() == 0;
+        }();
+        if (empty && row.if_missing == Missing::left_out) return;
+        if (empty && row.if_missing == Missing::null) return sink.missing(row, {});
+    }
+    put_present(value, row, sink);
 }
 
 template <class T>
@@ -509,6 +522,31 @@ consteval Row units_of_columns(From) {
                 }
                 sink.end(row);
             }};
+}
+
+/// Units of plain numbers, by the names of their fields.
+consteval Row units_of(const Description& fields) {
+    return {.name = "units",
+            .meaning = "unit of each column",
+            .kind = Kind::text_of,
+            .inner = &fields,
+            .put = [](const void*, const Row& row, Sink& sink) {
+                sink.begin(row);
+                for (const auto& field : row.inner->rows) {
+                    sink.key(field.name);
+                    sink.text(row, field.unit);
+                }
+                sink.end(row);
+            }};
+}
+
+/// The rows of several arrays.
+template <std::size_t... N>
+consteval auto joined(const std::array<Row, N>&... arrays) {
+    std::array<Row, (N + ...)> all{};
+    auto place = all.begin();
+    ((place = std::copy(arrays.begin(), arrays.end(), place)), ...);
+    return all;
 }
 
 /// A list whose elements other code adds: empty here.

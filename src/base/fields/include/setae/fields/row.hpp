@@ -120,8 +120,8 @@ struct Row {
         row.source = formula;
         return row;
     }
-    /// The numbers of the field have this unit, which the output states elsewhere or not at all.
-    [[nodiscard]] consteval Row measured_in(std::string_view si_unit) const {
+    /// The unit of a number that outputs contain without its unit.
+    [[nodiscard]] consteval Row in_unit(std::string_view si_unit) const {
         Row row = *this;
         row.unit = si_unit;
         return row;

@@ -53,7 +53,7 @@ struct Described<loops::PullOff> {
     using T = loops::PullOff;
     static constexpr std::array rows{
         field<&T::index>("index", "index of the sample"),
-        quantity<&T::force>("force", "F_po", "N", "smallest"),
+        quantity<&T::force>("force", "F_po", "N", "smallest force, at pull-off").as("pull_off_force"),
         quantity<&T::work_of_adhesion>("work_of_adhesion", "W_po", "J/m2", "W")
             .as("work_of_adhesion_pull_off")
             .from("at pull-off, W = 2|F_po|/(3 pi R), the smallest force; [D19], Eq. S1"),
@@ -79,7 +79,8 @@ struct Described<loops::RetractionFit> {
         field<&T::modulus_free>("contact_modulus_free", "whether E* was fitted, too"),
         field<&T::first>("first", "index of the first sample"),
         field<&T::last>("last", "index of the last sample"),
-        quantity<&T::rms_residual>("rms_residual", "rms", "N", "root mean square residual"),
+        quantity<&T::rms_residual>("rms_residual", "rms", "N", "root mean square residual of the force")
+            .as("rms_residual_of_force"),
         field<&T::radius_measured>("contact_radius_measured",
                                    "whether the contact radius was measured; otherwise it is computed by JKR"),
         inner<&T::work_of_adhesion>(),

@@ -25,9 +25,9 @@ template <>
 struct Described<loops::CurveBaseline> {
     using T = loops::CurveBaseline;
     static constexpr std::array rows{
-        field<&T::force>("force", "force at the middle of the baseline").measured_in("N"),
-        field<&T::slope>("slope", "slope of the baseline against displacement").measured_in("N/m"),
-        field<&T::force_noise>("force_noise", "standard deviation of the force about the baseline").measured_in("N"),
+        field<&T::force>("force", "force at the middle of the baseline").in_unit("N"),
+        field<&T::slope>("slope", "slope of the baseline against displacement").in_unit("N/m"),
+        field<&T::force_noise>("force_noise", "standard deviation of the force about the baseline").in_unit("N"),
         inner<&T::range>(),
     };
     static constexpr Description description{"", "force without contact", rows};
@@ -73,7 +73,7 @@ struct Described<loops::ForceCurveFit> {
         field<&T::covariance>("covariance", "covariance of the parameters"),
         quantity<&T::rms_residual>("rms_residual", "rms", "N", "root mean square residual"),
         field<&T::relative_residual>("relative_residual", "rms residual divided by the range of the fitted force"),
-        field<&T::residuals>("residuals", "measured minus fitted force of each point").measured_in("N"),
+        field<&T::residuals>("residuals", "measured minus fitted force of each point").in_unit("N"),
         field<&T::model_fit>("fit",
                              "further results of models with adhesion, and of fits with errors of both channels"),
         inner<&T::segment>(),
@@ -137,8 +137,8 @@ struct Described<study::MappedCurve> {
     using T = study::MappedCurve;
     static constexpr std::array rows{
         field<&T::number>("number", "number of the curve in the file, counted from 0"),
-        field<&T::x>("x", "coordinate along x").measured_in("m"),
-        field<&T::y>("y", "coordinate along y").measured_in("m"),
+        field<&T::x>("x", "coordinate along x").in_unit("m"),
+        field<&T::y>("y", "coordinate along y").in_unit("m"),
         field<&T::pixel>("pixel", "column and row of the curve on the grid"),
         fields_of<T>([](const T& of) -> const loops::Outcome<loops::ForceCurveSummary>& { return of.summary; }),
         made<T>("reason", "reason for which the curve has no result",
@@ -155,11 +155,11 @@ struct Described<tables::MapGrid> {
     static constexpr std::array rows{
         field<&T::columns>("columns", "number of columns"),
         field<&T::rows>("rows", "number of rows"),
-        field<&T::width>("width", "extent along the rows").measured_in("m"),
-        field<&T::height>("height", "extent along the columns").measured_in("m"),
-        field<&T::x>("x", "coordinate of the centre along x").measured_in("m"),
-        field<&T::y>("y", "coordinate of the centre along y").measured_in("m"),
-        field<&T::angle>("angle", "angle between the x axis and the rows").measured_in("rad"),
+        field<&T::width>("width", "extent along the rows").in_unit("m"),
+        field<&T::height>("height", "extent along the columns").in_unit("m"),
+        field<&T::x>("x", "coordinate of the centre along x").in_unit("m"),
+        field<&T::y>("y", "coordinate of the centre along y").in_unit("m"),
+        field<&T::angle>("angle", "angle between the x axis and the rows").in_unit("rad"),
     };
     static constexpr Description description{"", "grid of a force map", rows};
 };

@@ -59,8 +59,8 @@ struct Described<contact_line::LineRoughness> {
                 [](const T& of) {
                     return std::array{of.smallest_mode, of.largest_mode};
                 }),
-        field<&T::power>("power", "power <|r_n|²> of each mode").measured_in("m2"),
-        field<&T::structure>("structure", "structure function of the edge").measured_in("m"),
+        field<&T::power>("power", "power <|r_n|²> of each mode").in_unit("m2"),
+        field<&T::structure>("structure", "structure function of the edge").in_unit("m"),
         inner<&T::mode>(),
         inner<&T::lag>(),
         inner<&T::smallest_mode>(),
@@ -113,13 +113,13 @@ struct Described<answers::Clusters> {
     using Cluster = contact_line::Cluster;
     static constexpr std::array rows{
         made<T>("count", "number of groups", [](const T& of) { return of.list->size(); }),
-        made<T>("area", "area of each group", [](const T& of) { return of.all(&Cluster::area); }).measured_in("m2"),
-        made<T>("along", "extent along the edge", [](const T& of) { return of.all(&Cluster::along); }).measured_in("m"),
+        made<T>("area", "area of each group", [](const T& of) { return of.all(&Cluster::area); }).in_unit("m2"),
+        made<T>("along", "extent along the edge", [](const T& of) { return of.all(&Cluster::along); }).in_unit("m"),
         made<T>("across", "extent along the radius", [](const T& of) { return of.all(&Cluster::across); })
-            .measured_in("m"),
-        made<T>("angle", "angle of the middle", [](const T& of) { return of.all(&Cluster::angle); }).measured_in("rad"),
+            .in_unit("m"),
+        made<T>("angle", "angle of the middle", [](const T& of) { return of.all(&Cluster::angle); }).in_unit("rad"),
         made<T>("radius", "radius of the middle", [](const T& of) { return of.all(&Cluster::radius); })
-            .measured_in("m"),
+            .in_unit("m"),
         inner<&T::list>(),
     };
     static constexpr Description description{"clusters", "connected cells, the largest group first", rows};

@@ -60,12 +60,12 @@ struct Described<answers::FrameEllipse> {
     using T = answers::FrameEllipse;
     static constexpr std::array rows_of_centre{
         made<T>("x", "coordinate along x", [](const T& of) { return of.pixel_size * of.contact->ellipse.centre_x; })
-            .measured_in("m"),
+            .in_unit("m"),
         made<T>("y", "coordinate along y", [](const T& of) { return of.pixel_size * of.contact->ellipse.centre_y; })
-            .measured_in("m"),
+            .in_unit("m"),
         made<T>("standard_error", "standard error of both coordinates",
                 [](const T& of) { return of.pixel_size * of.contact->ellipse.centre_standard_error; })
-            .measured_in("m"),
+            .in_unit("m"),
         made<T>("unit", "unit of the coordinates", [](const T&) { return std::string_view("m"); }),
     };
     static constexpr Description centre{"", "centre of the ellipse", rows_of_centre};
@@ -75,13 +75,13 @@ struct Described<answers::FrameEllipse> {
                     const auto& ellipse = of.contact->ellipse;
                     return of.length("semi-major axis", "a1", ellipse.semi_major, ellipse.semi_major_standard_error);
                 })
-            .measured_in("m"),
+            .in_unit("m"),
         made<T>("semi_minor", "semi-minor axis of the ellipse",
                 [](const T& of) {
                     const auto& ellipse = of.contact->ellipse;
                     return of.length("semi-minor axis", "a2", ellipse.semi_minor, ellipse.semi_minor_standard_error);
                 })
-            .measured_in("m"),
+            .in_unit("m"),
         made_value<T>("angle", "rad", "angle of the major axis, from x towards y",
                       [](const T& of) { return of.contact->ellipse.angle; }),
         made<T>("roundness", "semi-minor axis divided by semi-major axis",
@@ -89,7 +89,7 @@ struct Described<answers::FrameEllipse> {
                     return answers::MeasuredInPicture{"roundness", "a2/a1", of.contact->roundness, "1",
                                                       of.contact->roundness_standard_error};
                 })
-            .measured_in("1"),
+            .in_unit("1"),
         part<T>("centre", "centre of the ellipse", centre),
         made<T>("confidence", "confidence from 0 to 1", [](const T& of) { return of.contact->confidence; }),
         made<T>("agreeing_rays", "share of the visible rays that agree",
@@ -120,7 +120,7 @@ struct Described<answers::RadiusFrame> {
     static constexpr std::array rows{
         made<T>("frame", "number of the frame", [](const T& of) { return of.frame->number; }),
         made<T>("name", "name of the picture", [](const T& of) -> const std::string& { return of.frame->name; }),
-        made<T>("time", "time of the frame", [](const T& of) { return of.frame->time; }).measured_in("s"),
+        made<T>("time", "time of the frame", [](const T& of) { return of.frame->time; }).in_unit("s"),
         made<T>("state", "result of the frame", [](const T& of) { return to_string(of.frame->contact.state); })
             .one_of(states),
         made<T>("remark", "reason for which there is no radius, or a warning; may be empty",
@@ -130,7 +130,7 @@ struct Described<answers::RadiusFrame> {
                     return answers::MeasuredInPicture{"contact radius", "a", of.frame->radius, "m",
                                                       of.frame->standard_error};
                 })
-            .measured_in("m"),
+            .in_unit("m"),
         fields_of<T>([](const T& of) -> std::optional<answers::FrameEllipse> {
             if (of.frame->contact.state != imaging::FrameState::measured) return std::nullopt;
             return answers::FrameEllipse{&of.frame->contact, of.pixel_size};

@@ -8,7 +8,7 @@
 #include "setae/core/quantity.hpp"
 #include "setae/fields/describe.hpp"
 #include "setae/hysteresis/full_contact.hpp"
-#include "setae/hysteresis/law_trials.hpp"
+#include "setae/hysteresis/retraction_model_trials.hpp"
 #include "setae/hysteresis/smooth_limit.hpp"
 #include "setae/loops/outcome.hpp"
 #include "setae/study/edge_speeds.hpp"
