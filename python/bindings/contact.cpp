@@ -10,14 +10,15 @@
 #include "setae/answers/adhesive_contact.hpp"
 #include "setae/answers/adhesive_sweep.hpp"
 #include "setae/answers/contact_comparison.hpp"
-#include "setae/answers/contact_front.hpp"
 #include "setae/answers/contact_line.hpp"
 #include "setae/answers/contact_surface.hpp"
+#include "setae/answers/front_fields.hpp"
 #include "setae/answers/hard_wall.hpp"
 #include "setae/answers/persson_contact.hpp"
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/half_space/hard_wall.hpp"
+#include "setae/output/field_json.hpp"
 #include "setae/processing/pipeline.hpp"
 
 namespace setae::python {
@@ -178,7 +179,7 @@ Sweep front_of(const Item& item, const answers::FrontRequest& request, answers::
         return true;
     };
     auto answer = answers::contact_front(item.path, surfaces, request, {}, go_on);
-    auto json = output::as_text(answers::to_json(answer, records));
+    auto json = output::as_text(output::described(answers::ContactOutput{&answer, &records}));
     return {std::move(answer.steps), std::move(answer.quantities), std::move(json), {}, std::move(answer.edge)};
 }
 

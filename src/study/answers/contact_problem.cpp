@@ -89,6 +89,16 @@ void add_interaction(output::Json& json, const half_space::Interaction& interact
     json["units"]["grid_ratio"] = "1";
 }
 
+std::vector<std::pair<std::string, std::string>> units_by_name(
+    const std::vector<Quantity>& quantities, std::initializer_list<const fields::Description*> numbers) {
+    std::vector<std::pair<std::string, std::string>> units;
+    for (const auto& q : quantities) units.emplace_back(q.quantity, q.unit);
+    for (const auto* description : numbers)
+        for (const auto& row : description->rows)
+            if (!row.unit.empty()) units.emplace_back(row.name, row.unit);
+    return units;
+}
+
 std::vector<Alert> alerts_of_grid(const std::string& file, const half_space::Interaction& interaction,
                                   const half_space::Body& body, const half_space::Grid& grid) {
     const auto resolution = half_space::resolution_of(interaction, body, grid);

@@ -6,6 +6,7 @@
 #include "setae/answers/contents_fields.hpp"
 #include "setae/answers/curve_fields.hpp"
 #include "setae/answers/format_list.hpp"
+#include "setae/answers/front_fields.hpp"
 #include "setae/answers/import_fields.hpp"
 #include "setae/answers/lens.hpp"
 #include "setae/answers/line_fields.hpp"
@@ -26,6 +27,7 @@ constexpr DescribedOutput one(std::string_view command) {
 
 constexpr DescribedOutput outputs[]{
     one<Adhesion>("adhesion"),
+    one<ContactOutput<FrontAnswer>>("contact front"),
     one<CheckedContainers>("container check"),
     one<WrittenContainer>("container write"),
     one<output::ContourEntry>("contour"),

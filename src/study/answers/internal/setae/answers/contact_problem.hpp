@@ -2,12 +2,15 @@
 #pragma once
 
 #include <array>
+#include <initializer_list>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "setae/core/quantity.hpp"
 #include "setae/fields/option.hpp"
+#include "setae/fields/row.hpp"
 #include "setae/half_space/body.hpp"
 #include "setae/half_space/grid.hpp"
 #include "setae/half_space/interaction.hpp"
@@ -57,6 +60,10 @@ void add_interaction(output::Json& json, const half_space::Interaction& interact
 /// Adds the file, the processing of its heights, and warnings.
 void add_input(output::Json& json, const std::string& file, const std::vector<processing::StepRecord>& processing,
                const std::vector<Alert>& alerts);
+
+/// Units by name of quantities, and of numbers that rows describe.
+[[nodiscard]] std::vector<std::pair<std::string, std::string>> units_by_name(
+    const std::vector<Quantity>& quantities, std::initializer_list<const fields::Description*> numbers = {});
 
 /// A grid on which edges are caught by more than a per cent (half_space::resolution_of).
 [[nodiscard]] std::vector<Alert> alerts_of_grid(const std::string& file, const half_space::Interaction& interaction,
