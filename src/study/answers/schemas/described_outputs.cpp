@@ -2,6 +2,7 @@
 #include "schemas/described_outputs.hpp"
 
 #include "setae/answers/adhesion_fields.hpp"
+#include "setae/answers/comparison_fields.hpp"
 #include "setae/answers/container_fields.hpp"
 #include "setae/answers/contents_fields.hpp"
 #include "setae/answers/curve_fields.hpp"
@@ -11,8 +12,11 @@
 #include "setae/answers/lens.hpp"
 #include "setae/answers/line_fields.hpp"
 #include "setae/answers/loop_fields.hpp"
+#include "setae/answers/persson_fields.hpp"
 #include "setae/answers/power_spectrum_fields.hpp"
 #include "setae/answers/radius_fields.hpp"
+#include "setae/answers/solve_fields.hpp"
+#include "setae/answers/sweep_fields.hpp"
 #include "setae/fields/describe.hpp"
 #include "setae/output/contour_fields.hpp"
 #include "setae/study_figures/figure_fields.hpp"
@@ -27,7 +31,12 @@ constexpr DescribedOutput one(std::string_view command) {
 
 constexpr DescribedOutput outputs[]{
     one<Adhesion>("adhesion"),
+    one<ContactComparison>("contact compare"),
     one<ContactOutput<FrontAnswer>>("contact front"),
+    one<PerssonContact>("contact persson"),
+    one<ContactOutput<HardWallAnswer>>("contact solve"),
+    one<ContactOutput<AdhesiveContactAnswer>>("contact solve"),
+    one<ContactOutput<SweepAnswer>>("contact sweep"),
     one<CheckedContainers>("container check"),
     one<WrittenContainer>("container write"),
     one<output::ContourEntry>("contour"),
