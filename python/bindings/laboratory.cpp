@@ -34,7 +34,7 @@ void bind_lens(nb::module_& module) {
         "camera_scale",
         [](const std::vector<std::string>& pictures, const std::string& pitch) {
             return unlocked([&](const auto&) {
-                return output::as_text(answers::to_json(answers::camera_scale(pictures, {pitch})));
+                return output::as_text(output::described(answers::camera_scale(pictures, {pitch})));
             });
         },
         nb::arg("pictures"), nb::arg("pitch"), "as printed by `setae jkr camera --json`");
@@ -49,7 +49,7 @@ void bind_replicates(nb::module_& module) {
         "replicates",
         [](const Request& request) {
             return unlocked(
-                [&](const auto&) { return output::as_text(answers::to_json(answers::replicate_summary(request))); });
+                [&](const auto&) { return output::as_text(output::described(answers::replicate_summary(request))); });
         },
         nb::arg("request"), "as printed by `setae jkr summary --json`");
 }

@@ -86,7 +86,8 @@ void bind_loops(nb::module_& module) {
         "machine_stiffness",
         [](const Loop& loop) {
             return unlocked([&](const auto&) {
-                return output::as_text(answers::to_json(loop.file, answers::machine_stiffness(loop.opened)));
+                return output::as_text(
+                    output::described(answers::StiffnessOfFile{loop.file, answers::machine_stiffness(loop.opened)}));
             });
         },
         nb::arg("loop"), "as printed by `setae jkr stiffness --json`");

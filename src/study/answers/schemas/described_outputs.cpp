@@ -2,6 +2,7 @@
 #include "schemas/described_outputs.hpp"
 
 #include "setae/answers/adhesion_fields.hpp"
+#include "setae/answers/camera_scale.hpp"
 #include "setae/answers/comparison_fields.hpp"
 #include "setae/answers/container_fields.hpp"
 #include "setae/answers/contents_fields.hpp"
@@ -12,9 +13,11 @@
 #include "setae/answers/lens.hpp"
 #include "setae/answers/line_fields.hpp"
 #include "setae/answers/loop_fields.hpp"
+#include "setae/answers/machine_stiffness.hpp"
 #include "setae/answers/persson_fields.hpp"
 #include "setae/answers/power_spectrum_fields.hpp"
 #include "setae/answers/radius_fields.hpp"
+#include "setae/answers/replicates.hpp"
 #include "setae/answers/solve_fields.hpp"
 #include "setae/answers/sweep_fields.hpp"
 #include "setae/fields/describe.hpp"
@@ -42,6 +45,7 @@ constexpr DescribedOutput outputs[]{
     one<output::ContourEntry>("contour"),
     one<FormatList>("formats"),
     one<Contents>("info"),
+    one<imaging::CameraScale>("jkr camera"),
     one<LoopEnergies>("jkr energy"),
     one<FittedLoop>("jkr fit"),
     one<SharedLoops>("jkr fit"),
@@ -52,6 +56,8 @@ constexpr DescribedOutput outputs[]{
     one<LineAnswer>("jkr line"),
     one<ComparedLine>("jkr line"),
     one<imaging::ContactRadii>("jkr radius"),
+    one<StiffnessOfFile>("jkr stiffness"),
+    one<ReplicateSummary>("jkr summary"),
     one<study_figures::PlottedFigure>("plot"),
     one<study_figures::FigureList>("plot"),
     one<PowerSpectrum>("psd"),
