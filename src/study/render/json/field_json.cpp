@@ -26,6 +26,7 @@ public:
 
     void flag(const Row& row, bool value) override { add(row, value); }
     void whole(const Row& row, long long value) override { add(row, value); }
+    void whole(const Row& row, std::uint64_t value) override { add(row, value); }
     void number(const Row& row, double value) override { add(row, output::number(value)); }
     void value(const Row& row, double value) override {
         add(row, {{"value", output::number(value)}, {"unit", row.unit}});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string_view>
 
@@ -60,6 +61,8 @@ public:
 
     virtual void flag(const Row& row, bool value) = 0;
     virtual void whole(const Row& row, long long value) = 0;
+    /// Seeds have 64 bits without a sign.
+    virtual void whole(const Row& row, std::uint64_t value) = 0;
     virtual void number(const Row& row, double value) = 0;
     virtual void value(const Row& row, double value) = 0;
     virtual void quantity(const Row& row, const Estimate& value) = 0;
@@ -117,6 +120,12 @@ struct Row {
     [[nodiscard]] consteval Row from(std::string_view formula) const {
         Row row = *this;
         row.source = formula;
+        return row;
+    }
+    /// The unit of a number that outputs contain without its unit.
+    [[nodiscard]] consteval Row in_unit(std::string_view si_unit) const {
+        Row row = *this;
+        row.unit = si_unit;
         return row;
     }
     /// The allowed words.
