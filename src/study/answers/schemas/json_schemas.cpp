@@ -117,6 +117,7 @@ Json JsonSchemas::own_schema(const std::string& command) const {
 Json JsonSchemas::shared_parts() const {
     auto parts = parsed(shared);
     std::map<std::string, Json> described;
+    output::add_schemas_of_numbers(described);
     output::add_study_schemas(described);
     output::add_named_schemas(fields::Described<ReplicateSummary>::description, described);
     output::add_named_schemas(fields::Described<loops::LoopAnalysis>::description, described);

@@ -167,4 +167,12 @@ void add_named_schemas(const fields::Description& description, std::map<std::str
         if (row.inner) add_named_schemas(*row.inner, schemas);
 }
 
+void add_schemas_of_numbers(std::map<std::string, Json>& schemas) {
+    schemas["number"] = {{"description", "number; null where it is unknown"},
+                         {"anyOf", {type("number"), type("null"), {{"enum", {"infinity", "-infinity"}}}}}};
+    for (const auto* description :
+         {&fields::value_description, &fields::values_description, &fields::quantity_description})
+        add_named_schemas(*description, schemas);
+}
+
 }  // namespace setae::output
