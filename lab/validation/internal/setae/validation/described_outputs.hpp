@@ -4,6 +4,7 @@
 #include <array>
 
 #include "setae/answers/json_schemas.hpp"
+#include "setae/validation/summary.hpp"
 #include "setae/validation/true_area_of_maps.hpp"
 
 namespace setae::validation {
@@ -12,6 +13,7 @@ namespace setae::validation {
 /// describes these outputs contains nothing else of the laboratory.
 inline constexpr std::array described_outputs{
     answers::DescribedOutput{.command = "lab area", .description = &fields::Described<AreaOutput>::description},
+    answers::DescribedOutput{.command = "lab causes", .description = &fields::Described<RecipeSummary>::of_causes},
 };
 
 }  // namespace setae::validation
