@@ -29,7 +29,7 @@ EXAMPLES = {
     "laboratory": "$SETAE lab make examples/laboratory/recipe.toml -o $WORK/data && $SETAE study $WORK/data/study.toml --output $WORK/results",
     "closure": "$SETAE lab closure examples/closure/fewer.toml --runs 1 -o $WORK/closure",
     "references": "mkdir $WORK/pages && $SETAE study --documentation $WORK/pages && $SETAE man --documentation $WORK/pages/commands"
-                  " && $SETAE schema --documentation $WORK/pages/json.md && $SETAE formats --documentation $WORK/pages/formats",
+                  " && $SETAE schema --documentation $WORK/pages && $SETAE formats --documentation $WORK/pages/formats",
     "help": "for shell in bash zsh fish; do $SETAE completion $shell; done; $SETAE man; $SETAE --help;"
             " sed -n 's/^# setae //p' docs/reference/commands/*.md | while read verb; do $SETAE $verb --help; $SETAE $verb --explain; done",
 }

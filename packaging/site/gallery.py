@@ -42,7 +42,7 @@ SURFACES = [
     Drawing("level", "level.svg", "Heights before and after a plane and the offsets of the scan lines are removed.",
             ['setae level mine/rougher/afm_1.txt --step level_plane --step "level_lines" -o level.svg']),
     Drawing("profile", "profile.svg", "Heights along a straight line over a map, and the long waves of this line.",
-            ["setae profile scan.gwy --from 0,0 --to 4.9,2.5 --unit-xy um -o line.csv", "cut -d, -f1,4 line.csv > heights.csv",
+            ["setae profile scan.gwy --from 0,0 --to 5,2.5 --unit-xy um -o line.csv", "cut -d, -f1,4 line.csv > heights.csv",
              'setae level heights.csv --step "gaussian_filter cutoff=1um" -o profile.svg']),
     Drawing("tip", "tip.svg", "Shape of the bluntest tip that could have made a map.",
             ["setae tip scan.gwy -o tip.x3p", "setae level tip.x3p --step level_mean -o tip.svg"]),

@@ -3,10 +3,12 @@
 
 #include "bindings.hpp"
 #include "request.hpp"
-#include "setae/answers/containers.hpp"
+#include "setae/answers/container_fields.hpp"
 #include "setae/answers/format_list.hpp"
 #include "setae/answers/json_schemas.hpp"
 #include "setae/core/errors.hpp"
+
+#include "setae/output/field_json.hpp"
 #include "setae/validation/described_outputs.hpp"
 
 namespace setae::python {
@@ -29,7 +31,7 @@ void bind_containers(nb::module_& module) {
             return unlocked([&](const auto&) {
                 const auto written = answers::write_container(request);
                 answers::require_written(written);
-                return output::as_text(answers::to_json(written));
+                return output::as_text(output::described(written));
             });
         },
         nb::arg("request"), "as printed by `setae container write --json`");
@@ -37,15 +39,16 @@ void bind_containers(nb::module_& module) {
         "check_containers",
         [](const std::vector<std::string>& files) {
             return unlocked([&](const auto&) {
-                auto containers = output::Json::array();
+                answers::CheckedContainers checked;
                 for (const auto& file : files)
-                    containers.push_back(answers::to_json(file, formats::check_container(bytes::file_source(file))));
-                return output::as_text({{"containers", containers}});
+                    checked.containers.push_back({file, formats::check_container(bytes::file_source(file))});
+                return output::as_text(output::described(checked));
             });
         },
         nb::arg("files"), "as printed by `setae container check --json`");
     module.def(
-        "formats", [] { return output::as_text(answers::formats_json()); }, "as printed by `setae formats --json`");
+        "formats", [] { return output::as_text(output::described(answers::FormatList{})); },
+        "as printed by `setae formats --json`");
     module.def(
         "schema",
         [](const std::string& command) {

@@ -9,10 +9,11 @@
 #include <nlohmann/json.hpp>
 
 #include "opened_file.hpp"
-#include "setae/answers/contents.hpp"
+#include "setae/answers/contents_fields.hpp"
 #include "setae/answers/diagnosis.hpp"
 #include "setae/answers/processed_file.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/output/field_json.hpp"
 #include "setae/study/pipeline_file.hpp"
 
 namespace setae::python {
@@ -250,7 +251,7 @@ void bind_heights(nb::module_& module) {
                 answers::ContentsRequest request{
                     .paths = paths, .questions = about.request.file.questions(), .channel = about.request.file.channel};
                 if (heights) (*heights ? request.heights : request.no_heights) = true;
-                return output::as_text(answers::to_json(answers::contents(request)));
+                return output::as_text(output::described(answers::contents(request)));
             });
         },
         nb::arg("paths"), nb::arg("about"), nb::arg("heights").none(), "as printed by `setae info --json`");

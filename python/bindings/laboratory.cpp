@@ -11,7 +11,7 @@
 #include "setae/bytes/whole_file.hpp"
 #include "setae/contact_line/line_table.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/output/contour_file.hpp"
+#include "setae/output/contour_fields.hpp"
 #include "setae/output/field_json.hpp"
 
 namespace setae::python {
@@ -157,8 +157,9 @@ void bind_contour(nb::module_& module) {
                  const auto bytes = study::overlay_of(contour.picture, contour.options);
                  return nb::bytes(bytes.data(), bytes.size());
              })
-        .def("json",
-             [](const Contour& contour) { return output::as_text(output::to_json(contour.picture, contour.options)); });
+        .def("json", [](const Contour& contour) {
+            return output::as_text(output::described(output::ContourEntry{&contour.picture, &contour.options}));
+        });
     module.def(
         "contour",
         [](const std::string& picture, const Request& request) {

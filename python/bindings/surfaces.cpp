@@ -6,13 +6,14 @@
 
 #include "heights.hpp"
 #include "request.hpp"
-#include "setae/answers/adhesion.hpp"
+#include "setae/answers/adhesion_fields.hpp"
 #include "setae/answers/diagnosis.hpp"
 #include "setae/answers/functions_of_scale.hpp"
 #include "setae/answers/parameters.hpp"
-#include "setae/answers/power_spectrum.hpp"
+#include "setae/answers/power_spectrum_fields.hpp"
 #include "setae/answers/texture.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/output/field_json.hpp"
 #include "setae/output/study_tables.hpp"
 
 namespace setae::python {
@@ -105,7 +106,7 @@ void bind_adhesion(nb::module_& module) {
                     surface_of(items), analysis,
                     {.previews = false, .parameters = false, .map = true, .every_measurement = every_measurement}, {});
                 (void)analysed(surface.surface);
-                return output::as_text(answers::to_json(answers::adhesion(std::move(surface), analysis, solids)));
+                return output::as_text(output::described(answers::adhesion(std::move(surface), analysis, solids)));
             });
         },
         nb::arg("items"), nb::arg("analysis"), nb::arg("solids"), nb::arg("every_measurement"),
@@ -114,7 +115,7 @@ void bind_adhesion(nb::module_& module) {
         "adhesion_of_surface",
         [](const Surface& surface, const answers::AdhesionRequest& solids) {
             return unlocked([&](const auto&) {
-                return output::as_text(answers::to_json(answers::adhesion(surface.result, surface.analysis, solids)));
+                return output::as_text(output::described(answers::adhesion(surface.result, surface.analysis, solids)));
             });
         },
         nb::arg("surface"), nb::arg("solids"));
@@ -136,7 +137,7 @@ void bind_surfaces(nb::module_& module) {
     nb::class_<Spectrum>(module, "Spectrum")
         .def_prop_ro("columns", [](nb::handle self) { return columns(nb::cast<const Spectrum&>(self).table, self); })
         .def_prop_ro("units", [](const Spectrum& spectrum) { return units(spectrum.table); })
-        .def("json", [](const Spectrum& spectrum) { return output::as_text(answers::to_json(spectrum)); });
+        .def("json", [](const Spectrum& spectrum) { return output::as_text(output::described(spectrum)); });
     module.def(
         "power_spectrum",
         [](const Items& items, const answers::AnalysisRequest& analysis, bool isotropic, bool abel, bool binned,

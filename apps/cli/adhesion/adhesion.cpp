@@ -9,9 +9,10 @@
 #include "program/print_json.hpp"
 #include "program/terminal.hpp"
 #include "psd/surface_options.hpp"
-#include "setae/answers/adhesion.hpp"
+#include "setae/answers/adhesion_fields.hpp"
 #include "setae/core/layout.hpp"
 #include "setae/output/contact_answers.hpp"
+#include "setae/output/field_json.hpp"
 #include "setae/output/predicted_quantities.hpp"
 #include "setae/output/quantity_table.hpp"
 #include "setae/tables/tidy_table.hpp"
@@ -59,7 +60,7 @@ ExitCode run(const Arguments& arguments) {
     if (code == ExitCode::nothing_done) return code;
     auto adhesion = answers::adhesion(std::move(surface), analysis, arguments.solids, threads);
     if (arguments.common.json) {
-        print_json(answers::to_json(adhesion));
+        print_json(output::described(adhesion));
         return code;
     }
     const auto others = show_reading_warnings(adhesion.alerts());

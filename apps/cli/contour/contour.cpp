@@ -20,7 +20,9 @@
 #include "setae/core/units.hpp"
 #include "setae/file_figures/contour_figure.hpp"
 #include "setae/imaging/calibration_file.hpp"
+#include "setae/output/contour_fields.hpp"
 #include "setae/output/contour_file.hpp"
+#include "setae/output/field_json.hpp"
 #include "setae/parallel/for_each.hpp"
 #include "setae/study/file_content.hpp"
 
@@ -127,7 +129,8 @@ void write_picture(const Arguments& a, const study::TracedPicture& picture, cons
                                              : fmt::format("{}_{}{}", to.stem.string(), i + 1, to.extension);
         bytes::write_whole_file(path, study::profile_text(picture, i, options.shape));
     }
-    bytes::write_whole_file(to.stem.string() + ".json", output::as_text(output::to_json(picture, options)));
+    bytes::write_whole_file(to.stem.string() + ".json",
+                            output::as_text(output::described(output::ContourEntry{&picture, &options})));
     if (!a.no_overlay) bytes::write_whole_file(to.stem.string() + ".png", study::overlay_of(picture, options));
 }
 
@@ -224,7 +227,7 @@ ExitCode run(const Arguments& a) {
         }
         alerts.insert(alerts.end(), outcome.picture->alerts.begin(), outcome.picture->alerts.end());
         study::add_rows(table, *outcome.picture);
-        if (a.common.json) json.push_back(output::to_json(*outcome.picture, options));
+        if (a.common.json) json.push_back(output::described(output::ContourEntry{&*outcome.picture, &options}));
     }
     show(alerts);
     if (!a.save_calibration.empty() && failed == 0)

@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <memory>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
 
 #include "files/channel_lines.hpp"
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
 #include "program/terminal.hpp"
-#include "setae/answers/containers.hpp"
+#include "setae/answers/container_fields.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/layout.hpp"
 #include "setae/formats/channel.hpp"
 #include "setae/formats/container_draft.hpp"
+#include "setae/output/field_json.hpp"
 
 namespace setae::cli::container_check_command {
 namespace {
@@ -64,15 +65,15 @@ std::string report_text(const std::string& file, const formats::ContainerReport&
 
 ExitCode run(const Arguments& arguments) {
     if (arguments.files.empty()) throw InvalidArgument("no file; expected containers, such as measurements.zip");
-    auto containers = output::Json::array();
+    answers::CheckedContainers checked;
     bool fault = false;
     const auto code = for_each_item(arguments.files, [&](const std::string& file) {
-        const auto report = formats::check_container(bytes::file_source(file));
+        auto report = formats::check_container(bytes::file_source(file));
         fault = fault || answers::at_fault(report);
-        if (arguments.common.json) containers.push_back(answers::to_json(file, report));
-        else print(report_text(file, report, output_size().width));
+        if (!arguments.common.json) print(report_text(file, report, output_size().width));
+        checked.containers.push_back({file, std::move(report)});
     });
-    if (arguments.common.json && code != ExitCode::nothing_done) print_json({{"containers", containers}});
+    if (arguments.common.json && code != ExitCode::nothing_done) print_json(output::described(checked));
     return code == ExitCode::done && fault ? ExitCode::some_failed : code;
 }
 

@@ -2,12 +2,12 @@
 #include <memory>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
-#include "setae/answers/containers.hpp"
+#include "setae/answers/container_fields.hpp"
+#include "setae/output/field_json.hpp"
 
 namespace setae::cli::container_write_command {
 namespace {
@@ -36,7 +36,7 @@ ExitCode run(const Arguments& arguments) {
     for (const auto& failure : written.failures) print_message(failure);
     answers::require_written(written);
     show(written.draft.alerts);
-    if (arguments.common.json) print_json(answers::to_json(written));
+    if (arguments.common.json) print_json(output::described(written));
     else
         print(fmt::format("{}: surfaces {}, measurements {}\n", written.output, written.draft.container.surfaces.size(),
                           written.measurements()));

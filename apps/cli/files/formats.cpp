@@ -2,7 +2,6 @@
 #include <memory>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "files/format_pages.hpp"
 #include "program/command.hpp"
@@ -13,6 +12,7 @@
 #include "setae/answers/format_list.hpp"
 #include "setae/formats/format.hpp"
 #include "setae/imaging/micrograph.hpp"
+#include "setae/output/field_json.hpp"
 #include "setae/tables/force_curve.hpp"
 #include "setae/tables/tidy_table.hpp"
 
@@ -70,7 +70,7 @@ ExitCode run(const Arguments& arguments) {
         return ExitCode::done;
     }
     if (arguments.common.json) {
-        print_json(answers::formats_json());
+        print_json(output::described(answers::FormatList{}));
         return ExitCode::done;
     }
     const auto curves = as_table("force curves, for setae jkr", tables::force_curve_formats());

@@ -10,8 +10,10 @@
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
 #include "program/terminal.hpp"
+#include "setae/answers/contents_fields.hpp"
 #include "setae/answers/surface_request.hpp"
 #include "setae/core/words.hpp"
+#include "setae/output/field_json.hpp"
 
 namespace setae::cli::info_command {
 namespace {
@@ -68,7 +70,7 @@ ExitCode run(const Arguments& arguments) {
     request.questions = arguments.file.questions();
     request.channel = arguments.file.channel;
     const auto contents = answers::contents(request);
-    if (!contents.files.empty() && arguments.common.json) print_json(answers::to_json(contents));
+    if (!contents.files.empty() && arguments.common.json) print_json(output::described(contents));
     if (!arguments.common.json)
         print(file_tables(contents.files, arguments.all ? Detail::all : Detail::usual, output_size().width));
     if (!arguments.common.json && !contents.own.empty())

@@ -25,6 +25,7 @@ constexpr const char* explanation =
     "Heights are interpolated linearly. Along a line of the grid they are the stored heights.\n"
     "\n"
     "x, y     from the first point of the map, y downwards as in its picture; point (i, j) is at (i Dx, j Dy)\n"
+    "         The last point is one pixel before the edge of the map. A line to the edge ends at the last point.\n"
     "--width  mean over parallel lines, one pixel apart\n";
 
 struct Arguments {

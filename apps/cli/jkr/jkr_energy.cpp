@@ -74,12 +74,12 @@ Table table_of(const AnalysedLoop& loop, const loops::EnergyCourse& course) {
 }
 
 void print_energy_budget(const AnalysedLoop& loop) {
-    const auto& ledger = loop.analysis.ledger;
-    if (!ledger) {
-        print(fmt::format("{}: {}\n", loop.file, ledger.reason));
+    const auto& budget = loop.analysis.budget;
+    if (!budget) {
+        print(fmt::format("{}: {}\n", loop.file, budget.reason));
         return;
     }
-    const auto unit = display_unit(ledger->loop.energy, "J");
+    const auto unit = display_unit(budget->loop.energy, "J");
     tables::TidyTable table{
         loop.file,
         {"part", fmt::format("energy [{}]", unit.name), "± of noise", "drift", "sampling", "discretisation"},
@@ -91,25 +91,25 @@ void print_energy_budget(const AnalysedLoop& loop) {
             row.emplace_back(share > 0.0 ? format_value(share, "J", 2) : "0");
         table.rows.push_back(std::move(row));
     };
-    add("closed loop", ledger->loop.energy, ledger->loop.standard_error);
-    add("free flight before", ledger->before_contact.energy, ledger->before_contact.standard_error);
-    if (ledger->jump_in) add("jump-in", ledger->jump_in->energy, ledger->jump_in->standard_error);
-    add("approach", ledger->approach.energy, ledger->approach.standard_error);
-    add("retraction", ledger->retraction.energy, ledger->retraction.standard_error);
-    if (ledger->jump_out) add("jump-out", ledger->jump_out->energy, ledger->jump_out->standard_error);
-    add("free flight after", ledger->after_contact.energy, ledger->after_contact.standard_error);
+    add("closed loop", budget->loop.energy, budget->loop.standard_error);
+    add("free flight before", budget->before_contact.energy, budget->before_contact.standard_error);
+    if (budget->jump_in) add("jump-in", budget->jump_in->energy, budget->jump_in->standard_error);
+    add("approach", budget->approach.energy, budget->approach.standard_error);
+    add("retraction", budget->retraction.energy, budget->retraction.standard_error);
+    if (budget->jump_out) add("jump-out", budget->jump_out->energy, budget->jump_out->standard_error);
+    add("free flight after", budget->after_contact.energy, budget->after_contact.standard_error);
     std::string text = tables::as_text_within(table, output_size().width);
     const auto line = [&](const char* what, const std::string& value) {
         text += fmt::format("  {:<34} {}\n", what, value);
     };
-    line("smooth sphere, fixed grips", format_value(ledger->ideal_fixed_grips, "J"));
-    line("smooth sphere, testing machine", fmt::format("{} (k = {})", format_value(ledger->ideal_this_machine, "J"),
-                                                       format_value(ledger->machine_stiffness, "N/m")));
-    if (ledger->recovered_share > 0.0)
-        line("recovered work of approach", fmt::format("{:.1f} %", 100.0 * ledger->recovered_share));
-    line("loss per apparent area", format_value(ledger->loss_per_apparent_area, "J/m2"));
+    line("smooth sphere, fixed grips", format_value(budget->ideal_fixed_grips, "J"));
+    line("smooth sphere, testing machine", fmt::format("{} (k = {})", format_value(budget->ideal_this_machine, "J"),
+                                                       format_value(budget->machine_stiffness, "N/m")));
+    if (budget->recovered_share > 0.0)
+        line("recovered work of approach", fmt::format("{:.1f} %", 100.0 * budget->recovered_share));
+    line("loss per apparent area", format_value(budget->loss_per_apparent_area, "J/m2"));
     line("loss per true area",
-         fmt::format("{} (r = {:.4g})", format_value(ledger->loss_per_true_area, "J/m2"), ledger->true_area_ratio));
+         fmt::format("{} (r = {:.4g})", format_value(budget->loss_per_true_area, "J/m2"), budget->true_area_ratio));
     for (std::size_t i = 0; i < loop.analysis.cycles.size() && loop.analysis.cycles.size() > 1; ++i) {
         const auto& energy = loop.analysis.cycles[i].energy;
         line(fmt::format("cycle {}", i + 1).c_str(), energy ? format_value(*energy, "J") : energy.reason);
@@ -127,8 +127,8 @@ public:
         figures_.push_back(study_figures::course_figure(
             {.name = name, .analysis = loop.analysis, .bodies = loop.bodies, .options = loop.options}, course,
             command_line()));
-        if (const auto& ledger = loop.analysis.ledger)
-            losses_.push_back({name, ledger->loop.estimate(), ledger->largest_true_area(), ledger->ideal_this_machine});
+        if (const auto& budget = loop.analysis.budget)
+            losses_.push_back({name, budget->loop.estimate(), budget->largest_true_area(), budget->ideal_this_machine});
     }
     void write() {
         figures_.push_back(study_figures::loss_figure(losses_, command_line()));

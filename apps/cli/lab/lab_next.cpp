@@ -95,8 +95,9 @@ Action declare(Options& options) {
         .value_named("NAME");
     options
         .add("--target", arguments->target,
-             "number whose standard error the measurements should reduce, as in `setae study --next`")
-        .value_named("NUMBER");
+             "result whose standard error the measurements should reduce: W_int, a pair such as \"E02 on A\", or the "
+             "difference of two balances such as \"(7) - (10)\", as in `setae study --next`; default: W_int")
+        .value_named("RESULT");
     options.example("setae lab next recipe.toml --runs 100", "promised and simulated effects of further measurements");
     return action(options, arguments, explanation, run);
 }

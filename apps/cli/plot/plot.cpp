@@ -5,7 +5,6 @@
 #include <memory>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "program/command.hpp"
 #include "program/data_folder.hpp"
@@ -13,7 +12,9 @@
 #include "program/print_json.hpp"
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/output/field_json.hpp"
 #include "setae/study/study_result.hpp"
+#include "setae/study_figures/figure_fields.hpp"
 #include "setae/study_figures/write_figures.hpp"
 #include "study/run_arguments.hpp"
 
@@ -59,26 +60,9 @@ std::string ending_of(const std::string& path) {
     return ending;
 }
 
-output::Json as_json(const study_figures::StudyFigure& figure) {
-    output::Json json{{"identifier", figure.identifier},
-                      {"name", figure.name},
-                      {"title", figure.title},
-                      {"drawable", figure.drawable()}};
-    if (figure.drawable()) {
-        json["caption"] = figure.caption;
-        json["width"] = {{"value", 1e-3 * figure.figure.width_mm}, {"unit", "m"}};
-        json["height"] = {{"value", 1e-3 * figure.figure.height_mm}, {"unit", "m"}};
-    } else {
-        json["reason"] = figure.reason;
-    }
-    return json;
-}
-
 ExitCode list(const PlotArguments& arguments, const std::vector<study_figures::StudyFigure>& figures) {
     if (arguments.common.json) {
-        output::Json json{{"figures", output::Json::array()}};
-        for (const auto& figure : figures) json["figures"].push_back(as_json(figure));
-        print_json(json);
+        print_json(output::described(study_figures::FigureList{&figures}));
         return ExitCode::done;
     }
     std::size_t width = 0;
@@ -104,13 +88,8 @@ ExitCode plot(const PlotArguments& arguments, const cache::Store& store, Progres
     bytes::write_whole_file(output, ending == "csv"
                                         ? study_figures::data_of(figure, arguments.study, arguments.figure_width())
                                         : study_figures::bytes_of(figure, ending, &store));
-    if (arguments.common.json) {
-        auto json = as_json(figure);
-        json["file"] = output;
-        print_json(json);
-    } else {
-        print(fmt::format("{}: {}\n{}\n", output, figure.title, figure.caption));
-    }
+    if (arguments.common.json) print_json(output::described(study_figures::PlottedFigure{&figure, output}));
+    else print(fmt::format("{}: {}\n{}\n", output, figure.title, figure.caption));
     return ExitCode::done;
 }
 

@@ -40,7 +40,9 @@ void write_all(const answers::JsonSchemas& schemas, const std::filesystem::path&
 ExitCode run(const Arguments& arguments) {
     const answers::JsonSchemas schemas(validation::described_outputs);
     if (!arguments.documentation.empty()) {
-        write_page(arguments.documentation, answers::json_page(schemas));
+        const std::filesystem::path folder = arguments.documentation;
+        write_page((folder / "json.md").string(), answers::json_page(schemas));
+        write_page((folder / "quantities.md").string(), answers::quantities_page(schemas));
     } else if (!arguments.output.empty()) {
         write_all(schemas, arguments.output);
     } else if (!arguments.command.empty()) {
@@ -60,7 +62,7 @@ Action declare(Options& options) {
     options.add("command", arguments->command,
                 "command whose JSON is described, such as psd or contact solve; without a command: list of commands");
     options.output("-o,--output", arguments->output, "folder for all schemas, one file per command");
-    options.add("--documentation", arguments->documentation, "file for the documentation page of all names")
+    options.add("--documentation", arguments->documentation, "folder for the documentation pages of all names and quantities")
         .in(OptionGroup::advanced);
     options.example("setae schema study", "names, types, units and meanings in study.json");
     options.example("setae schema contact solve", "JSON Schema of setae contact solve --json");

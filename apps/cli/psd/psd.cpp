@@ -9,8 +9,9 @@
 #include "program/print_json.hpp"
 #include "program/terminal.hpp"
 #include "psd/surface_options.hpp"
-#include "setae/answers/power_spectrum.hpp"
+#include "setae/answers/power_spectrum_fields.hpp"
 #include "setae/file_figures/spectrum_figure.hpp"
+#include "setae/output/field_json.hpp"
 #include "setae/output/quantity_table.hpp"
 #include "setae/tables/table_file.hpp"
 
@@ -61,7 +62,7 @@ ExitCode run(const Arguments& arguments) {
         },
         arguments.common.json);
     if (arguments.common.json) {
-        print_json(answers::to_json(spectrum));
+        print_json(output::described(spectrum));
         return code;
     }
     if (arguments.output.empty()) print(tables::as_csv(table));

@@ -288,10 +288,10 @@ Action declare(Options& options) {
     options
         .add(
             "--target", arguments->target,
-            "number whose standard error --next reduces: W_int, a pair such as \"E07 on rough\", or the difference of two "
+            "result whose standard error --next reduces: W_int, a pair such as \"E07 on rough\", or the difference of two "
             "balances in W_int by their equation numbers, such as "
-            "\"(7) - (10)\"")
-        .value_named("NUMBER");
+            "\"(7) - (10)\"; default: W_int")
+        .value_named("RESULT");
     options
         .add("--documentation", arguments->documentation,
              "folder for the pages on keys, warnings and figures of studies")

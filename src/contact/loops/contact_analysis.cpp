@@ -370,11 +370,11 @@ void add_compliance_error(ContactAnalysis& analysis, const PreparedRecord& recor
     if (analysis.unloading)
         add(*analysis.unloading.value,
             analyse_unloading(stiffer, contact, analysis.pinned, analysis.loading, bodies, options));
-    if (analysis.ledger) analysis.compliance->energy_change = analysis.ledger->approach.standard_error.compliance;
+    if (analysis.budget) analysis.compliance->energy_change = analysis.budget->approach.standard_error.compliance;
 }
 
-Outcome<EnergyBudget> keep_ledger(const PreparedRecord& record, Index index, const ContactAnalysis& analysis,
-                                  const LensAndCounterBody& bodies, const AnalysisOptions& options) {
+Outcome<EnergyBudget> budget_of_contact(const PreparedRecord& record, Index index, const ContactAnalysis& analysis,
+                                        const LensAndCounterBody& bodies, const AnalysisOptions& options) {
     const JkrFit& fit = analysis.loading.primary();
     EnergyBudgetInputs inputs{
         .smooth_sphere = {bodies.radius, fit.contact_modulus.value, std::max(fit.work_of_adhesion.value, 0.0)},
@@ -423,7 +423,7 @@ ContactAnalysis analyse_contact(const PreparedRecord& record, Index index, const
     analysis.loop = attempt([&] { return loop_energy(record.deflected, segments, index, options.segments.drift); });
     analysis.work_along_retraction =
         analyse_work_along(record, analysis, stiffness_of_machine(analysis, options), bodies, options);
-    analysis.ledger = keep_ledger(record, index, analysis, bodies, options);
+    analysis.budget = budget_of_contact(record, index, analysis, bodies, options);
     if (held) free.contact_point = {.mode = Mode::value, .value = analysis.contact_points->contact_point.value};
     add_compliance_error(analysis, record, contact, bodies, free);
     return analysis;

@@ -5,13 +5,13 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "setae/adhesion/stored_energy.hpp"
 #include "setae/answers/surface_request.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
 #include "setae/output/contact_answers.hpp"
+#include "setae/output/json.hpp"
 #include "setae/output/predicted_quantities.hpp"
 
 namespace setae::answers {
@@ -116,29 +116,6 @@ Adhesion adhesion(study::SurfaceWithMap surface, const study::SurfaceAnalysisOpt
     if (pair.loop)
         for (auto& quantity : output::loop_quantities(*pair.loop)) list.push_back(std::move(quantity));
     return adhesion;
-}
-
-output::Json to_json(const Adhesion& adhesion) {
-    const auto& [result, list, answers] = adhesion;
-    const auto& pair = result.pairs.front();
-    output::Json json;
-    for (const auto& q : list) json[q.quantity] = output::to_json(q);
-    json["conforms"] = pair.modified->work.conforms && pair.closing() == adhesion::Closing::spontaneous;
-    json["contact"] = adhesion::name(pair.closing());
-    json["answers"] = output::to_json(answers);
-    const auto& scales = *pair.scales;
-    json["scales"] = {
-        {"wavevector", output::numbers(scales.wavevector)},
-        {"gained", output::numbers(scales.gained)},
-        {"stored", output::numbers(scales.stored)},
-        {"stored_share", output::numbers(scales.stored_share)},
-        {"area_share", output::numbers(scales.area_share)},
-        {"units",
-         {{"wavevector", "1/m"}, {"gained", "J/m2"}, {"stored", "J/m2"}, {"stored_share", "1"}, {"area_share", "1"}}}};
-    if (const auto& measurements = result.surfaces.front().measurements; measurements.size() == 1)
-        if (const auto channel = measurements.front().channel) json["channel"] = *channel;
-    json["alerts"] = output::to_json(adhesion.alerts());
-    return json;
 }
 
 }  // namespace setae::answers

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "setae/answers/containers.hpp"
 #include "setae/answers/surface_request.hpp"
@@ -200,14 +199,6 @@ WrittenContainer write_container(const ContainerRequest& request) {
 void require_written(const WrittenContainer& written) {
     if (written.draft.container.surfaces.empty())
         throw InvalidArgument(fmt::format("{}: nothing to put in, nothing was written", written.output));
-}
-
-output::Json to_json(const WrittenContainer& written) {
-    return {{"output", written.output},
-            {"surfaces", written.draft.container.surfaces.size()},
-            {"measurements", written.measurements()},
-            {"members", written.draft.members.size()},
-            {"alerts", output::to_json(written.draft.alerts)}};
 }
 
 }  // namespace setae::answers

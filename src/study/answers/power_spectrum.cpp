@@ -5,10 +5,7 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
-#include "setae/answers/columns.hpp"
-#include "setae/answers/surface_request.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/spectra/abel.hpp"
 #include "setae/spectra/inverse_abel.hpp"
@@ -110,28 +107,6 @@ PowerSpectrum power_spectrum(const PowerSpectrumRequest& request, parallel::Thre
         add_model(result.table, *result.fit);
     }
     return result;
-}
-
-output::Json to_json(const PowerSpectrum& spectrum) {
-    const auto& [surface, table, fit] = spectrum;
-    auto json = columns_json(table);
-    for (const auto& [key, text] : table.metadata) json["conventions"][key] = text;
-    json["band"] = {
-        {"lower", surface.average.curve.band.lower}, {"upper", surface.average.curve.band.upper}, {"unit", "1/m"}};
-    json["measurements"] = output::Json::array();
-    for (const auto& m : surface.measurements) {
-        if (m.failed()) continue;
-        json["measurements"].push_back({{"file", m.file},
-                                        {"name", m.name},
-                                        {"q_min", m.spectrum.band.lower},
-                                        {"q_max", m.spectrum.band.upper},
-                                        {"window", m.spectrum.window},
-                                        {"processing", output::to_json(m.processing)}});
-        if (m.channel) json["measurements"].back()["channel"] = *m.channel;
-    }
-    json["alerts"] = output::to_json(alerts_of(surface));
-    if (fit) json["fit"] = to_json(*fit);
-    return json;
 }
 
 }  // namespace setae::answers

@@ -2,32 +2,12 @@
 #include "setae/answers/self_affine.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "setae/core/errors.hpp"
 #include "setae/core/number_text.hpp"
 #include "setae/core/text.hpp"
-#include "setae/output/json.hpp"
 
 namespace setae::answers {
-namespace {
-
-const char* text(spectra::ScaleStatus status) {
-    switch (status) {
-        case spectra::ScaleStatus::found: return "found";
-        case spectra::ScaleStatus::bounded: return "bounded";
-        case spectra::ScaleStatus::not_asked: return "not_asked";
-    }
-    throw InternalError("a status of a scale without a name");
-}
-
-output::Json rows(const Eigen::MatrixXd& matrix) {
-    output::Json json = output::Json::array();
-    for (Index i = 0; i < matrix.rows(); ++i) json.push_back(output::numbers(matrix.row(i).transpose().array()));
-    return json;
-}
-
-}  // namespace
 
 Band wavevector_range(const std::string& text) {
     const auto ends = spelled_list<double, 2>(text, ':');
@@ -78,25 +58,6 @@ void add_model(Table& table, const spectra::SelfAffineFit& fit) {
                                             fit.parameters[static_cast<std::size_t>(i)], fit.correlation(i, j));
         table.metadata["fit_correlation"] = correlations;
     }
-}
-
-output::Json to_json(const spectra::SelfAffineFit& fit) {
-    output::Json json;
-    json["parameters"] = output::Json::array();
-    for (const auto& q : parameters_of(fit)) json["parameters"].push_back(output::to_json(q));
-    json["rolloff"] = text(fit.rolloff);
-    json["short_cutoff"] = text(fit.short_cutoff);
-    json["reference_wavevector"] = {{"value", fit.reference_wavevector}, {"unit", "1/m"}};
-    json["range"] = {{"lower", fit.range.lower}, {"upper", fit.range.upper}, {"unit", "1/m"}};
-    json["covariance"] = {{"of", fit.parameters}, {"rows", rows(fit.covariance)}};
-    json["correlation"] = rows(fit.correlation);
-    json["chi_squared"] = fit.chi_squared;
-    json["degrees_of_freedom"] = fit.degrees_of_freedom;
-    json["probability"] = fit.probability;
-    json["status"] = fit.status == spectra::FitStatus::converged ? "converged" : "not_converged";
-    json["residuals"] = {{"wavevector", output::numbers(fit.wavevector)}, {"residual", output::numbers(fit.residual)}};
-    json["alerts"] = output::to_json(fit.alerts);
-    return json;
 }
 
 }  // namespace setae::answers

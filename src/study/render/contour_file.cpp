@@ -1,49 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/output/contour_file.hpp"
 
-#include <array>
+#include <algorithm>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "setae/bytes/json_text.hpp"
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "setae/study/provenance.hpp"
+#include "setae/output/json.hpp"
 
 namespace setae::output {
 namespace {
 
-constexpr const char* format_name = "setae trace";
-constexpr int format_version = 1;
-
-template <class Value>
-struct Word {
-    Value value;
-    const char* name;
-};
-constexpr std::array<Word<imaging::Vacuum>, 3> vacuum_words{
-    {{imaging::Vacuum::automatic, "automatic"}, {imaging::Vacuum::bright, "bright"}, {imaging::Vacuum::dark, "dark"}}};
-constexpr std::array<Word<study::ContourShape>, 3> shape_words{{{study::ContourShape::envelope, "envelope"},
-                                                                {study::ContourShape::cut, "cut"},
-                                                                {study::ContourShape::parametric, "parametric"}}};
-
-template <class Words, class Value>
-std::string word_of(const Words& words, Value value) {
-    for (const auto& word : words)
-        if (word.value == value) return word.name;
-    throw InternalError("a choice without a name");
-}
-
-template <class Words>
-auto value_of(const Words& words, const std::string& name, const char* what) {
-    std::string known;
-    for (const auto& word : words) {
-        if (name == word.name) return word.value;
-        known += (known.empty() ? "" : ", ") + std::string(word.name);
-    }
-    throw InvalidArgument(fmt::format("{} '{}', expected one of {}", what, name, known));
+/// The enumerator of a word.
+template <class Value, class Words>
+Value value_of(const Words& words, const std::string& name, const char* what) {
+    const auto found = std::find(words.begin(), words.end(), name);
+    if (found == words.end())
+        throw InvalidArgument(fmt::format("{} '{}', expected one of {}", what, name, fmt::join(words, ", ")));
+    return static_cast<Value>(found - words.begin());
 }
 
 /// An object whose keys are all known; errors name the file and the key.
@@ -87,62 +66,6 @@ private:
     const Json& json_;
     std::string path_, where_;
 };
-
-Json as_json(const imaging::PictureRegion& r) { return Json::array({r.x, r.y, r.width, r.height}); }
-
-Json options_json(const study::ContourOptions& options) {
-    const auto& t = options.trace;
-    Json json{{"vacuum", to_string(t.vacuum)},
-              {"smoothing_length", nullptr},
-              {"denoise", t.denoise},
-              {"least_length", nullptr},
-              {"hidden", Json::array()},
-              {"hide_annotations", options.hide_annotations},
-              {"shape", to_string(options.shape)},
-              {"foil_thickness", nullptr}};
-    if (t.smoothing_length) json["smoothing_length"] = *t.smoothing_length;
-    if (t.min_length) json["least_length"] = *t.min_length;
-    if (options.foil_thickness) json["foil_thickness"] = *options.foil_thickness;
-    for (const auto& region : t.hidden) json["hidden"].push_back(as_json(region));
-    return json;
-}
-
-Json calibration_json(const imaging::Calibration& c) {
-    return {{"pixel_size", {c.pixel_size.x, c.pixel_size.y}},
-            {"relative_standard_error", c.relative_standard_error},
-            {"source", c.source}};
-}
-
-Json segment_json(const imaging::ContourSegment& s, const study::ContourProfile& p) {
-    Json json{{"length", s.length},
-              {"points", s.x.size()},
-              {"closed", s.closed},
-              {"edge_width", s.edge_width},
-              {"smoothing_length", s.smoothing_length},
-              {"noise_density", s.noise_density},
-              {"contrast_to_noise", number(s.contrast_to_noise)},
-              {"fringe", s.fringe},
-              {"converged", s.converged},
-              {"mean_standard_error", s.standard_error.mean()}};
-    const auto& stretches = p.levelled.reentrant;
-    json["profile"] = {{"points", p.levelled.profile.positions.size()},
-                       {"length", p.levelled.profile.size()},
-                       {"rotation", p.levelled.rotation},
-                       {"rms_height", p.rms_height},
-                       {"rms_error", p.rms_error},
-                       {"reentrant_share", p.levelled.reentrant_share}};
-    json["profile"]["reentrant"] = Json::array();
-    for (const auto& r : stretches)
-        json["profile"]["reentrant"].push_back({{"begin", r.begin}, {"end", r.end}, {"depth", r.depth}});
-    const auto& q = p.statistics;
-    json["curve"] = {{"length", q.length},
-                     {"tortuosity", number(q.tortuosity)},
-                     {"rms_normal_distance", q.rms_normal_distance},
-                     {"rms_angle", q.rms_angle},
-                     {"rms_curvature", q.rms_curvature},
-                     {"reentrant_share", q.reentrant_share}};
-    return json;
-}
 
 std::vector<imaging::Anchor> anchor_list(const Json& list, const Object& object) {
     std::vector<imaging::Anchor> anchors;
@@ -198,38 +121,15 @@ imaging::Calibration stored_calibration(const Json& json, const std::string& pat
 
 }  // namespace
 
-std::string to_string(imaging::Vacuum vacuum) { return word_of(vacuum_words, vacuum); }
-std::string to_string(study::ContourShape shape) { return word_of(shape_words, shape); }
-imaging::Vacuum vacuum_from_name(const std::string& name) { return value_of(vacuum_words, name, "vacuum"); }
-study::ContourShape shape_from_name(const std::string& name) { return value_of(shape_words, name, "shape"); }
-
-Json to_json(const study::TracedPicture& picture, const study::ContourOptions& options) {
-    const auto& m = picture.micrograph;
-    Json json{{"format", format_name}, {"version", format_version}};
-    json["image"] = {{"file", m.file},
-                     {"sha256", picture.digest},
-                     {"width", m.pixels.cols()},
-                     {"height", m.pixels.rows()},
-                     {"format", m.format},
-                     {"image", m.image},
-                     {"title", m.images.empty() ? std::string() : m.images[m.image].title}};
-    json["calibration"] = calibration_json(picture.calibration);
-    json["options"] = options_json(options);
-    json["anchors"] = Json::array();
-    for (const auto& list : options.trace.anchors) {
-        json["anchors"].push_back(Json::array());
-        for (const auto& a : list) json["anchors"].back().push_back({a.x, a.y});
-    }
-    const auto& t = picture.trace;
-    json["levels"] = {{"vacuum", to_string(t.vacuum)},  {"binary", t.binary},
-                      {"vacuum_level", t.vacuum_level}, {"vacuum_noise", t.vacuum_noise},
-                      {"sample_level", t.sample_level}, {"sample_noise", t.sample_noise}};
-    json["segments"] = Json::array();
-    for (std::size_t i = 0; i < t.segments.size(); ++i)
-        json["segments"].push_back(segment_json(t.segments[i], picture.profiles[i]));
-    json["alerts"] = to_json(picture.alerts);
-    json["setae"] = study::version();
-    return json;
+std::string to_string(imaging::Vacuum vacuum) { return std::string(vacuum_words.at(static_cast<std::size_t>(vacuum))); }
+std::string to_string(study::ContourShape shape) {
+    return std::string(shape_words.at(static_cast<std::size_t>(shape)));
+}
+imaging::Vacuum vacuum_from_name(const std::string& name) {
+    return value_of<imaging::Vacuum>(vacuum_words, name, "vacuum");
+}
+study::ContourShape shape_from_name(const std::string& name) {
+    return value_of<study::ContourShape>(shape_words, name, "shape");
 }
 
 StoredTrace read_trace(const std::string& path) {
@@ -245,10 +145,10 @@ StoredTrace read_trace(const std::string& path) {
             if (object.has(key)) object.fail(key, "is given in a file without \"format\": \"setae trace\"");
         return stored;
     }
-    if (object.value<std::string>("format") != format_name)
-        object.fail("format", fmt::format("is '{}', expected '{}'", object.value<std::string>("format"), format_name));
-    if (object.value<int>("version") != format_version)
-        object.fail("version", fmt::format("is {}, expected {}", object.value<int>("version"), format_version));
+    if (object.value<std::string>("format") != trace_format)
+        object.fail("format", fmt::format("is '{}', expected '{}'", object.value<std::string>("format"), trace_format));
+    if (object.value<int>("version") != trace_version)
+        object.fail("version", fmt::format("is {}, expected {}", object.value<int>("version"), trace_version));
     const Object image(object.at("image"), path, "image.",
                        {"file", "sha256", "width", "height", "format", "image", "title"});
     stored.digest = image.value<std::string>("sha256");

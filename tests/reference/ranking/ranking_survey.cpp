@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-#include "setae/hysteresis/law_trials.hpp"
+#include "setae/hysteresis/retraction_model_trials.hpp"
 #include "setae/numerics/random_numbers.hpp"
 
 namespace setae::reference {
@@ -101,9 +101,9 @@ BiasCalibration calibrate_bias(const std::vector<RankedPair>& pairs, const Model
                                std::uint64_t first_seed) {
     BiasCalibration result{.model = truth.fitted.model.name()};
     for (int set = 0; set < sets; ++set) {
-        auto planted = hysteresis::simulated_pairs(pairs, truth, first_seed + static_cast<std::uint64_t>(set));
-        for (auto& pair : planted) pair.retraction.value.value += constant;
-        const auto ranking = hysteresis::rank_models({truth.fitted.model}, planted, {}, {1});
+        auto simulated = hysteresis::simulated_pairs(pairs, truth, first_seed + static_cast<std::uint64_t>(set));
+        for (auto& pair : simulated) pair.retraction.value.value += constant;
+        const auto ranking = hysteresis::rank_models({truth.fitted.model}, simulated, {}, {1});
         if (ranking.models.empty()) continue;
         ++result.sets;
         result.refused += ranking.models.front().bias.refuses_model ? 1 : 0;

@@ -10,7 +10,7 @@
 #include "setae/loops/spring_jumps.hpp"
 #include "setae/simulation/loop_simulation.hpp"
 
-/// What the estimators of the contact point and the energy ledger find in loops whose every property is known.
+/// What the estimators of the contact point and the energy budget find in loops whose every property is known.
 namespace setae::simulation::contact_point_recovery_test {
 namespace {
 
@@ -61,19 +61,19 @@ struct Pulls {
 };
 
 /// The loss of a known loop is covered by the interval stated in 90 to 98 % of the seeds.
-TEST(LedgerRecovery, CoversTheLossItStates) {
+TEST(EnergyBudgetRecovery, CoversTheLossItStates) {
     for (const double signal_to_noise : {5.0, 20.0, 100.0}) {
         constexpr int seeds = 200;
         int covered = 0;
         for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
             const SimulatedLoop made = noisy_loop(signal_to_noise, seed % 2 == 0 ? fixed_grips : 300.0, seed);
             const auto segments = loops::find_segments(made.loop);
-            const auto ledger = loops::energy_budget(
+            const auto budget = loops::energy_budget(
                 made.loop, segments, 0,
                 {.smooth_sphere = {specimen.radius, specimen.contact_modulus, specimen.work_approach},
                  .largest_contact_area = made.truth.largest_contact_area(),
                  .machine_stiffness = fixed_grips});
-            const auto interval = interval_of(ledger.loop.estimate());
+            const auto interval = interval_of(budget.loop.estimate());
             ASSERT_TRUE(interval);
             covered +=
                 interval->lower <= made.truth.energy_loss() && made.truth.energy_loss() <= interval->upper ? 1 : 0;
@@ -85,7 +85,7 @@ TEST(LedgerRecovery, CoversTheLossItStates) {
 
 /// The closed form at the stiffness of the testing machine against the laboratory's own solution of the same
 /// equilibrium.
-TEST(LedgerRecovery, KnowsTheIdealLossOfThisMachine) {
+TEST(EnergyBudgetRecovery, KnowsTheIdealLossOfThisMachine) {
     hysteresis::HystereticSphere smooth = specimen;
     smooth.work_retraction = smooth.work_approach;
     for (const double stiffness : {3.0, 40.0, 300.0, 1e5, fixed_grips}) {

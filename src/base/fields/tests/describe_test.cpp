@@ -292,6 +292,101 @@ TEST(Fields, HaveSeedsOf64BitsAndNumbersWithoutTheirUnit) {
     EXPECT_EQ(Described<Odd>::rows[1].unit, "J/m2");
 }
 
+/// Lists of lists, and what has its names from elsewhere.
+struct Nested {
+    std::vector<std::vector<int>> lists{{1, 2}, {}};
+    std::vector<std::array<double, 2>> pairs{{3.0, 4.0}};
+    std::map<std::string, std::string> notes{{"a", "one"}};
+};
+
+}  // namespace
+
+template <>
+struct Described<Nested> {
+    using T = Nested;
+    static constexpr std::array rows{
+        field<&T::lists>("lists", "lists of counts").with(Missing::left_out),
+        field<&T::pairs>("pairs", "pairs of numbers"),
+        field<&T::notes>("notes", "texts by name"),
+    };
+    static constexpr Description description{"", "lists of lists", rows};
+};
+static_assert(complete<Nested>);
+
+namespace {
+
+TEST(Fields, MayBeListsOfLists) {
+    Recorded sink;
+    const Nested nested;
+    put(&nested, Described<Nested>::description, sink);
+    EXPECT_EQ(sink.text_,
+              "lists=[;lists=[;lists=1;lists=2;]lists=[;]]pairs=[;pairs=[;pairs=3;pairs=4;]]notes={;a:notes=one;}");
+    const auto& rows = Described<Nested>::rows;
+    EXPECT_EQ(rows[0].kind, Kind::wholes);
+    EXPECT_EQ(rows[0].levels, 2);
+    EXPECT_EQ(rows[1].kind, Kind::numbers);
+    EXPECT_EQ(rows[1].levels, 2);
+    EXPECT_EQ(rows[2].kind, Kind::text_of);
+}
+
+/// Texts and lists that may be empty.
+struct Empty {
+    std::string text;
+    std::vector<std::string> texts{""};
+    std::optional<std::string> given_text = "";
+    std::optional<std::vector<int>> given_list = std::vector<int>{};
+};
+
+}  // namespace
+
+template <>
+struct Described<Empty> {
+    using T = Empty;
+    static constexpr std::array rows{
+        field<&T::text>("always", "empty"),
+        field<&T::text>("left_out", "empty").with(Missing::left_out),
+        field<&T::text>("null", "empty").or_null(),
+        field<&T::texts>("texts", "empty texts").with(Missing::left_out),
+        field<&T::given_text>("given_text", "given and empty"),
+        field<&T::given_list>("given_list", "given and empty"),
+    };
+    static constexpr Description description{"", "what may be empty", rows};
+};
+static_assert(complete<Empty>);
+
+namespace {
+
+TEST(Fields, ThatAreEmptyMayBeMissing) {
+    Recorded sink;
+    const Empty empty;
+    put(&empty, Described<Empty>::description, sink);
+    EXPECT_EQ(sink.text_, "always=;null=null();texts=[;texts=;]given_text=;given_list=[;]");
+}
+
+TEST(Fields, MayBeColumnsOfATable) {
+    static constexpr std::array possible_rows{column("distance", "m", "a distance")};
+    static constexpr Description possible_columns{"", "columns", possible_rows};
+    constexpr auto itself = [](const Table& table) -> const Table& { return table; };
+    static constexpr std::array rows{columns_among<Table>(possible_columns, itself), units_of_columns<Table>(itself)};
+    static constexpr Description description{"", "a table", rows};
+    const Table table{{{"distance", "m", Array1D::Constant(1, 2.0)}, {"unforeseen", "s", {}}}, {}};
+    Recorded sink;
+    put(&table, description, sink);
+    EXPECT_EQ(sink.text_, "distance:=[;=2;]unforeseen:=[;]units={;distance:units=m;unforeseen:units=s;}");
+}
+
+TEST(Fields, MayBeColumnsWithUnits) {
+    static constexpr std::array columns{field<&Point::x>("x", "place").in_unit("m")};
+    static constexpr Description of_columns{"", "columns", columns};
+    static constexpr std::array units{units_of(of_columns)};
+    static constexpr auto rows = joined(columns, units);
+    static constexpr Description description{"", "columns and their units", rows};
+    const Point point{1.0, "first"};
+    Recorded sink;
+    put(&point, description, sink);
+    EXPECT_EQ(sink.text_, "x=1;units={;x:units=m;}");
+}
+
 struct Grown {
     double first = 0.0, second = 0.0;
 };

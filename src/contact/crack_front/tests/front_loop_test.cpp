@@ -68,7 +68,7 @@ TEST(FrontLoop, UnderADeadLoadPartsAtJkrsPullOff) {
     EXPECT_NEAR(branch_works(loop, sphere).pull_off_force, -1.5, 2e-3);
 }
 
-TEST(FrontLoop, HasALedgerThatTelescopes) {
+TEST(FrontLoop, HasAnEnergyBudgetThatTelescopes) {
     CircularFront front(sphere, patterned());
     const auto loop = front_loop(front, {.furthest = 0.3, .steps = 60});
     ASSERT_TRUE(loop.complete);

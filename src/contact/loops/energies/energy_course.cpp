@@ -6,7 +6,7 @@
 #include "setae/contact/jkr.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/loops/energy_ledger.hpp"
+#include "setae/loops/energy_budget.hpp"
 
 namespace setae::loops {
 namespace {

@@ -45,7 +45,7 @@ TEST(TwoContacts, AreBothAnalysed) {
     // the trapezoid rule of 400 samples a branch
     EXPECT_NEAR(analysis.loop->energy / weak.loss(), 1.0, 1e-3);
     EXPECT_NEAR(other.loop->energy / strong.loss(), 1.0, 1e-3);
-    EXPECT_NEAR(other.ledger->loop.energy, other.loop->energy, 0.0);
+    EXPECT_NEAR(other.budget->loop.energy, other.loop->energy, 0.0);
     ASSERT_EQ(analysis.cycles.size(), 2u);
     EXPECT_NEAR(*analysis.cycles[1].energy, other.loop->energy, 0.0);
     EXPECT_NEAR(analysis.cycles[1].unloading->force_displacement->work_of_adhesion.value / 0.070, 1.0, 1e-4);

@@ -60,22 +60,60 @@ void add_rows(const Json& schema, const std::string& prefix, std::string& rows) 
     }
 }
 
-/// Description of a schema, and the names in it.
-std::string described(const Json& schema) {
-    const bool named = schema.contains("properties");
-    auto text = fmt::format("\n{}{}.\n", named ? "" : type_of(schema) + ": ", text_of(schema, "description"));
-    std::string rows;
-    if (schema.value("type", "") == "array") add_rows(schema["items"], "[].", rows);
-    else add_rows(schema, "", rows);
-    if (!rows.empty()) text += "\n| name | type | unit | meaning |\n|---|---|---|---|\n" + rows;
-    return text;
+/// Rows of a part from which on a reference to the part replaces the rows.
+constexpr std::size_t min_referenced_rows = 5;
+
+/// Whether a schema has all properties of another one and more.
+bool contains(const Json& properties, const Json& others) {
+    if (others.size() >= properties.size()) return false;
+    for (const auto& [name, property] : others.items())
+        if (!properties.contains(name) || properties[name] != property) return false;
+    return true;
 }
 
-std::string section(const std::string& title, const Json& schema) {
+/// Name of the largest part whose properties a schema contains; empty without one.
+///
+/// A result that contains another result has the fields of both at one level, in JSON and in its schema.
+std::string contained_part(const Json& schema, const Json& parts) {
+    std::string largest;
+    std::size_t size = min_referenced_rows - 1;
+    for (const auto& [name, part] : parts.items()) {
+        if (!part.contains("properties") || part["properties"].size() <= size) continue;
+        if (!contains(schema["properties"], part["properties"])) continue;
+        largest = name;
+        size = part["properties"].size();
+    }
+    return largest;
+}
+
+/// A table of the properties of an object, or of the entries of a list; a reference to a part replaces the rows of the
+/// part.
+std::string table_of(Json schema, const Json& parts) {
+    std::string text, rows;
+    if (schema.value("type", "") == "array") add_rows(schema["items"], "[].", rows);
+    else if (schema.contains("properties")) {
+        const auto part = contained_part(schema, parts);
+        if (!part.empty()) {
+            text = fmt::format("\nThe object contains all names of [{0}](#{0}) and those of the table.\n", part);
+            for (const auto& [name, property] : parts[part]["properties"].items()) schema["properties"].erase(name);
+        }
+        add_rows(schema, "", rows);
+    }
+    return rows.empty() ? text : text + "\n| name | type | unit | meaning |\n|---|---|---|---|\n" + rows;
+}
+
+/// Description of a schema, and the names in it.
+std::string described(const Json& schema, const Json& parts) {
+    const bool named = schema.contains("properties");
+    return fmt::format("\n{}{}.\n", named ? "" : type_of(schema) + ": ", text_of(schema, "description")) +
+           table_of(schema, parts);
+}
+
+std::string section(const std::string& title, const Json& schema, const Json& parts) {
     auto text = fmt::format("\n## {}\n", title);
     const bool one_of_several = schema.contains("anyOf") && schema["anyOf"].front().contains("description");
-    if (!one_of_several) return text + described(schema);
-    for (const auto& one : schema["anyOf"]) text += described(one);
+    if (!one_of_several) return text + described(schema, parts);
+    for (const auto& one : schema["anyOf"]) text += described(one, parts);
     return text;
 }
 
@@ -84,12 +122,12 @@ std::string section(const std::string& title, const Json& schema) {
 std::string json_page(const JsonSchemas& schemas) {
     std::string text =
         "# Names of JSON\n\n*Reference · [all documents](../README.md)*\n\n"
-        "Made by `setae schema --documentation docs/reference/json.md` from the schemas that `setae schema COMMAND` prints: edit those, not this page.\n"
+        "Made by `setae schema --documentation docs/reference` from the schemas that `setae schema COMMAND` prints: edit those, not this page.\n"
         "The name of an object precedes a dot, `[]` denotes the entries of a list, NAME a name given by the user. Numbers are in SI; `null` is given where\n"
         "a number is unknown or a part is missing.\n";
-    for (const auto& command : schemas.commands()) text += section("setae " + command, schemas.of(command));
     const auto parts = schemas.shared_parts();
-    for (const auto& [name, part] : parts.items()) text += section(name, part);
+    for (const auto& command : schemas.commands()) text += section("setae " + command, schemas.of(command), parts);
+    for (const auto& [name, part] : parts.items()) text += section(name, part, parts);
     return text;
 }
 

@@ -7,10 +7,11 @@
 #include "setae/answers/adhesion.hpp"
 #include "setae/answers/contact_comparison.hpp"
 #include "setae/answers/diagnosis.hpp"
-#include "setae/answers/power_spectrum.hpp"
+#include "setae/answers/power_spectrum_fields.hpp"
 #include "setae/answers/surface_request.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/output/field_json.hpp"
 
 namespace setae::answers::answers_test {
 namespace {
@@ -39,7 +40,7 @@ TEST(PowerSpectrum, OfAWaveInMemoryHasItsClosedForm) {
     const auto answer = power_spectrum({.surface = surface_of({wave("wave")}), .analysis = analysis.analysis()});
     const auto& density = answer.table.at("C1D");
     EXPECT_NEAR(density.maxCoeff(), amplitude * amplitude * length / 4.0, 1e-12 * amplitude * amplitude * length);
-    const auto json = to_json(answer);
+    const auto json = output::described(answer);
     EXPECT_EQ(json["measurements"][0]["file"], "wave");
     EXPECT_EQ(json["units"]["C1D"], "m3");
 }
@@ -49,7 +50,7 @@ TEST(PowerSpectrum, WithoutAFailedMeasurementOrItsFailure) {
     bad.in_memory.read = []() -> topography::Measurement { throw FormatError("bad", {}, "torn"); };
     PowerSpectrumRequest request{.surface = surface_of({wave("wave"), bad}), .analysis = AnalysisRequest{}.analysis()};
     const auto answer = power_spectrum(request);
-    EXPECT_EQ(to_json(answer)["measurements"].size(), 1U);
+    EXPECT_EQ(output::described(answer)["measurements"].size(), 1U);
     request.every_measurement = true;
     EXPECT_THROW((void)power_spectrum(request), FormatError);
 }

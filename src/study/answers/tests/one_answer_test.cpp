@@ -7,10 +7,11 @@
 #include <nlohmann/json.hpp>
 
 #include "setae/adhesion/partial_contact.hpp"
-#include "setae/answers/adhesion.hpp"
+#include "setae/answers/adhesion_fields.hpp"
 #include "setae/answers/patch_survey.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/hysteresis/smooth_limit.hpp"
+#include "setae/output/field_json.hpp"
 #include "setae/output/hysteresis_output.hpp"
 #include "setae/output/study_tables.hpp"
 #include "setae/study/hysteresis.hpp"
@@ -79,7 +80,7 @@ TEST(OneAnswer, IsTheSameInEveryCommand) {
         const auto& pair = result.pairs.at(0);
         ASSERT_TRUE(pair.partial_contact);
         const double answer = pair.partial_contact->value;
-        const auto adhesion = to_json(adhesion_of(study));
+        const auto adhesion = output::described(adhesion_of(study));
         EXPECT_NEAR(adhesion["work_of_adhesion"]["value"].get<double>(), answer, 1e-9 * answer);
         EXPECT_NEAR(recommended_in(adhesion["answers"]), answer, 1e-9 * answer);
         const auto of_study = output::to_json(result);
@@ -93,7 +94,7 @@ TEST(OneAnswer, IsTheSameInEveryCommand) {
 
 TEST(OneAnswer, StandsBesideTheOtherTheories) {
     const auto study = study_of(1.2e8);
-    const auto json = to_json(adhesion_of(study))["answers"];
+    const auto json = output::described(adhesion_of(study))["answers"];
     ASSERT_EQ(json["theories"].size(), 3U);
     const double e = [&] {
         const auto pair = study::run_study(study, {1}).pairs.at(0);
@@ -111,7 +112,7 @@ TEST(OneAnswer, StandsBesideTheOtherTheories) {
 
 // in full contact all theories are the full-contact balance
 TEST(OneAnswer, IsThatOfEveryTheoryInFullContact) {
-    const auto json = to_json(adhesion_of(study_of(1e6)));
+    const auto json = output::described(adhesion_of(study_of(1e6)));
     const double balance = json["work_of_adhesion_modified"]["value"].get<double>();
     EXPECT_TRUE(json["conforms"].get<bool>());
     EXPECT_EQ(json["contact"], "spontaneous full contact");
@@ -124,7 +125,7 @@ TEST(OneAnswer, TendsToJkrInEveryCommandThatPrintsAPullOff) {
     const double force = 1.5 * pi * 5e-3 * work;
     for (const double roughness : {1e-2, 1e-3}) {
         const auto study = study_of(1.5e6, roughness);
-        const auto json = to_json(adhesion_of(study));
+        const auto json = output::described(adhesion_of(study));
         EXPECT_NEAR(json["pull_off_force"]["value"].get<double>(), force, 5.0 * roughness * roughness * force);
         EXPECT_GT(json["conformal_smooth_sphere_pull_off_force"]["value"].get<double>(), 1.5 * force);
         const auto result = study::run_study(study, {1});

@@ -37,7 +37,8 @@ public:
         const auto fill = [](std::string& text, std::string_view of_row) {
             if (text.empty()) text = of_row;
         };
-        fill(whole.quantity, row.term.empty() ? row.name : row.term);
+        if (!row.term.empty()) whole.quantity = row.term;
+        fill(whole.quantity, row.name);
         fill(whole.symbol, row.symbol);
         fill(whole.unit, row.unit);
         fill(whole.source, row.source);
@@ -87,8 +88,8 @@ Json object_of(const fields::Description& description);
 
 Json inner_type(const Row& row) { return row.inner->name.empty() ? object_of(*row.inner) : reference(row.inner->name); }
 
-/// Type of the value under a name.
-Json type_of(const Row& row) {
+/// Type of the value under a name, with one level of lists.
+Json flat_type_of(const Row& row) {
     switch (row.kind) {
         case Kind::flag: return type("boolean");
         case Kind::whole: return type("integer");
@@ -114,8 +115,17 @@ Json type_of(const Row& row) {
     return {};
 }
 
+/// Type of the value under a name.
+Json type_of(const Row& row) {
+    auto type = flat_type_of(row);
+    for (int level = 1; level < row.levels; ++level) type = list_of(std::move(type));
+    return type;
+}
+
 Json property_of(const Row& row) {
     Json property{{"description", row.meaning}};
+    if (row.kind == Kind::quantity) property["quantity"] = row.term.empty() ? row.name : row.term;
+    if (!row.symbol.empty()) property["symbol"] = row.symbol;
     if (!row.unit.empty()) property["unit"] = row.unit;
     const bool may_be_null = row.if_missing != Missing::never && row.if_missing != Missing::left_out;
     if (may_be_null) property["anyOf"] = {type_of(row), type("null")};

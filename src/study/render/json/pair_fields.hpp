@@ -12,10 +12,11 @@
 #include "setae/adhesion/prediction_test.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/fields/describe.hpp"
+#include "setae/output/contact_answer_fields.hpp"
 #include "setae/output/json.hpp"
 #include "setae/output/predicted_quantities.hpp"
+#include "setae/output/quantity_rows.hpp"
 #include "setae/statistics/equivalence.hpp"
-#include "setae/study/contact_answers.hpp"
 #include "setae/study/study_result.hpp"
 #include "work_fit_fields.hpp"
 
@@ -165,7 +166,8 @@ struct Described<study::PairWorkAlong> {
         quantity<&T::at_largest_contact>("work_at_largest_contact", "W_ret(a_max)", "J/m2",
                                          "W_ret at the largest contact radius"),
         quantity<&T::slope>("slope", "dW_ret/da", "J/m3",
-                            "dW_ret/da; above 0, W_ret decreases while the contact shrinks"),
+                            "dW_ret/da; above 0, W_ret decreases while the contact shrinks")
+            .as("retraction_work_slope"),
         quantity<&T::energy_loss>("energy_loss", "E_loss", "J",
                                   "loss of loops with W_app on approach and this W_ret on retraction"),
         quantity<&T::energy_recorded>("energy_loss_recorded", "E_loss", "J", "loss of the same loops as recorded"),
@@ -239,7 +241,8 @@ struct Described<output::BalanceOfPair> {
     using T = output::BalanceOfPair;
     static constexpr std::array rows{
         made<T>("work_of_adhesion", "W_app", "J/m2", "W_app of the balance; negative where full contact costs energy",
-                [](const T& of) { return of.quoted(of.predicted->estimate); }),
+                [](const T& of) { return of.quoted(of.predicted->estimate); })
+            .as("apparent_work_of_adhesion"),
         made<T>("work_of_adhesion_floored", "max(0, W_app)", "J/m2", "max(0, W_app)",
                 [](const T& of) { return of.quoted(of.floored); }),
         made<T>("conforms", "whether W_app > 0: the balance allows full contact",
@@ -259,44 +262,13 @@ struct Described<output::PartialContact> {
     using T = output::PartialContact;
     static constexpr std::array rows{
         field<&T::area_fraction>("area_fraction", "area in contact over nominal area"),
-        quantity<&T::work_of_adhesion>("work_of_adhesion", "W_app", "J/m2", "W_app of this contact"),
+        quantity<&T::work_of_adhesion>("work_of_adhesion", "W_app", "J/m2", "W_app of this contact")
+            .as("apparent_work_of_adhesion"),
     };
     static constexpr Description description{
         "", "contact without load of simulated patches with the same stored energy", rows};
 };
 static_assert(complete<output::PartialContact>);
-
-template <>
-struct Described<study::ContactAnswer> {
-    using T = study::ContactAnswer;
-    static constexpr std::array rows{
-        made<T>("theory", "`full_contact`, `patches`, `persson` or `simulated_cell`",
-                [](const T& of) { return study::text_of(of.theory).name; }),
-        made<T>("title", "name of the theory", [](const T& of) { return study::text_of(of.theory).title; }),
-        made<T>("assumes", "assumptions of the theory", [](const T& of) { return study::text_of(of.theory).assumes; }),
-        field<&T::recommended>("recommended", "whether this theory is the answer of all commands"),
-        quantity<&T::work_of_adhesion>("work_of_adhesion", "W_app", "J/m2",
-                                       "energy gained per nominal area on approach without load, 0 or more"),
-        quantity<&T::area_fraction>("area_fraction", "A/A0", "1", "area in contact over nominal area"),
-        inner<&T::theory>(),
-    };
-    static constexpr Description description{"", "contact without load by one theory", rows};
-};
-static_assert(complete<study::ContactAnswer>);
-
-template <>
-struct Described<study::ContactAnswers> {
-    using T = study::ContactAnswers;
-    static constexpr std::array rows{
-        made<T>("recommended", "the theory whose numbers are the answer of all commands",
-                [](const T& of) { return study::text_of(of.recommended().theory).name; }),
-        field<&T::reason>("reason", "the reason for this theory, in a sentence"),
-        field<&T::answers>("theories", "one entry per theory"),
-    };
-    static constexpr Description description{
-        "contact_answers", "work of adhesion of contact without load by each theory, one of them recommended", rows};
-};
-static_assert(complete<study::ContactAnswers>);
 
 template <>
 struct Described<output::PredictedPair> {
@@ -306,7 +278,8 @@ struct Described<output::PredictedPair> {
                 [](const T& of) { return of.pair->area_ratio; })
             .from("[D19], Eq. 9"),
         made<T>("stored_energy", "U_el/A_app", "J/m2", "elastic energy stored in full contact per nominal area",
-                [](const T& of) { return of.pair->stored_energy; }),
+                [](const T& of) { return of.pair->stored_energy; })
+            .as("stored_energy_per_area"),
         made<T>("modified", "full-contact balance (Eq. 7)",
                 [](const T& of) {
                     const auto& pair = *of.pair;
@@ -338,11 +311,12 @@ struct Described<output::PredictedPair> {
                     if (!of.pair->general) return std::nullopt;
                     return of.pair->general->raw;
                 })
-            .as("work_of_adhesion")
+            .as("apparent_work_of_adhesion")
             .from("of end states, or [D19], Eqs. 5 and 6 where form = printed"),
-        made<T>("residual", "W_app - max(0, Eq. 7)", "J/m2",
+        made<T>("residual", "W_app - W_app,predicted", "J/m2",
                 "measured W_app minus that of the full-contact balance (Eq. 7)",
                 [](const T& of) { return of.residual(); })
+            .as("residual_work_of_adhesion")
             .from("measured minus predicted"),
         made<T>("wavelength_of_half_the_stored_energy", "lambda_1/2", "m",
                 "wavelength above which half of the energy is stored", [](const T& of) { return of.half_wavelength(); })
@@ -369,19 +343,7 @@ struct Described<output::PredictedPair> {
 template <>
 struct Described<output::LoopOfPair> {
     using T = output::LoopOfPair;
-    static constexpr std::array possible_rows{
-        possible("contact_radius", "a_max", "m", "contact radius at the preload"),
-        possible("energy_loss", "E_loss", "J", "loss of a reversible interface: a lower bound"),
-        possible("work_of_adhesion_retraction", "W_ret", "J/m2", "W_ret of a reversible interface: a lower bound"),
-        possible("pull_off_force", "F_po", "N", "pull-off force of a reversible interface: a lower bound"),
-        possible("smooth_sphere_pull_off_force", "F_po", "N", "pull-off force of a smooth sphere by JKR"),
-        possible("conformal_energy_loss", "E_loss", "J", "loss by the true-area balance (Eq. 10)"),
-        possible("conformal_work_of_adhesion_retraction", "W_ret", "J/m2", "W_ret by the true-area balance (Eq. 10)"),
-        possible("conformal_pull_off_force", "F_po", "N", "pull-off force by the true-area balance (Eq. 10)"),
-        possible("conformal_smooth_sphere_pull_off_force", "F_po", "N",
-                 "pull-off force of a smooth sphere by the true-area balance (Eq. 10)"),
-    };
-    static constexpr Description possible_quantities{"", "quantities of a predicted loop", possible_rows};
+    static constexpr Description possible_quantities{"", "quantities of a predicted loop", output::loop_quantity_rows};
     static constexpr std::array rows{
         quantities_among<T>(possible_quantities, [](const T& of) { return output::loop_quantities(*of.loop); }),
     };
@@ -444,7 +406,8 @@ struct Described<study::ReferenceResult> {
     static constexpr std::array rows{
         field<&T::elastomer>("elastomer", "name of the elastomer"),
         field<&T::stage>("stage", "before or after the rough loops"),
-        quantity<&T::approach>("work_of_adhesion_approach", "W_app", "J/m2", "W_app of the approach"),
+        quantity<&T::approach>("work_of_adhesion_approach", "W_app", "J/m2", "W_app of the approach")
+            .as("apparent_work_of_adhesion"),
         quantity<&T::retraction>("work_of_adhesion_retraction", "W_ret", "J/m2", "W_ret at pull-off"),
         quantity<&T::excess_energy>("excess_energy", "E_excess", "J", "work of the loop above 0"),
         quantity<&T::ideal_loss>("ideal_smooth_sphere_loss", "E_ideal", "J",

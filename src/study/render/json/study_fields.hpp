@@ -218,12 +218,13 @@ struct Described<adhesion::LeftOutPrediction> {
         field<&T::surface>("surface", "name of the surface"),
         field<&T::elastomer>("elastomer", "name of the elastomer"),
         quantity<&T::predicted>("predicted", "W_app", "J/m2", "W_app predicted by the fit to the other pairs")
-            .as("work_of_adhesion"),
-        quantity<&T::measured>("measured", "W_app", "J/m2", "measured W_app").as("work_of_adhesion_approach"),
-        made<T>("residual", "measured - predicted", "J/m2", "measured minus predicted value",
+            .as("apparent_work_of_adhesion"),
+        quantity<&T::measured>("measured", "W_app", "J/m2", "measured W_app").as("apparent_work_of_adhesion"),
+        made<T>("residual", "W_app - W_app,predicted", "J/m2", "measured minus predicted value",
                 [](const T& of) {
                     return Estimate{.value = of.residual, .standard_error = of.standard_error, .method = "delta"};
-                }),
+                })
+            .as("residual_work_of_adhesion"),
         field<&T::held>("held", "whether the 95 % interval of the residual covers 0"),
         inner<&T::surface_left_out>(),
         inner<&T::residual>(),
@@ -238,7 +239,8 @@ struct Described<adhesion::ProfilePoint> {
     using T = adhesion::ProfilePoint;
     static constexpr std::array rows{
         field<&T::shift>("shift", "shift of the input from its stated value, in standard errors"),
-        quantity<&T::work_of_adhesion>("work_of_adhesion", "W_int", "J/m2", "W_int with this value of the input"),
+        quantity<&T::work_of_adhesion>("work_of_adhesion", "W_int", "J/m2", "W_int with this value of the input")
+            .as("intrinsic_work_of_adhesion"),
         field<&T::log_likelihood>("log_likelihood", "log-likelihood of the pairs"),
     };
     static constexpr Description description{"", "the fit at one value of an input", rows};
@@ -253,7 +255,7 @@ struct Described<adhesion::InputProfile> {
         field<&T::points>("points", "one entry per value of the input"),
         quantity<&T::by_pairs>("by_pairs", "(x - stated)/u(x)", "1",
                                "shift of the input at the largest likelihood of the pairs, in its standard errors")
-            .as("shift"),
+            .as("input_shift"),
     };
     static constexpr Description description{"input_profile", "W_int against the value of one stated input", rows};
 };
@@ -265,13 +267,15 @@ struct Described<adhesion::PredictionResidual> {
     static constexpr std::array rows{
         field<&T::surface>("surface", "name of the surface"),
         field<&T::elastomer>("elastomer", "name of the elastomer"),
-        quantity<&T::measured>("measured", "W_app", "J/m2", "measured W_app"),
-        quantity<&T::predicted>("predicted", "max(0, Eq. 7)", "J/m2",
-                                "W_app by the full-contact balance (Eq. 7), floored at 0"),
-        made<T>("residual", "measured - predicted", "J/m2", "measured minus predicted value",
+        quantity<&T::measured>("measured", "W_app", "J/m2", "measured W_app").as("apparent_work_of_adhesion"),
+        quantity<&T::predicted>("predicted", "max(0, W_app)", "J/m2",
+                                "W_app by the full-contact balance (Eq. 7), floored at 0")
+            .as("work_of_adhesion_floored"),
+        made<T>("residual", "W_app - W_app,predicted", "J/m2", "measured minus predicted value",
                 [](const T& of) {
                     return Estimate{.value = of.residual, .standard_error = of.standard_error, .method = "delta"};
-                }),
+                })
+            .as("residual_work_of_adhesion"),
         made<T>("standardised_residual", "residual/standard error", "1", "residual over its standard error",
                 [](const T& of) { return of.standardised(); }),
         inner<&T::residual>(),
@@ -309,11 +313,12 @@ struct Described<output::CutFit> {
     using T = output::CutFit;
     static constexpr std::array rows{
         made<T>("work_of_adhesion", "W_int", "J/m2", "W_int by least squares",
-                [](const T& of) { return of.fit->work_of_adhesion; }),
+                [](const T& of) { return of.fit->work_of_adhesion; })
+            .as("intrinsic_work_of_adhesion"),
         made<T>("r_squared", "R2", "1", "1 − SS_res/SS_tot", [](const T& of) { return of.fit->r_squared; }),
         made<T>("generalised", "W_int", "J/m2", "W_int by generalised least squares",
                 [](const T& of) { return of.fit->generalised.estimate(); })
-            .as("work_of_adhesion"),
+            .as("intrinsic_work_of_adhesion"),
         made<T>("log_likelihood", "log-likelihood of the pairs",
                 [](const T& of) { return of.fit->generalised.log_likelihood; }),
     };
@@ -325,7 +330,7 @@ struct Described<output::CutSurface> {
     using T = output::CutSurface;
     static constexpr std::array rows{
         made<T>("rms_slope", "h'_rms", "1", "rms slope", [](const T& of) { return of.parameters->rms_slope; }),
-        made<T>("elastic_energy_per_modulus", "U_el/(A E*)", "m", "elastic energy per nominal area over E*",
+        made<T>("elastic_energy_per_modulus", "U_el/(A_app E*)", "m", "elastic energy per nominal area over E*",
                 [](const T& of) { return of.parameters->elastic_energy_per_modulus; }),
     };
     static constexpr Description description{"", "parameters of a surface with its spectrum cut", rows};
@@ -336,7 +341,8 @@ struct Described<output::CutoffEntry> {
     using T = output::CutoffEntry;
     static constexpr std::array rows{
         made<T>("shortest_wavelength", "lambda_s", "m", "wavelength at which all spectra are cut",
-                [](const T& of) { return of.point->shortest_wavelength; }),
+                [](const T& of) { return of.point->shortest_wavelength; })
+            .as("cutoff_wavelength"),
         made<T>("modified", "full-contact balance (Eq. 7)",
                 [](const T& of) { return output::CutFit{&of.point->modified}; }),
         made<T>("persson_tosatti", "Persson–Tosatti balance (Eq. S13)",
@@ -360,11 +366,13 @@ struct Described<output::BalanceEntry> {
                     const double wavelength = of.compared->shortest_wavelength;
                     if (!(wavelength > 0.0)) return std::nullopt;
                     return wavelength;
-                }),
+                })
+            .as("cutoff_wavelength"),
         made<T>("surface_energy_factor", "gamma1/gamma1", "1", "factor on γ1 of every elastomer",
                 [](const T& of) { return of.compared->surface_energy_factor; }),
         made<T>("work_of_adhesion", "W_int", "J/m2", "W_int by least squares",
-                [](const T& of) { return of.compared->score.work_of_adhesion; }),
+                [](const T& of) { return of.compared->score.work_of_adhesion; })
+            .as("intrinsic_work_of_adhesion"),
         made<T>("r_squared", "R2", "1", "1 − SS_res/SS_tot", [](const T& of) { return of.compared->score.r_squared; }),
         made<T>("log_likelihood_difference", "ln L - max", "1", "log-likelihood minus that of the best balance",
                 [](const T& of) { return of.compared->score.log_likelihood - of.best_log_likelihood; }),
@@ -415,7 +423,8 @@ struct Described<output::ConclusionsEntry> {
     using T = output::ConclusionsEntry;
     static constexpr std::array work_rows{
         made<T>("work_of_adhesion", "W_int", "J/m2", "W_int of the predictions",
-                [](const T& of) { return of.work_of_adhesion(); }),
+                [](const T& of) { return of.work_of_adhesion(); })
+            .as("intrinsic_work_of_adhesion"),
         made<T>("work_of_adhesion_draws", "W_int from draws of all inputs",
                 [](const T& of) -> std::optional<output::DrawnWork> {
                     if (!of.of->work_of_adhesion) return std::nullopt;
@@ -586,7 +595,7 @@ struct Described<output::StudyEntry> {
                     if (!slope) return std::nullopt;
                     return with_count(slope->pairs, slope->work_per_true_area);
                 })
-            .as("work_per_true_area")
+            .as("loss_per_true_area")
             .from("loops with the measured W_app and W_ret, through the origin")
             .or_null(),
         made<T>("reported", "published values beside those of this study",

@@ -15,7 +15,8 @@
 #include "setae/core/statistics.hpp"
 #include "setae/fields/describe.hpp"
 #include "setae/output/json.hpp"
-#include "setae/processing/processed.hpp"
+#include "setae/output/quantity_rows.hpp"
+#include "setae/output/step_fields.hpp"
 #include "setae/roughness/beyond_data.hpp"
 #include "setae/study/surface_analysis.hpp"
 
@@ -108,27 +109,17 @@ struct SurfaceEntry {
 namespace setae::fields {
 
 template <>
-struct Described<processing::StepRecord> {
-    using T = processing::StepRecord;
-    static constexpr std::array rows{
-        field<&T::step>("step", "name of the step in pipeline files"),
-        field<&T::numbers>("numbers", "quantities that the step determined"),
-        field<&T::alerts>("alerts", "warnings of the step"),
-    };
-    static constexpr Description description{"step", "a processing step that was applied", rows};
-};
-static_assert(complete<processing::StepRecord>);
-
-template <>
 struct Described<output::AnalysedMeasurement> {
     using T = output::AnalysedMeasurement;
     static constexpr std::array possible_rows{
-        possible("rms_height", "Sq", "m", "rms height: Sq of a map, Rq of a line"),
+        possible("rms_height", "Sq, Rq", "m", "rms height: Sq of a map, Rq of a line").as("rms_height_real_space"),
         possible("rms_height_of_lines", "Rq", "m", "rms height of the lines of a map, each about its own mean"),
-        possible("arithmetic_height", "Sa", "m", "mean absolute height: Sa of a map, Ra of a line"),
+        possible("arithmetic_height", "Sa, Ra", "m", "mean absolute height: Sa of a map, Ra of a line"),
         possible("rms_slope_x", "Rdq", "1", "rms slope of a map along x"),
-        possible("rms_slope", "Sdq", "1", "rms slope: Sdq of a map, Rdq of a line"),
-        possible("rms_curvature", "Rddq", "1/m", "rms curvature: half the rms Laplacian of a map, Rddq of a line"),
+        possible("rms_slope", "Sdq, Rdq", "1", "rms slope: Sdq of a map, Rdq of a line").as("rms_slope_real_space"),
+        possible("rms_curvature", "lap/2, Rddq", "1/m",
+                 "rms curvature: half the rms Laplacian of a map, Rddq of a line")
+            .as("rms_curvature_real_space"),
         possible("triangulated_area_ratio", "A_true/A_app", "1", "true area over nominal area from triangles"),
         possible("elastic_energy_per_modulus_of_waves", "U_el/(A_app E*)", "m",
                  "elastic energy from the waves of a map in all directions"),
@@ -190,7 +181,7 @@ struct Described<output::OtherConversion> {
         made<T>("rms_slope", "h'_rms", "1", "rms slope", [](const T& p) { return p.of(p.parameters->rms_slope); }),
         made<T>("rms_curvature", "h''_rms", "1/m", "rms curvature",
                 [](const T& p) { return p.of(p.parameters->rms_curvature); }),
-        made<T>("elastic_energy_per_modulus", "U_el/(A E*)", "m", "elastic energy per nominal area over E*",
+        made<T>("elastic_energy_per_modulus", "U_el/(A_app E*)", "m", "elastic energy per nominal area over E*",
                 [](const T& p) { return p.of(p.parameters->elastic_energy_per_modulus); }),
     };
     static constexpr Description description{"other_conversion", "parameters by the other conversion of C1D", rows};
@@ -199,22 +190,12 @@ struct Described<output::OtherConversion> {
 template <>
 struct Described<output::SpectrumOfSurface> {
     using T = output::SpectrumOfSurface;
-    static constexpr std::array possible_rows{
-        possible("rms_height", "h_rms", "m", "rms height"),
-        possible("rms_slope", "h'_rms", "1", "rms slope"),
-        possible("rms_curvature", "h''_rms", "1/m", "rms curvature"),
-        possible("true_area_ratio", "A_true/A_app", "1", "true area over nominal area"),
-        possible("true_area_ratio_small_slope", "1 + h'^2/2", "1", "true area over nominal area for small slopes"),
-        possible("elastic_energy_per_modulus", "U_el/(A_app E*)", "m", "elastic energy per nominal area over E*"),
-        possible("true_area_ratio_gaussian", "A_true/A_app", "1", "true area over nominal area for Gaussian slopes"),
-        possible("true_area_ratio_measured_slopes", "A_true/A_app", "1",
-                 "true area over nominal area for slopes distributed as those of the maps"),
-    };
-    static constexpr Description possible_quantities{"", "quantities of a spectrum", possible_rows};
+    static constexpr Description possible_quantities{"", "quantities of a spectrum", output::surface_quantity_rows};
     static constexpr std::array rows{
         quantities_among<T>(
             possible_quantities,
-            [](const T& of) { return output::surface_quantities(*of.surface, *of.spectrum, of.options->conversion); }),
+            [](const T& of) { return output::surface_quantities(*of.surface, *of.spectrum, of.options->conversion); })
+            .with(Missing::never),
         made<T>("decades", "mean of C1D over each decade of wavevectors",
                 [](const T& of) { return output::decade_quantities(*of.surface, *of.spectrum); })
             .with(Missing::left_out),
@@ -373,13 +354,13 @@ struct Described<roughness::BeyondData> {
     static constexpr std::array rows{
         quantity<&T::end>("end_of_data", "q_e", "1/m", "wavevector at the end of the data"),
         quantity<&T::up_to>("end_of_waves", "q_s", "1/m", "wavevector at the end of the continued spectrum"),
-        quantity<&T::exponent>("exponent", "p", "1", "exponent of the continued C_iso"),
+        quantity<&T::exponent>("exponent", "p", "1", "exponent of the continued C_iso").as("spectrum_exponent"),
         quantity<&T::rms_height>("rms_height", "h_rms", "m", "rms height with the continued spectrum"),
         quantity<&T::rms_slope>("rms_slope", "h'_rms", "1", "rms slope with the continued spectrum"),
         quantity<&T::excess_area>("excess_area", "A_true/A_app - 1", "1",
                                   "true area over nominal area minus 1, with the continued spectrum"),
         quantity<&T::elastic_energy_per_modulus>(
-            "elastic_energy_per_modulus", "U_el/(A E*)", "m",
+            "elastic_energy_per_modulus", "U_el/(A_app E*)", "m",
             "elastic energy per nominal area over E*, with the continued spectrum"),
     };
     static constexpr Description description{

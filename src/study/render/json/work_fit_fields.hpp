@@ -117,7 +117,8 @@ struct Described<output::WeightedWork> {
     using T = output::WeightedWork;
     static constexpr std::array rows{
         made<T>("work_of_adhesion", "W_int", "J/m2", "work of adhesion of the smooth interface",
-                [](const T& of) { return of.estimate.work_of_adhesion; }),
+                [](const T& of) { return of.estimate.work_of_adhesion; })
+            .as("intrinsic_work_of_adhesion"),
         made<T>("chi_squared", "chi2", "1", "χ² of the pairs with the errors assumed",
                 [](const T& of) { return of.estimate.chi_squared; }),
         made<T>("extra_scatter", "tau", "", "standard deviation that was added to the error of each pair",
@@ -148,7 +149,8 @@ struct Described<output::GeneralisedWork> {
     using T = output::GeneralisedWork;
     static constexpr std::array rows{
         made<T>("work_of_adhesion", "W_int", "J/m2", "work of adhesion of the smooth interface",
-                [](const T& of) { return with_count(of.n, of.work_of_adhesion); }),
+                [](const T& of) { return with_count(of.n, of.work_of_adhesion); })
+            .as("intrinsic_work_of_adhesion"),
         inner<&T::work_of_adhesion>(),
         inner<&T::n>(),
         quantity<&T::r_squared>("r_squared", "R2", "1", "1 − SS_res/SS_tot"),
@@ -166,7 +168,7 @@ struct Described<adhesion::GeneralisedFreeEnergies> {
         fields_of<T>([](const T& of) {
             return output::GeneralisedWork{of.work_of_adhesion, of.r_squared, of.n, {of.scatter, "J/m2"}};
         }),
-        made<T>("elastic_energy_per_modulus", "U_el/(A E*)", "m", "U_el/(A E*) of each surface",
+        made<T>("elastic_energy_per_modulus", "U_el/(A_app E*)", "m", "U_el/(A E*) of each surface",
                 [](const T& of) {
                     std::vector<std::pair<std::string, Estimate>> all;
                     for (const auto& [surface, energy] : of.energies) all.emplace_back(surface, energy);
@@ -215,23 +217,24 @@ struct Described<output::FittedWork> {
                     auto work = with_count(of.fit->n, of.fit->work_of_adhesion);
                     work.source = of.source;
                     return work;
-                }),
+                })
+            .as("intrinsic_work_of_adhesion"),
         made<T>("r_squared", "R2", "1", "1 − SS_res/SS_tot", [](const T& of) { return of.fit->r_squared; }),
         made<T>("clustered_standard_error", "SE", "J/m2",
                 "standard error of W_int with pairs of one surface and of one elastomer correlated",
                 [](const T& of) { return of.fit->clustered.standard_error; }),
         made<T>("clustered", "W_int", "J/m2", "least-squares value with that standard error",
                 [](const T& of) { return of.fit->clustered; })
-            .as("work_of_adhesion"),
+            .as("intrinsic_work_of_adhesion"),
         made<T>("generalised", "W_int by generalised least squares, with the covariance of all errors",
                 [](const T& of) { return of.generalised(); }),
         made<T>("posterior", "W_int", "J/m2", "W_int with the scatter between pairs integrated out: the value to quote",
                 [](const T& of) { return of.fit->posterior; })
-            .as("work_of_adhesion")
+            .as("intrinsic_work_of_adhesion")
             .or_null(),
         made<T>("likelihood", "W_int", "J/m2", "W_int with the 95 % interval of its profile likelihood",
                 [](const T& of) { return of.fit->likelihood; })
-            .as("work_of_adhesion")
+            .as("intrinsic_work_of_adhesion")
             .or_null(),
         made<T>("residual_standard_deviation", "s", "", "standard deviation of the residuals",
                 [](const T& of) { return output::in_unit(of.fit->residual_standard_deviation, of.unit); }),
@@ -257,7 +260,7 @@ template <>
 struct Described<adhesion::LineFit> {
     using T = adhesion::LineFit;
     static constexpr std::array rows{
-        quantity<&T::slope>("work_of_adhesion", "W_int", "J/m2", "slope of the line"),
+        quantity<&T::slope>("work_of_adhesion", "W_int", "J/m2", "slope of the line").as("intrinsic_work_of_adhesion"),
         quantity<&T::intercept>("intercept", "E_0", "J", "loss at no true area"),
         quantity<&T::r_squared>("r_squared", "R2", "1", "1 − SS_res/SS_tot"),
         field<&T::n>("n", "number of pairs"),
@@ -296,9 +299,10 @@ struct Described<adhesion::FreeEnergyFit> {
     static constexpr std::array rows{
         quantity<&T::work_of_adhesion>("work_of_adhesion", "W_int", "J/m2",
                                        "W_int by least squares, each pair with the same weight")
+            .as("intrinsic_work_of_adhesion")
             .from("Eq. 7 with U_el/(A E*) free for each surface: best possible fit for any power spectrum"),
         quantity<&T::r_squared>("r_squared", "R2", "1", "1 − SS_res/SS_tot"),
-        made<T>("elastic_energy_per_modulus", "U_el/(A E*)", "m", "U_el/(A E*) of each surface",
+        made<T>("elastic_energy_per_modulus", "U_el/(A_app E*)", "m", "U_el/(A E*) of each surface",
                 [](const T& of) { return output::estimates_of(of.energy_per_modulus); }),
         inner<&T::energy_per_modulus>(),
         field<&T::generalised>("generalised", "by generalised least squares, with the covariance of all errors")
@@ -313,7 +317,8 @@ template <>
 struct Described<adhesion::StrainedInterfaceFit> {
     using T = adhesion::StrainedInterfaceFit;
     static constexpr std::array rows{
-        quantity<&T::work_of_adhesion>("work_of_adhesion", "W_int", "J/m2", "work of adhesion of the smooth interface"),
+        quantity<&T::work_of_adhesion>("work_of_adhesion", "W_int", "J/m2", "work of adhesion of the smooth interface")
+            .as("intrinsic_work_of_adhesion"),
         quantity<&T::interface_change>("interface_change", "chi", "J/m2",
                                        "change of the interfacial energy per relative change of area"),
         quantity<&T::correlation>("correlation", "rho", "1", "correlation of the two parameters"),

@@ -66,7 +66,7 @@ StudyFigure course_figure(const DrawnLoop& loop, const loops::EnergyCourse& cour
         "than W on retraction dissipate energy. The contact radius is {}. Closed loop: {} {}. Ideal smooth sphere: {} {}.",
         loop.name, course.radius_measured ? "measured" : "calculated from force, displacement and E*",
         fmt::format("{:.4g}", course.work[n - 1] / energy.factor), energy.name,
-        figures::number_text(loop.analysis.ledger ? loop.analysis.ledger->ideal_this_machine / energy.factor : 0.0, 3),
+        figures::number_text(loop.analysis.budget ? loop.analysis.budget->ideal_this_machine / energy.factor : 0.0, 3),
         energy.name);
     return drawn;
 }

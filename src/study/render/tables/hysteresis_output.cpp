@@ -283,9 +283,9 @@ TidyTable shown_trials(const study::Hysteresis& h) {
                                 h.trials.front().runs),
                     {"true model", "found", "possible", "excluded", "most frequent other"},
                     {}};
-    for (const auto& law : h.trials)
-        table.rows.push_back({law.planted.name(), fmt::format("{}", law.found), fmt::format("{}", law.possible),
-                              fmt::format("{}", law.excluded), law.most_taken});
+    for (const auto& trial : h.trials)
+        table.rows.push_back({trial.true_model.name(), fmt::format("{}", trial.found),
+                              fmt::format("{}", trial.possible), fmt::format("{}", trial.excluded), trial.most_taken});
     return table;
 }
 

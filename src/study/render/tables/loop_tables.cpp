@@ -100,13 +100,13 @@ template <class Contact>
 void add_contact_energy(tables::TidyTable& table, const LoopLabels& labels, std::size_t number,
                         const Contact& contact) {
     auto row = energies_beginning(labels, number, undefined);
-    if (!contact.ledger) {
-        end_row(table, std::move(row), {contact.ledger.reason});
+    if (!contact.budget) {
+        end_row(table, std::move(row), {contact.budget.reason});
         return;
     }
-    const auto& ledger = *contact.ledger;
-    const auto estimate = ledger.loop.estimate();
-    const auto& budget = ledger.loop.standard_error;
+    const auto& budget = *contact.budget;
+    const auto estimate = budget.loop.estimate();
+    const auto& errors = budget.loop.standard_error;
     const auto part = [](const std::optional<loops::WorkEntry>& entry) { return entry ? entry->energy : undefined; };
     const auto& loading = contact.loading.primary().work_of_adhesion;
     const Estimate unloading = contact.unloading ? contact.unloading->primary().work_of_adhesion : Estimate{undefined};
@@ -114,21 +114,21 @@ void add_contact_energy(tables::TidyTable& table, const LoopLabels& labels, std:
                                estimate.standard_error,
                                estimate.interval ? estimate.interval->lower : undefined,
                                estimate.interval ? estimate.interval->upper : undefined,
-                               budget.noise,
-                               budget.drift,
-                               budget.compliance,
-                               budget.sampling,
-                               budget.discretisation,
-                               part(ledger.jump_in),
-                               ledger.approach.energy,
-                               ledger.retraction.energy,
-                               part(ledger.jump_out),
-                               ledger.ideal_fixed_grips,
-                               ledger.ideal_this_machine,
-                               ledger.largest_contact_area,
-                               ledger.largest_true_area(),
-                               ledger.loss_per_apparent_area,
-                               ledger.loss_per_true_area,
+                               errors.noise,
+                               errors.drift,
+                               errors.compliance,
+                               errors.sampling,
+                               errors.discretisation,
+                               part(budget.jump_in),
+                               budget.approach.energy,
+                               budget.retraction.energy,
+                               part(budget.jump_out),
+                               budget.ideal_fixed_grips,
+                               budget.ideal_this_machine,
+                               budget.largest_contact_area,
+                               budget.largest_true_area(),
+                               budget.loss_per_apparent_area,
+                               budget.loss_per_true_area,
                                loading.value,
                                loading.standard_error,
                                unloading.value,

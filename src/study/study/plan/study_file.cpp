@@ -811,7 +811,7 @@ std::vector<KeyTable> study_keys() {
         {"[published]", "Published measured values, with rows `SURFACE = [one value per elastomer]`.",
          PublishedTables::descriptions()},
         {"[inputs]",
-         "Named values, to which any key below can refer by name ([inputs](../guides/study.md#inputs-with-a-name)).",
+         "Named values, to which any key below can refer by name ([inputs](../guides/shared-inputs.md)).",
          {{"any name", "quantity ± error", "", "", "value, such as `\"1.25 ± 0.01 mm\"`, or `\"1.2 to 1.3 mm\"`"}}},
         {"[costs]",
          "Duration of further measurements, for `setae study STUDY --next`.",

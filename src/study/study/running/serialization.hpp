@@ -223,7 +223,7 @@ SETAE_KEEP(ComplianceEffect, stiffness, modulus_change, work_change, energy_chan
 SETAE_KEEP(Change, first, last)
 SETAE_KEEP(HoldGrowth, samples, duration, force, displacement, contact_radius, work_of_adhesion)
 SETAE_KEEP(ContactAnalysis, loading, hold, pinned, unloading, pull_off, retraction, work_along_retraction, loop,
-           context, contact_points, ledger, compliance)
+           context, contact_points, budget, compliance)
 SETAE_KEEP(RecordFaults, saturated_high, saturated_low, frames, frames_missing, longest_gap, time_backwards)
 SETAE_KEEP(Calibration, force, displacement, contact_radius)
 SETAE_KEEP(BulkRelaxation, energy_loss, largest_force)

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include <fmt/format.h>
 
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/units.hpp"
 #include "setae/processing/interpolation.hpp"
 
 namespace setae::processing {
@@ -50,31 +52,43 @@ double pixel_along(const HeightMap& map, double cosine, double sine) {
     return 1.0 / std::hypot(cosine / pixel[0], sine / pixel[1]);
 }
 
-void check(const HeightMap& map, const ProfileLine& line) {
+std::string lengths(const std::array<double, 2>& point) {
+    return fmt::format("({}, {})", format_value(point[0], "m", 6), format_value(point[1], "m", 6));
+}
+
+/// An end of a line on the points of a map. The last pixel extends from the last point to the edge of the map; an end
+/// within it is moved to the last point.
+std::array<double, 2> end_on(const HeightMap& map, std::array<double, 2> end) {
     const auto pixel = map.pixel_size();
-    const std::array<double, 2> end{pixel[0] * static_cast<double>(map.heights.rows() - 1),
-                                    pixel[1] * static_cast<double>(map.heights.cols() - 1)};
-    for (const auto& point : {line.from, line.to})
-        for (std::size_t d = 0; d < 2; ++d) {
-            const bool inside = point[d] >= -1e-9 * pixel[d] && point[d] <= end[d] + 1e-9 * pixel[d];
-            if (!std::isfinite(point[d]) || (!map.periodic && !inside))
-                throw InvalidArgument(fmt::format(
-                    "{}: a profile's end at ({}, {}) m; expected within 0 … {} m along x and 0 … {} m along y",
-                    topography::label(map.metadata), point[0], point[1], end[0], end[1]));
-        }
-    if (line.from == line.to)
-        throw InvalidArgument(fmt::format("a profile from ({}, {}) m to the same point; expected two different points",
-                                          line.from[0], line.from[1]));
+    for (std::size_t d = 0; d < 2; ++d) {
+        const double rounding = 1e-9 * pixel[d];
+        const bool inside = end[d] >= -rounding && end[d] <= map.size[d] + rounding;
+        if (!std::isfinite(end[d]) || (!map.periodic && !inside))
+            throw InvalidArgument(fmt::format("{}: an end of the line at {}; expected between (0, 0) and {}",
+                                              topography::label(map.metadata), lengths(end), lengths(map.size)));
+        if (!map.periodic) end[d] = std::min(end[d], map.size[d] - pixel[d]);
+    }
+    return end;
+}
+
+/// The line with both ends on the points of the map. @throws as line_profile.
+ProfileLine line_on(const HeightMap& map, const ProfileLine& line) {
+    ProfileLine placed{end_on(map, line.from), end_on(map, line.to), line.width, line.points};
+    if (placed.from == placed.to)
+        throw InvalidArgument(
+            fmt::format("a profile from {} to the same point; expected two different points", lengths(placed.from)));
     if (!(line.width >= 0.0 && std::isfinite(line.width)))
-        throw InvalidArgument(fmt::format("a profile {} m wide; expected 0 or more", line.width));
+        throw InvalidArgument(
+            fmt::format("a profile with a width of {}; expected 0 or more", format_value(line.width, "m", 6)));
     if (line.points && *line.points < 2)
         throw InvalidArgument(fmt::format("a profile of {} points; expected at least two", *line.points));
+    return placed;
 }
 
 }  // namespace
 
-LineProfile line_profile(const HeightMap& map, const ProfileLine& line) {
-    check(map, line);
+LineProfile line_profile(const HeightMap& map, const ProfileLine& wanted) {
+    const auto line = line_on(map, wanted);
     const double along_x = line.to[0] - line.from[0], along_y = line.to[1] - line.from[1],
                  length = std::hypot(along_x, along_y);
     const double cosine = along_x / length, sine = along_y / length;

@@ -6,7 +6,7 @@
 
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/hysteresis/law_trials.hpp"
+#include "setae/hysteresis/retraction_model_trials.hpp"
 
 namespace setae::hysteresis {
 namespace {
@@ -40,11 +40,11 @@ public:
     }
 
     /// Both works by a model, with relative noise.
-    [[nodiscard]] std::vector<RankedPair> planted(const RetractionModel& model, double parameter, double noise,
-                                                  unsigned seed) const {
+    [[nodiscard]] std::vector<RankedPair> simulated(const RetractionModel& model, double parameter, double noise,
+                                                    unsigned seed) const {
         std::mt19937 random(seed);
         std::normal_distribution<double> normal;
-        std::vector<RankedPair> planted;
+        std::vector<RankedPair> pairs;
         for (auto pair : pairs_) {
             const FittedModel fitted{.model = model, .parameter = parameter, .scatter = {}};
             const double approach = predicted_approach(fitted, pair).value,
@@ -55,9 +55,9 @@ public:
             const auto of_approach = measured(approach);
             pair.approach =
                 TracedValue(of_approach, adhesion::own_noise_name("W_app", pair.rough.name, pair.soft.name));
-            planted.push_back({pair, {of_approach, {}}, {measured(retraction), {}}});
+            pairs.push_back({pair, {of_approach, {}}, {measured(retraction), {}}});
         }
-        return planted;
+        return pairs;
     }
 
     [[nodiscard]] static Ranking ranked(const std::vector<RankedPair>& pairs) {
@@ -76,7 +76,7 @@ TEST(Ranking, PlantedModelIsPossibleWithItsNumber) {
     const Study study;
     for (const auto& model : retraction_models()) {
         const double parameter = model.law == Law::fitted_pinning ? 0.9 : 0.06;
-        const auto ranking = study.ranked(study.planted(model, parameter, 0.01, 7));
+        const auto ranking = study.ranked(study.simulated(model, parameter, 0.01, 7));
         ASSERT_EQ(ranking.models.size(), retraction_models().size()) << model.name();
         const auto possible = ranking.possible();
         const auto own =
@@ -96,7 +96,7 @@ TEST(Ranking, PlantedModelIsPossibleWithItsNumber) {
 
 TEST(Ranking, RefusesAModelThatIsOffByAConstant) {
     const Study study;
-    auto pairs = study.planted({Law::reversible, Tip::none}, 0.0, 0.03, 9);
+    auto pairs = study.simulated({Law::reversible, Tip::none}, 0.0, 0.03, 9);
     for (auto& pair : pairs) pair.retraction.value.value += 0.06;
     const auto ranking = rank_models({{Law::reversible, Tip::none}}, pairs);
     ASSERT_EQ(ranking.models.size(), 1U);
@@ -107,13 +107,13 @@ TEST(Ranking, RefusesAModelThatIsOffByAConstant) {
 
 TEST(Ranking, WithMuchNoiseSeveralCannotBeDistinguished) {
     const Study study;
-    const auto ranking = study.ranked(study.planted({Law::opening_work, Tip::none}, 0.06, 0.4, 3));
+    const auto ranking = study.ranked(study.simulated({Law::opening_work, Tip::none}, 0.06, 0.4, 3));
     EXPECT_GT(ranking.possible().size(), 1U);
 }
 
 TEST(Ranking, IsTheSameForAnyNumberOfThreads) {
     const Study study;
-    const auto pairs = study.planted({Law::opening_work, Tip::none}, 0.06, 0.05, 3);
+    const auto pairs = study.simulated({Law::opening_work, Tip::none}, 0.06, 0.05, 3);
     const auto one = rank_models(retraction_models(), pairs, {}, {1}),
                two = rank_models(retraction_models(), pairs, {}, {2});
     for (std::size_t i = 0; i < one.models.size(); ++i) {
@@ -130,9 +130,9 @@ TEST(Odds, AreClassedByTheirFivePerCentPoint) {
     EXPECT_STREQ(name_of(Distinction::clearly_better), "clearly better");
 }
 
-TEST(ModelTrials, PlantedModelsAreFoundOrPossible) {
+TEST(ModelTrials, TrueModelsAreFoundOrPossible) {
     const Study study;
-    const auto pairs = study.planted({Law::opening_work, Tip::none}, 0.06, 0.03, 3);
+    const auto pairs = study.simulated({Law::opening_work, Tip::none}, 0.06, 0.03, 3);
     const std::vector<RetractionModel> models{{Law::reversible, Tip::none},
                                               {Law::pinning, Tip::none},
                                               {Law::conformal_loss, Tip::none},
@@ -141,11 +141,11 @@ TEST(ModelTrials, PlantedModelsAreFoundOrPossible) {
     const auto trials = model_trials(pairs, ranking, {}, {.runs = 2, .seed = 5, .threads = {1}, .cancelled = nullptr});
     ASSERT_FALSE(trials.empty());
     int runs = 0, excluded = 0;
-    for (const auto& law : trials) {
-        EXPECT_EQ(law.runs, 2);
-        EXPECT_EQ(law.found + law.possible + law.excluded, law.runs) << law.planted.name();
-        runs += law.runs;
-        excluded += law.excluded;
+    for (const auto& trial : trials) {
+        EXPECT_EQ(trial.runs, 2);
+        EXPECT_EQ(trial.found + trial.possible + trial.excluded, trial.runs) << trial.true_model.name();
+        runs += trial.runs;
+        excluded += trial.excluded;
     }
     EXPECT_LE(excluded, runs / 10);
     const auto again = model_trials(pairs, ranking, {}, {.runs = 2, .seed = 5, .threads = {2}, .cancelled = nullptr});
@@ -154,7 +154,7 @@ TEST(ModelTrials, PlantedModelsAreFoundOrPossible) {
 
 TEST(Ranking, OfTooFewPairsSaysSo) {
     const Study study;
-    auto pairs = study.planted({Law::reversible, Tip::none}, 0.0, 0.01, 1);
+    auto pairs = study.simulated({Law::reversible, Tip::none}, 0.0, 0.01, 1);
     while (pairs.size() > 12) pairs.pop_back();  // of three surfaces
     const auto ranking = rank_models({{Law::reversible, Tip::none}}, pairs);
     EXPECT_EQ(ranking.best(), nullptr);

@@ -247,8 +247,8 @@ TEST(AdhesiveCell, HasATangentUnderConstantTension) {
     EXPECT_NEAR(tangent.tension_slope, slope, 0.1 * std::abs(slope));
 }
 
-// the ledger closes for every law: W_appr = w − e − D, W_sep = w − e + D, the state is the one it began with
-TEST(AdhesiveLoop, HasALedgerThatCloses) {
+// the energy budget closes for every law: W_appr = w − e − D, W_sep = w − e + D, the state is the one it began with
+TEST(AdhesiveLoop, HasAnEnergyBudgetThatCloses) {
     for (const auto law :
          {AttractionLaw::exponential, AttractionLaw::cubic, AttractionLaw::dugdale, AttractionLaw::lennard_jones}) {
         AdhesiveCell cell(sine(64, 0.3), {1, 64, 1.0, 64.0}, body, {1.0, 2.0, law});

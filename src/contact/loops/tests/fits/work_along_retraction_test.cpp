@@ -123,7 +123,7 @@ TEST(WorkAlongRetraction, LosesWhatTheLoopLoses) {
         // W_ret at pull-off, which is read where the force is smallest, during the whole retraction: Maugis' jumps
         const double at_pull_off = found.at_pull_off.value,
                      approach = analysis.loading.primary().work_of_adhesion.value,
-                     modulus = analysis.loading.primary().contact_modulus.value, k = analysis.ledger->machine_stiffness;
+                     modulus = analysis.loading.primary().contact_modulus.value, k = analysis.budget->machine_stiffness;
         const double constant = spring_jumps({planted.radius, modulus, approach}, k).jump_in_loss +
                                 (at_pull_off - approach) * pi * std::pow(found.largest_radius, 2) +
                                 spring_jumps({planted.radius, modulus, at_pull_off}, k).jump_out_loss;

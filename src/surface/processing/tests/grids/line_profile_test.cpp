@@ -2,6 +2,7 @@
 #include "setae/processing/line_profile.hpp"
 
 #include <cmath>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -79,10 +80,33 @@ TEST(LineProfile, GoesOnAcrossThePeriod) {
     EXPECT_EQ(profile.scan.heights[5], map.heights(3, 0));
 }
 
+TEST(LineProfile, EndsAtTheLastPointForAnEndAtTheEdgeOfTheMap) {
+    const auto map = rough();
+    const double edge = 40 * 0.1e-6 * (1.0 + 1e-15);
+    const auto to_edge = line_profile(map, {.from = {0.0, 7 * 0.3e-6}, .to = {edge, 7 * 0.3e-6}});
+    ASSERT_EQ(to_edge.scan.heights.size(), 40);
+    EXPECT_DOUBLE_EQ(to_edge.x[39], 39 * 0.1e-6);
+    for (Index i = 0; i < 40; ++i) EXPECT_EQ(to_edge.scan.heights[i], map.heights(i, 7));
+    const auto to_corner = line_profile(map, {.from = {0.0, 0.0}, .to = map.size});
+    EXPECT_EQ(to_corner.scan.heights[to_corner.scan.heights.size() - 1], map.heights(39, 29));
+}
+
+TEST(LineProfile, RefusesAnEndOutsideTheMapWithLengthsInPrefixes) {
+    try {
+        (void)line_profile(rough(), {.from = {0.0, 0.0}, .to = {4.01e-6, 9e-6}});
+        FAIL() << "an end outside the map was accepted";
+    } catch (const InvalidArgument& error) {
+        const std::string message = error.what();
+        EXPECT_NE(message.find("(4.01000 µm, 9.00000 µm); expected between (0, 0) and (4.00000 µm, 9.00000 µm)"),
+                  std::string::npos)
+            << message;
+    }
+}
+
 TEST(LineProfile, RefusesLinesThatAreNone) {
     const auto map = rough();
     EXPECT_THROW((void)line_profile(map, {.from = {0.0, 0.0}, .to = {0.0, 0.0}}), InvalidArgument);
-    EXPECT_THROW((void)line_profile(map, {.from = {0.0, 0.0}, .to = {40 * 0.1e-6, 0.0}}), InvalidArgument);
+    EXPECT_THROW((void)line_profile(map, {.from = {0.0, 0.0}, .to = {41 * 0.1e-6, 0.0}}), InvalidArgument);
     EXPECT_THROW((void)line_profile(map, {.from = {0.0, 0.0}, .to = {1e-6, 0.0}, .width = -1.0}), InvalidArgument);
     EXPECT_THROW((void)line_profile(map, {.from = {0.0, 0.0}, .to = {1e-6, 0.0}, .points = 1}), InvalidArgument);
     EXPECT_THROW((void)line_profile(map, {.from = {0.0, std::nan("")}, .to = {1e-6, 0.0}}), InvalidArgument);

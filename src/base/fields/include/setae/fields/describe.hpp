@@ -16,6 +16,7 @@
 //
 // A forgotten or misspelled member is a compile error.
 
+#include <algorithm>
 #include <array>
 #include <concepts>
 #include <cstddef>
@@ -30,6 +31,7 @@
 #include "setae/core/arrays.hpp"
 #include "setae/core/boxed.hpp"
 #include "setae/core/quantity.hpp"
+#include "setae/core/table.hpp"
 #include "setae/core/traced_value.hpp"
 #include "setae/fields/member_of.hpp"
 #include "setae/fields/row.hpp"
@@ -66,6 +68,8 @@ template <class T>
 inline constexpr bool is_vector = false;
 template <class T>
 inline constexpr bool is_vector<std::vector<T>> = true;
+template <class T, std::size_t N>
+inline constexpr bool is_vector<std::array<T, N>> = true;
 template <class T>
 inline constexpr bool is_optional = false;
 template <class T>
@@ -80,6 +84,10 @@ template <class T>
 inline constexpr bool is_map<std::map<std::string, T>> = true;
 template <class T>
 inline constexpr bool is_column = std::is_same_v<T, Array1D> || std::is_same_v<T, std::vector<double>>;
+template <class T>
+inline constexpr bool is_text = std::is_convertible_v<T, std::string_view>;
+template <class T>
+inline constexpr bool is_list = (is_vector<T> && !is_map<T>) || is_column<T>;
 template <class T>
 inline constexpr bool holds_error =
     std::is_same_v<T, Estimate> || std::is_same_v<T, TracedValue> || std::is_same_v<T, Quantity>;
@@ -126,7 +134,7 @@ consteval Kind kind_by_name() {
     if constexpr (holds_error<T>) return Kind::quantity_of;
     else if constexpr (std::is_integral_v<T>) return Kind::whole_of;
     else if constexpr (std::is_floating_point_v<T>) return Kind::number_of;
-    else if constexpr (std::is_convertible_v<T, std::string_view>) return Kind::text_of;
+    else if constexpr (is_text<T>) return Kind::text_of;
     else return Kind::objects_of;
 }
 
@@ -137,17 +145,26 @@ consteval Kind kind_of() {
     else if constexpr (std::is_integral_v<T>) return Kind::whole;
     else if constexpr (std::is_floating_point_v<T>) return Kind::number;
     else if constexpr (holds_error<T>) return Kind::quantity;
-    else if constexpr (std::is_convertible_v<T, std::string_view>) return Kind::text;
+    else if constexpr (is_text<T>) return Kind::text;
     else if constexpr (std::is_same_v<T, Eigen::MatrixXd>) return Kind::matrix;
     else if constexpr (is_column<T>) return Kind::numbers;
     else if constexpr (is_map<T>) return kind_by_name<typename T::value_type::second_type>();
     else if constexpr (is_vector<T>) {
         using Element = typename T::value_type;
-        if constexpr (std::is_same_v<Element, std::string>) return Kind::texts;
+        if constexpr (is_list<Element>) return kind_of<Element>();
+        else if constexpr (is_text<Element>) return Kind::texts;
         else if constexpr (holds_error<Element>) return Kind::quantities;
+        else if constexpr (std::is_floating_point_v<Element>) return Kind::numbers;
         else if constexpr (std::is_integral_v<Element>) return Kind::wholes;
         else return Kind::objects;
     } else return Kind::object;
+}
+
+/// Levels of nested lists.
+template <class T>
+consteval int levels_of() {
+    if constexpr (is_list<T>) return 1 + levels_of<typename T::value_type>();
+    else return 0;
 }
 
 /// The description of a type, or of the elements of a list.
@@ -166,14 +183,14 @@ inline void put_number(double value, const Row& row, Sink& sink) {
 }
 
 template <class T>
-void put_value(const T& value, const Row& row, Sink& sink);
+void put_present(const T& value, const Row& row, Sink& sink);
 
 template <class T>
 void put_list(const T& list, const Row& row, Sink& sink) {
     sink.begin_list(row);
     for (const auto& element : list) {
         if constexpr (std::is_same_v<std::remove_cvref_t<decltype(element)>, double>) sink.number(row, element);
-        else put_value(element, row, sink);
+        else put_present(element, row, sink);
     }
     sink.end_list(row);
 }
@@ -183,7 +200,7 @@ void put_by_name(const T& held, const Row& row, Sink& sink) {
     sink.begin(row);
     for (const auto& [name, value] : held) {
         sink.key(name);
-        put_value(value, row, sink);
+        put_present(value, row, sink);
     }
     sink.end(row);
 }
@@ -198,32 +215,44 @@ inline void put_matrix(const Eigen::MatrixXd& matrix, const Row& row, Sink& sink
     sink.end_list(row);
 }
 
+/// A value that is there, even an empty text or list.
 template <class T>
-void put_value(const T& value, const Row& row, Sink& sink) {
+void put_present(const T& value, const Row& row, Sink& sink) {
     if constexpr (std::is_same_v<T, bool>) sink.flag(row, value);
     else if constexpr (std::is_same_v<T, std::uint64_t>) sink.whole(row, value);
     else if constexpr (std::is_integral_v<T>) sink.whole(row, static_cast<long long>(value));
     else if constexpr (std::is_floating_point_v<T>) put_number(value, row, sink);
     else if constexpr (std::is_same_v<T, TracedValue>) sink.quantity(row, value.estimate());
     else if constexpr (holds_error<T>) sink.quantity(row, value);
-    else if constexpr (std::is_convertible_v<T, std::string_view>) sink.text(row, value);
+    else if constexpr (is_text<T>) sink.text(row, value);
     else if constexpr (is_optional<T> || WithReason<T>) {
-        if (value) return put_value(*value, row, sink);
+        if (value) return put_present(*value, row, sink);
         if (row.if_missing == Missing::left_out) return;
         if constexpr (WithReason<T>) sink.missing(row, value.reason);
         else if (row.if_missing != Missing::as_asked) sink.missing(row, {});
     } else if constexpr (std::is_same_v<T, Eigen::MatrixXd>) put_matrix(value, row, sink);
-    else if constexpr (is_map<T> || is_vector<T> || is_column<T>) {
-        if (value.size() == 0 && row.if_missing == Missing::left_out) return;
-        if (value.size() == 0 && row.if_missing == Missing::null) return sink.missing(row, {});
-        if constexpr (is_map<T>) put_by_name(value, row, sink);
-        else put_list(value, row, sink);
-    } else {
+    else if constexpr (is_map<T>) put_by_name(value, row, sink);
+    else if constexpr (is_list<T>) put_list(value, row, sink);
+    else {
         static_assert(HasRows<T>, "a type without rows: describe it where it is defined");
         sink.begin(row);
         put(&value, Described<T>::description, sink);
         sink.end(row);
     }
+}
+
+/// A value; an empty text or list is missing where the row states an output for missing values.
+template <class T>
+void put_value(const T& value, const Row& row, Sink& sink) {
+    if constexpr (is_text<T> || is_map<T> || is_list<T>) {
+        const bool empty = [&value] {
+            if constexpr (is_text<T>) return std::string_view(value).empty();
+            else return value.size() == 0;
+        }();
+        if (empty && row.if_missing == Missing::left_out) return;
+        if (empty && row.if_missing == Missing::null) return sink.missing(row, {});
+    }
+    put_present(value, row, sink);
 }
 
 template <class T>
@@ -234,6 +263,7 @@ consteval Row row_of(std::string_view name, std::string_view meaning) {
             .kind = kind_of<Value>(),
             .if_missing = otherwise<T>,
             .inner = inner_of<Value>(),
+            .levels = levels_of<Value>(),
             .has_error = holds_error<Value>};
 }
 
@@ -468,6 +498,72 @@ consteval Row quantities_among(const Description& possible, From) {
                 for (const Quantity& value : From{}(*static_cast<const T*>(result)))
                     sink.quantity(row_named(*row.inner, value.quantity), value);
             }};
+}
+
+/// A column that a table may have: for columns_among().
+consteval Row column(std::string_view name, std::string_view unit, std::string_view meaning) {
+    return {.name = name,
+            .unit = unit,
+            .meaning = meaning,
+            .kind = Kind::numbers,
+            .if_missing = Missing::left_out,
+            .levels = 1};
+}
+
+/// Columns of a table that `from` has from a result, each a list of numbers under its own name; `possible` describes
+/// those whose names are fixed.
+template <class T, class From>
+consteval Row columns_among(const Description& possible, From) {
+    return {
+        .kind = Kind::object, .inner = &possible, .among = true, .put = [](const void* result, const Row&, Sink& sink) {
+            static constexpr Row numbers{.kind = Kind::numbers, .levels = 1};
+            const Table& table = From{}(*static_cast<const T*>(result));
+            for (const auto& column : table.columns) {
+                sink.key(column.name);
+                detail::put_list(column.values, numbers, sink);
+            }
+        }};
+}
+/// Units of these columns, by name.
+template <class T, class From>
+consteval Row units_of_columns(From) {
+    return {.name = "units",
+            .meaning = "unit of each column",
+            .kind = Kind::text_of,
+            .put = [](const void* result, const Row& row, Sink& sink) {
+                const Table& table = From{}(*static_cast<const T*>(result));
+                sink.begin(row);
+                for (const auto& column : table.columns) {
+                    sink.key(column.name);
+                    sink.text(row, column.unit);
+                }
+                sink.end(row);
+            }};
+}
+
+/// Units of plain numbers, by the names of their fields.
+consteval Row units_of(const Description& fields) {
+    return {.name = "units",
+            .meaning = "unit of each column",
+            .kind = Kind::text_of,
+            .inner = &fields,
+            .put = [](const void*, const Row& row, Sink& sink) {
+                sink.begin(row);
+                for (const auto& field : row.inner->rows) {
+                    sink.key(field.name);
+                    sink.text(row, field.unit);
+                }
+                sink.end(row);
+            }};
+}
+
+/// The rows of several arrays.
+template <std::size_t... N>
+consteval auto joined(const std::array<Row, N>&... arrays) {
+    std::array<Row, (N + ...)> all{};
+    auto place = all.begin();
+    ((place = std::copy(arrays.begin(), arrays.end(), place)), ...);
+    return all;
 }
 
 /// A list whose elements other code adds: empty here.

@@ -77,7 +77,7 @@ public:
     /// An object, an element of objects, or a value held by name.
     virtual void begin(const Row& row) = 0;
     virtual void end(const Row& row) = 0;
-    /// Name of the next value, for Kind::quantity_of and number_of.
+    /// Name of the next value, for Kind::quantity_of and number_of and for columns of a table.
     virtual void key(std::string_view name) = 0;
     /// Missing::null and with_reason; the reason is empty for null.
     virtual void missing(const Row& row, std::string_view reason) = 0;
@@ -95,6 +95,7 @@ struct Row {
     Missing if_missing = Missing::never;
     const Description* inner = nullptr;           ///< of objects
     std::span<const std::string_view> choices{};  ///< of Kind::choice
+    int levels = 0;                               ///< of lists: levels of nested lists
     std::string_view member{};                    ///< spelling of the member or base; empty if computed
     bool is_part = false;                         ///< `inner` has further fields of the same result
     bool among = false;                           ///< the fields of `inner` are at the level of the others, without a

@@ -193,7 +193,8 @@ struct Described<hysteresis::ModelScore> {
                 [](const T& of) { return of.bias.odds_with_it; }),
         made<T>("refused", "whether the model is refused because of the constant error",
                 [](const T& of) { return of.bias.refuses_model; }),
-        quantity<&T::work_of_adhesion>("work_of_adhesion", "W_int", "J/m2", "W_int fitted to both branches"),
+        quantity<&T::work_of_adhesion>("work_of_adhesion", "W_int", "J/m2", "W_int fitted to both branches")
+            .as("intrinsic_work_of_adhesion"),
         inner<&T::fitted>(),
         inner<&T::fit>(),
         inner<&T::bias>(),

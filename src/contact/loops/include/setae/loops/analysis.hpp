@@ -11,7 +11,7 @@
 #include "setae/fields/describe.hpp"
 #include "setae/loops/contact_point.hpp"
 #include "setae/loops/crack_speed_fit.hpp"
-#include "setae/loops/energy_ledger.hpp"
+#include "setae/loops/energy_budget.hpp"
 #include "setae/loops/jkr_fits.hpp"
 #include "setae/loops/loop_energy.hpp"
 #include "setae/loops/outcome.hpp"
@@ -166,7 +166,7 @@ struct ContactAnalysis {
     Outcome<LoopEnergy> loop;
     LoopContext context;
     Outcome<ContactPoints> contact_points;
-    Outcome<EnergyBudget> ledger;
+    Outcome<EnergyBudget> budget;
     std::optional<ComplianceEffect> compliance;  ///< where the stiffness of the testing machine has a standard error
 };
 
@@ -364,7 +364,7 @@ struct Described<loops::ContactAnalysis> {
     }
     static constexpr Row loop =
         made<T>("loop", "energy of the closed loop", [](const T& of) { return closed_loop(of); });
-    static constexpr Row ledger = field<&T::ledger>("ledger", "energy budget of the loop");
+    static constexpr Row budget = field<&T::budget>("ledger", "energy budget of the loop");
     static constexpr std::array rows{
         field<&T::loading>("loading", "loading branch"),
         field<&T::hold>("hold", "changes while the load is held"),
@@ -375,7 +375,7 @@ struct Described<loops::ContactAnalysis> {
             "W_ret along the retraction, linear in the contact radius; null where only the pull-off is known"),
         field<&T::pull_off>("pull_off", "smallest force"),
         loop,
-        ledger,
+        budget,
         field<&T::contact_points>("contact_points", "estimates of the displacement at first contact"),
         field<&T::compliance>("compliance", "effect of one standard error of the stiffness of the testing machine"),
         made<T>("largest_contact_radius", "a_max", "m", "a_max",
@@ -395,7 +395,7 @@ struct Described<loops::ContactAnalysis> {
         inner<&T::context>(),
     };
     static constexpr Description description{"contact", "results of one contact", rows};
-    static constexpr std::array energy_rows{loop, ledger};
+    static constexpr std::array energy_rows{loop, budget};
     static constexpr Description energies{"", "energies of one contact", energy_rows};
 };
 static_assert(complete<loops::ContactAnalysis>);
@@ -431,8 +431,9 @@ static_assert(complete<loops::CycleAnalysis>);
 template <>
 struct Described<loops::BulkRelaxation> {
     using T = loops::BulkRelaxation;
-    static constexpr std::array rows{quantity<&T::energy_loss>("energy_loss", "E_bulk", "J", "∮ F₁ dδ"),
-                                     quantity<&T::largest_force>("largest_force", "F_1", "N", "largest |F₁|")};
+    static constexpr std::array rows{
+        quantity<&T::energy_loss>("energy_loss", "E_bulk", "J", "∮ F₁ dδ").as("bulk_energy_loss"),
+        quantity<&T::largest_force>("largest_force", "F_1", "N", "largest |F₁|")};
     static constexpr Description description{"", "relaxation in the bulk", rows};
 };
 static_assert(complete<loops::BulkRelaxation>);

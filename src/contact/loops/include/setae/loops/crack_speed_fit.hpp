@@ -74,7 +74,7 @@ struct Described<loops::CrackSpeedFit> {
         field<&T::n>("n", "number of points, measurements or pairs"),
         quantity<&T::threshold>("threshold", "G0", "J/m2", "G0"),
         quantity<&T::reference_speed>("reference_speed", "v0", "m/s", "v0"),
-        quantity<&T::exponent>("exponent", "n", "1", "n"),
+        quantity<&T::exponent>("exponent", "n", "1", "n").as("speed_exponent"),
         quantity<&T::contact_modulus>("contact_modulus", "E*", "Pa", "E*"),
         field<&T::modulus_deviation>("modulus_deviation", "deviation of E* from E* of the loop"),
         made<T>("covariance", "covariance of the parameters",

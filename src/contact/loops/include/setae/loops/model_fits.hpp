@@ -236,7 +236,8 @@ struct Described<loops::ModelFit> {
         made<T>("zero_load_radius", "a0", "m", "a0",
                 [](const T& of) { return number_of(of, &T::zero_load_radius, false); }),
         made<T>("pull_off_force", "F_c", "N", "pull-off force of the model",
-                [](const T& of) { return number_of(of, &T::pull_off_force, false); }),
+                [](const T& of) { return number_of(of, &T::pull_off_force, false); })
+            .as("model_pull_off_force"),
         made<T>("contact_point", "delta0", "m", "δ0",
                 [](const T& of) {
                     return std::isnan(of.contact_point.value) ? std::nullopt : std::optional(of.contact_point);

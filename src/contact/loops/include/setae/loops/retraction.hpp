@@ -53,8 +53,9 @@ struct Described<loops::PullOff> {
     using T = loops::PullOff;
     static constexpr std::array rows{
         field<&T::index>("index", "index of the sample"),
-        quantity<&T::force>("force", "F_po", "N", "smallest"),
+        quantity<&T::force>("force", "F_po", "N", "smallest force, at pull-off").as("pull_off_force"),
         quantity<&T::work_of_adhesion>("work_of_adhesion", "W_po", "J/m2", "W")
+            .as("work_of_adhesion_pull_off")
             .from("at pull-off, W = 2|F_po|/(3 pi R), the smallest force; [D19], Eq. S1"),
         quantity<&T::last_force>("last_force", "F_last", "N", "force of the last sample in contact"),
         quantity<&T::work_of_adhesion_fixed_grips>("work_of_adhesion_fixed_grips", "W_po", "J/m2",
@@ -72,12 +73,14 @@ struct Described<loops::RetractionFit> {
     static constexpr std::array rows{
         made<T>("work_of_adhesion", "W_ret", "J/m2", "W",
                 [](const T& of) { return with_count(of.n, of.work_of_adhesion); })
+            .as("work_of_adhesion_retraction")
             .from("at pull-off, [D19], Eq. S2 on the last points"),
         quantity<&T::contact_modulus>("contact_modulus", "E*", "Pa", "E*"),
         field<&T::modulus_free>("contact_modulus_free", "whether E* was fitted, too"),
         field<&T::first>("first", "index of the first sample"),
         field<&T::last>("last", "index of the last sample"),
-        quantity<&T::rms_residual>("rms_residual", "rms", "N", "root mean square residual"),
+        quantity<&T::rms_residual>("rms_residual", "rms", "N", "root mean square residual of the force")
+            .as("rms_residual_of_force"),
         field<&T::radius_measured>("contact_radius_measured",
                                    "whether the contact radius was measured; otherwise it is computed by JKR"),
         inner<&T::work_of_adhesion>(),

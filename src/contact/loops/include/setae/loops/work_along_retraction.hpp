@@ -63,10 +63,12 @@ struct Described<loops::WorkAlongRetraction> {
                                          "W_ret at the largest contact radius"),
         made<T>("slope", "dW_ret/da", "J/m3", "slope dW_ret/da; above 0, W_ret decreases as the contact shrinks",
                 [](const T& of) { return with_count(of.n, of.slope); })
+            .as("retraction_work_slope")
             .from("line through G(a) = (4E*a^3/3R - F)^2/(8 pi E* a^3) of the retracting edge"),
         quantity<&T::smallest_radius>("smallest_contact_radius", "a_po", "m", "a_po"),
         quantity<&T::largest_radius>("largest_contact_radius", "a_max", "m", "a_max"),
-        quantity<&T::rms_residual>("rms_residual", "rms", "J/m2", "measured G minus the line"),
+        quantity<&T::rms_residual>("rms_residual", "rms", "J/m2", "root mean square of the measured G minus the line")
+            .as("rms_residual_of_work"),
         field<&T::chi2_reduced>("chi_squared_reduced", "χ² per degree of freedom; null where the noise is unknown"),
         quantity<&T::energy_loss>("energy_loss", "E_loss", "J",
                                   "∮F dδ of a loop with W_app on approach and this W_ret on retraction"),

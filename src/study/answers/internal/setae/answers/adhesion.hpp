@@ -8,7 +8,6 @@
 #include "setae/core/quantity.hpp"
 #include "setae/core/units.hpp"
 #include "setae/fields/option.hpp"
-#include "setae/output/json.hpp"
 #include "setae/study/contact_answers.hpp"
 #include "setae/study/study_result.hpp"
 
@@ -41,9 +40,6 @@ struct Adhesion {
 /// AdhesionRequest::study() and predicted_study().
 [[nodiscard]] Adhesion adhesion(study::SurfaceWithMap surface, const study::SurfaceAnalysisOptions& analysis,
                                 const AdhesionRequest& request, parallel::Threads threads = {});
-
-/// Quantities by name, "answers", "contact", "conforms", "scales", "channel" and "alerts".
-[[nodiscard]] output::Json to_json(const Adhesion& adhesion);
 
 }  // namespace setae::answers
 

@@ -8,7 +8,6 @@
 #include "setae/answers/surface_request.hpp"
 #include "setae/fields/option.hpp"
 #include "setae/formats/container_draft.hpp"
-#include "setae/output/json.hpp"
 
 namespace setae::answers {
 
@@ -40,12 +39,16 @@ struct WrittenContainer {
 /// @throws InvalidArgument where nothing was written.
 void require_written(const WrittenContainer& written);
 
-/// "output", "surfaces", "measurements", "members" and "alerts".
-[[nodiscard]] output::Json to_json(const WrittenContainer& written);
+/// A container that was checked.
+struct CheckedContainer {
+    std::string file;
+    formats::ContainerReport report;
+};
 
-/// A container's "file", "generation", "created_at", "surfaces", "alerts" and "differences", as `setae container
-/// check`.
-[[nodiscard]] output::Json to_json(const std::string& file, const formats::ContainerReport& report);
+/// The answer of `setae container check`.
+struct CheckedContainers {
+    std::vector<CheckedContainer> containers;
+};
 
 /// Whether something cannot be read, or is not the same after writing.
 [[nodiscard]] bool at_fault(const formats::ContainerReport& report);

@@ -12,7 +12,6 @@
 #include "setae/core/constants.hpp"
 #include "setae/fields/option.hpp"
 #include "setae/formats/channel.hpp"
-#include "setae/output/json.hpp"
 #include "setae/study/file_content.hpp"
 
 namespace setae::answers {
@@ -65,9 +64,6 @@ struct Contents {
 
 /// @throws InvalidArgument for contradicting questions, and where there is no path.
 [[nodiscard]] Contents contents(const ContentsRequest& request);
-
-/// "channels", "files" and "failed".
-[[nodiscard]] output::Json to_json(const Contents& contents);
 
 }  // namespace setae::answers
 

@@ -5,12 +5,12 @@
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "setae/core/units.hpp"
 #include "setae/fields/option.hpp"
 #include "setae/imaging/micrograph.hpp"
+#include "setae/output/contour_file.hpp"
 #include "setae/study/contours.hpp"
 
 namespace setae::answers {
@@ -37,14 +37,14 @@ struct ContourRequest {
 template <>
 struct setae::fields::Asked<setae::answers::ContourRequest> {
     using R = answers::ContourRequest;
-    static constexpr std::array<std::string_view, 3> sides{"automatic", "bright", "dark"};
-    static constexpr std::array<std::string_view, 3> shapes{"envelope", "cut", "parametric"};
     static constexpr std::array options{
-        option<&R::vacuum>("vacuum", "side of the picture that is vacuum, by grey level").one_of(sides).default_shown(),
+        option<&R::vacuum>("vacuum", "side of the picture that is vacuum, by grey level")
+            .one_of(output::vacuum_words)
+            .default_shown(),
         option<&R::shape>("shape",
                           "profile where the contour turns back: the highest point over each x, a cut, or the curve "
                           "itself (parametric)")
-            .one_of(shapes)
+            .one_of(output::shape_words)
             .default_shown(),
         option<&R::pixel>("pixel", "size of a pixel, or width and height as \"1 nm x 0.2 nm\"")
             .read_by([](const std::string& text) { (void)answers::pixel_size_of(text); })

@@ -45,6 +45,18 @@ private:
 /// "contact_solve.schema.json".
 [[nodiscard]] std::string schema_file(const std::string& command);
 
+/// A quantity as the JSON of commands names it.
+struct QuantityInJson {
+    std::string name, symbol, unit, meaning;
+    std::vector<std::string> places;  ///< "psd: limits.shortest" of a command, "pair.work_of_adhesion" of a shared part
+};
+
+/// All quantities, in the order of their names; a name has one symbol, and one unit or that of the data.
+[[nodiscard]] std::vector<QuantityInJson> quantities_in_json(const JsonSchemas& schemas);
+
+/// A page on all quantities: name, symbol, unit, meaning and places.
+[[nodiscard]] std::string quantities_page(const JsonSchemas& schemas);
+
 /// A page on all names: one table per command, and one table of shared types.
 [[nodiscard]] std::string json_page(const JsonSchemas& schemas);
 

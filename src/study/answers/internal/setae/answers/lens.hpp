@@ -52,7 +52,8 @@ struct setae::fields::Described<setae::loops::Conic> {
         quantity<&T::conic_constant>("conic_constant", "k", "1", "conic constant; 0 for a sphere"),
         quantity<&T::departure>("departure_from_the_apex_sphere", "", "m",
                                 "largest deviation from the sphere at the apex"),
-        quantity<&T::rms_residual>("rms_residual", "", "m", "root mean square of the residuals"),
+        quantity<&T::rms_residual>("rms_residual", "rms", "m", "root mean square of the residuals")
+            .as("rms_residual_of_lengths"),
     };
     static constexpr Description description{"", "conic through the points", rows};
 };
@@ -78,8 +79,9 @@ struct setae::fields::Described<setae::answers::Lens> {
         field<&T::points>("n", "number of points in the file"),
         made<T>("radius_of_curvature", "R", "m", "radius of the circle through the points",
                 [](const T& of) { return of.circle.radius; }),
-        made<T>("rms_residual", "", "m", "root mean square distance of the points from the circle",
-                [](const T& of) { return of.circle.rms_residual; }),
+        made<T>("rms_residual", "rms", "m", "root mean square distance of the points from the circle",
+                [](const T& of) { return of.circle.rms_residual; })
+            .as("rms_residual_of_lengths"),
         part<T>("centre", "centre of the circle", centre),
         part<T>("range", "range of the fitted points along x", range),
         field<&T::conic>("conic", "conic through the points; null where it cannot be determined").or_null(),

@@ -7,7 +7,6 @@
 #include "setae/answers/self_affine.hpp"
 #include "setae/core/table.hpp"
 #include "setae/fields/option.hpp"
-#include "setae/output/json.hpp"
 #include "setae/study/surface_analysis.hpp"
 
 namespace setae::answers {
@@ -34,9 +33,6 @@ struct PowerSpectrum {
 /// @throws InvalidArgument for requests that a table of a spectrum cannot fulfil; what the fit throws; what reading
 /// throws where every measurement is requested.
 [[nodiscard]] PowerSpectrum power_spectrum(const PowerSpectrumRequest& request, parallel::Threads threads = {});
-
-/// Columns by name, "units", "conventions", "band", "measurements", "alerts" and "fit".
-[[nodiscard]] output::Json to_json(const PowerSpectrum& spectrum);
 
 }  // namespace setae::answers
 

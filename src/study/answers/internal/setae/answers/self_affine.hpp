@@ -8,7 +8,6 @@
 #include "setae/core/quantity.hpp"
 #include "setae/core/table.hpp"
 #include "setae/fields/option.hpp"
-#include "setae/output/json.hpp"
 #include "setae/spectra/self_affine_fit.hpp"
 #include "setae/study/surface_analysis.hpp"
 
@@ -34,8 +33,6 @@ struct SelfAffineRequest {
 /// Columns C1D_model, C1D_model_standard_error and extrapolated (1 outside the range of the fit) at the wavevectors of
 /// a table, and the parameters in its header.
 void add_model(Table& table, const spectra::SelfAffineFit& fit);
-
-[[nodiscard]] output::Json to_json(const spectra::SelfAffineFit& fit);
 
 }  // namespace setae::answers
 

@@ -338,7 +338,7 @@ struct Described<output::ElastomerMeans> {
                 [](const T& of) -> const std::string& { return of.replicates->data.quantity; }),
         made<T>("symbol", "symbol of the quantity",
                 [](const T& of) -> const std::string& { return of.replicates->symbol; }),
-        made<T>("reason", "the reason for missing means; of the fields below only `rows` then",
+        made<T>("reason", "the reason for missing means; the object then contains only `rows` of the means",
                 [](const T& of) -> std::optional<std::string> {
                     if (of.replicates->model) return std::nullopt;
                     return of.replicates->model.reason;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "setae/core/estimate.hpp"
-#include "setae/loops/energy_ledger.hpp"
+#include "setae/loops/energy_budget.hpp"
 #include "setae/loops/range_scan.hpp"
 #include "setae/study_figures/study_figures.hpp"
 

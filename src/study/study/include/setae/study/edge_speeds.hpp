@@ -58,7 +58,7 @@ struct Described<study::ElastomerEdgeSpeed> {
                 "factor φ: work of an edge at zero speed on the smooth reference, divided by W_app",
                 [](const T& of) { return of.law.rest_factor; }),
         made<T>("reference_speed", "v0", "m/s", "v0", [](const T& of) { return of.law.reference_speed; }),
-        made<T>("exponent", "n", "1", "n", [](const T& of) { return of.law.exponent; }),
+        made<T>("exponent", "n", "1", "n", [](const T& of) { return of.law.exponent; }).as("speed_exponent"),
         quantity<&T::threshold>("threshold", "G0", "J/m2", "threshold G0 of the references"),
         inner<&T::law>(),
     };

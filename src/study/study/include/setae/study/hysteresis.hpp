@@ -8,7 +8,7 @@
 #include "setae/core/quantity.hpp"
 #include "setae/fields/describe.hpp"
 #include "setae/hysteresis/full_contact.hpp"
-#include "setae/hysteresis/law_trials.hpp"
+#include "setae/hysteresis/retraction_model_trials.hpp"
 #include "setae/hysteresis/smooth_limit.hpp"
 #include "setae/loops/outcome.hpp"
 #include "setae/study/edge_speeds.hpp"
@@ -266,7 +266,8 @@ struct Described<study::PairHysteresis> {
             "factor φ(v), apparent W_ret divided by W_ret from roughness, at the speed of the edge of the pair"),
         quantity<&T::work_approach>(
             "work_of_adhesion_approach", "W_app", "J/m2",
-            "W_app by the full-contact balance (Eq. 7) in full contact, otherwise of the partial contact"),
+            "W_app by the full-contact balance (Eq. 7) in full contact, otherwise of the partial contact")
+            .as("apparent_work_of_adhesion"),
         quantity<&T::work_retraction>("work_of_adhesion_retraction", "W_ret", "J/m2",
                                       "W_ret predicted from roughness only"),
         quantity<&T::measured_retraction>("measured", "W_ret", "J/m2",

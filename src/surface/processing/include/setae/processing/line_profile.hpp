@@ -29,7 +29,8 @@ struct LineProfile {
 ///
 ///   step = about 1/√((cos φ/Δx)² + (sin φ/Δy)²), tracks = width over this step for φ + π/2
 ///
-/// Points without a height are undefined; an average excludes undefined tracks.
+/// Points without a height are undefined; an average excludes undefined tracks. Positions on a map that is not periodic
+/// are within its size, n Δx by m Δy. The last point is one pixel before the edge; an end after it is moved to it.
 /// @throws InvalidArgument for ends that are equal, not finite or outside a map that is not periodic; for a width that
 /// is negative or fewer than two points.
 [[nodiscard]] LineProfile line_profile(const topography::HeightMap& map, const ProfileLine& line);

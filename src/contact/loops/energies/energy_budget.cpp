@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "setae/loops/energy_ledger.hpp"
+#include "setae/loops/energy_budget.hpp"
 #include "setae/contact/jkr.hpp"
 
 #include <cmath>
@@ -15,9 +15,9 @@
 namespace setae::loops {
 namespace {
 
-class Bookkeeper {
+class WorkEntries {
 public:
-    Bookkeeper(const LevelRecord& record, const std::optional<Estimate>& stiffness)
+    WorkEntries(const LevelRecord& record, const std::optional<Estimate>& stiffness)
         : record_(record), stiffness_(stiffness) {}
 
     [[nodiscard]] WorkEntry smooth(const IndexRange& range) const {
@@ -40,10 +40,10 @@ private:
         return entry;
     }
     static WorkEntry with_total(WorkEntry entry) {
-        LoopErrorBudget& budget = entry.standard_error;
-        const double drift = std::isnan(budget.drift) ? 0.0 : budget.drift;
-        budget.total =
-            std::hypot(std::hypot(budget.noise, drift, budget.compliance), budget.sampling, budget.discretisation);
+        LoopErrorBudget& errors = entry.standard_error;
+        const double drift = std::isnan(errors.drift) ? 0.0 : errors.drift;
+        errors.total =
+            std::hypot(std::hypot(errors.noise, drift, errors.compliance), errors.sampling, errors.discretisation);
         return entry;
     }
 
@@ -63,34 +63,34 @@ void require_valid(const EnergyBudgetInputs& inputs) {
 EnergyBudget energy_budget(const Loop& loop, const Segments& segments, Index contact,
                            const EnergyBudgetInputs& inputs) {
     require_valid(inputs);
-    EnergyBudget ledger{.contact = contact, .loop = loop_energy(loop, segments, contact, inputs.drift)};
+    EnergyBudget budget{.contact = contact, .loop = loop_energy(loop, segments, contact, inputs.drift)};
     const ContactSegments& touch = segments.contacts[static_cast<std::size_t>(contact)];
     const LevelRecord record(loop, segments, inputs.drift);
-    const Bookkeeper book(record, inputs.displacement_stiffness);
+    const WorkEntries entries(record, inputs.displacement_stiffness);
 
     const IndexRange range = closed_range(segments, contact);
     const Index first_contact = touch.jump_in ? touch.jump_in->last : touch.loading.first;
     const Index last_press = touch.unloading->first;
     IndexRange separation{touch.unloading->last, touch.unloading->last};
     if (touch.pull_off) separation = {largest_step(record.force, *touch.pull_off), touch.pull_off->last};
-    ledger.before_contact = book.smooth({range.first, touch.jump_in ? touch.jump_in->first : first_contact});
-    if (touch.jump_in) ledger.jump_in = book.jump(*touch.jump_in);
-    ledger.approach = book.smooth({first_contact, last_press});
-    ledger.retraction = book.smooth({last_press, separation.first});
-    if (touch.pull_off) ledger.jump_out = book.jump(separation);
-    ledger.after_contact = book.smooth({separation.last, range.last});
-    ledger.recovered_share = -ledger.retraction.energy / ledger.approach.energy;
+    budget.before_contact = entries.smooth({range.first, touch.jump_in ? touch.jump_in->first : first_contact});
+    if (touch.jump_in) budget.jump_in = entries.jump(*touch.jump_in);
+    budget.approach = entries.smooth({first_contact, last_press});
+    budget.retraction = entries.smooth({last_press, separation.first});
+    if (touch.pull_off) budget.jump_out = entries.jump(separation);
+    budget.after_contact = entries.smooth({separation.last, range.last});
+    budget.recovered_share = -budget.retraction.energy / budget.approach.energy;
 
-    ledger.machine_stiffness = inputs.machine_stiffness;
+    budget.machine_stiffness = inputs.machine_stiffness;
     if (inputs.smooth_sphere.work_of_adhesion > 0.0) {
-        ledger.ideal_fixed_grips = contact::jkr::ideal_loop_loss(inputs.smooth_sphere).total;
-        ledger.ideal_this_machine = spring_jumps(inputs.smooth_sphere, inputs.machine_stiffness).total();
+        budget.ideal_fixed_grips = contact::jkr::ideal_loop_loss(inputs.smooth_sphere).total;
+        budget.ideal_this_machine = spring_jumps(inputs.smooth_sphere, inputs.machine_stiffness).total();
     }
-    ledger.largest_contact_area = inputs.largest_contact_area;
-    ledger.true_area_ratio = inputs.true_area_ratio;
-    ledger.loss_per_apparent_area = ledger.loop.energy / ledger.largest_contact_area;
-    ledger.loss_per_true_area = ledger.loop.energy / ledger.largest_true_area();
-    return ledger;
+    budget.largest_contact_area = inputs.largest_contact_area;
+    budget.true_area_ratio = inputs.true_area_ratio;
+    budget.loss_per_apparent_area = budget.loop.energy / budget.largest_contact_area;
+    budget.loss_per_true_area = budget.loop.energy / budget.largest_true_area();
+    return budget;
 }
 
 }  // namespace setae::loops

@@ -22,7 +22,7 @@ struct TrialOptions {
 
 /// Recovery of a known model from simulated pairs.
 struct ModelTrials {
-    RetractionModel planted;
+    RetractionModel true_model;
     int runs = 0;
     int found = 0;     ///< number of runs in which it is Ranking::best()
     int possible = 0;  ///< number of runs in which it is not the best, but not excluded
@@ -53,8 +53,8 @@ template <>
 struct Described<hysteresis::ModelTrials> {
     using T = hysteresis::ModelTrials;
     static constexpr std::array rows{
-        made<T>("planted", "retraction model of the simulated pairs", [](const T& of) { return of.planted.name(); }),
-        inner<&T::planted>(),
+        made<T>("planted", "retraction model of the simulated pairs", [](const T& of) { return of.true_model.name(); }),
+        inner<&T::true_model>(),
         field<&T::runs>("runs", "number of data sets"),
         field<&T::found>("found", "number of data sets in which the true model was ranked best"),
         field<&T::possible>("possible",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "setae/hysteresis/law_trials.hpp"
+#include "setae/hysteresis/retraction_model_trials.hpp"
 
 #include <algorithm>
 #include <map>
@@ -24,20 +24,20 @@ struct TrialOutcome {
     bool possible = false;
 };
 
-TrialOutcome outcome_of(const std::vector<RetractionModel>& models, const RetractionModel& planted,
+TrialOutcome outcome_of(const std::vector<RetractionModel>& models, const RetractionModel& true_model,
                         const std::vector<RankedPair>& pairs, const std::optional<Estimate>& known_work) {
     const auto ranking = rank_models(models, pairs, known_work, {1});
     const auto* best = ranking.best();
-    return {best ? best->fitted.model : planted, std::ranges::any_of(ranking.possible(), [&](const ModelScore* score) {
-                return score->fitted.model == planted;
-            })};
+    return {best ? best->fitted.model : true_model,
+            std::ranges::any_of(ranking.possible(),
+                                [&](const ModelScore* score) { return score->fitted.model == true_model; })};
 }
 
-ModelTrials summary(const RetractionModel& planted, const std::vector<TrialOutcome>& outcomes) {
-    ModelTrials result{.planted = planted, .runs = static_cast<int>(outcomes.size()), .most_taken = {}};
+ModelTrials summary(const RetractionModel& true_model, const std::vector<TrialOutcome>& outcomes) {
+    ModelTrials result{.true_model = true_model, .runs = static_cast<int>(outcomes.size()), .most_taken = {}};
     std::map<std::string, int> taken;
     for (const auto& outcome : outcomes) {
-        if (outcome.best == planted) ++result.found;
+        if (outcome.best == true_model) ++result.found;
         else {
             ++taken[outcome.best.name()];
             ++(outcome.possible ? result.possible : result.excluded);
@@ -66,24 +66,24 @@ std::vector<RankedPair> simulated_pairs(const std::vector<RankedPair>& pairs, co
     Eigen::VectorXd truth = before.at(score.work_of_adhesion.value, score.fitted.parameter.value);
     truth.tail(truth.size() - BothBranches::shared_count) =
         before.drawn(numerics::normal_numbers(numerics::substream(key, 4), 0, before.directions()).matrix());
-    auto planted = pairs;
+    auto simulated = pairs;
     std::vector<double> errors;
     for (Index i = 0; i < n; ++i) {
-        auto& pair = planted[static_cast<std::size_t>(i)];
+        auto& pair = simulated[static_cast<std::size_t>(i)];
         const double work =
             before.predicted(Branch::approach, i, truth) + on_approach.of(pair.pair.rough.name, pair.pair.soft.name);
         errors.push_back(before.noise(Branch::approach)[i] * noise_of_approach[i]);
         pair.approach.value.value = pair.pair.approach->value = std::max(0.0, work + errors.back());
     }
-    const BothBranches after(model, planted, {});
+    const BothBranches after(model, simulated, {});
     for (Index i = 0; i < n; ++i) {
-        auto& pair = planted[static_cast<std::size_t>(i)];
+        auto& pair = simulated[static_cast<std::size_t>(i)];
         pair.retraction.value.value =
             after.predicted(Branch::retraction, i, truth, -errors[static_cast<std::size_t>(i)]) +
             on_retraction.of(pair.pair.rough.name, pair.pair.soft.name) +
             after.noise(Branch::retraction)[i] * noise_of_retraction[i];
     }
-    return planted;
+    return simulated;
 }
 
 std::vector<ModelTrials> model_trials(const std::vector<RankedPair>& pairs, const Ranking& ranking,
@@ -94,23 +94,24 @@ std::vector<ModelTrials> model_trials(const std::vector<RankedPair>& pairs, cons
     if (!best) return {};
     const auto runs = static_cast<std::size_t>(options.runs);
     std::vector<RetractionModel> models;
-    std::vector<ModelScore> planted;
+    std::vector<ModelScore> true_scores;
     for (const auto& score : ranking.models) {
         models.push_back(score.fitted.model);
         if (score.fitted.model.fitted() && !(score.fitted.parameter.value > 0.0)) continue;
-        planted.push_back(score);
-        planted.back().fit.scatter = best->fit.scatter;
-        planted.back().approach_scatter = best->approach_scatter;
+        true_scores.push_back(score);
+        true_scores.back().fit.scatter = best->fit.scatter;
+        true_scores.back().approach_scatter = best->approach_scatter;
     }
-    std::vector<std::vector<TrialOutcome>> outcomes(planted.size(), std::vector<TrialOutcome>(runs));
-    parallel::for_each_index(planted.size() * runs, options.threads, [&](std::size_t i) {
+    std::vector<std::vector<TrialOutcome>> outcomes(true_scores.size(), std::vector<TrialOutcome>(runs));
+    parallel::for_each_index(true_scores.size() * runs, options.threads, [&](std::size_t i) {
         if (options.cancelled && *options.cancelled) throw Cancelled("the trials of the models were stopped");
-        const auto& score = planted[i / runs];
+        const auto& score = true_scores[i / runs];
         outcomes[i / runs][i % runs] =
             outcome_of(models, score.fitted.model, simulated_pairs(pairs, score, options.seed + i % runs), known_work);
     });
     std::vector<ModelTrials> result;
-    for (std::size_t k = 0; k < planted.size(); ++k) result.push_back(summary(planted[k].fitted.model, outcomes[k]));
+    for (std::size_t k = 0; k < true_scores.size(); ++k)
+        result.push_back(summary(true_scores[k].fitted.model, outcomes[k]));
     return result;
 }
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Ledger and course of energies of a loop, per sample, against ∮F dδ alone as Eigen's dot product of the same run.
+// Energy budget and course of energies of a loop, per sample, against ∮F dδ alone as Eigen's dot product of the same
+// run.
 #include <benchmark/benchmark.h>
 
 #include <limits>
 
 #include "setae/core/constants.hpp"
-#include "setae/loops/energy_ledger.hpp"
+#include "setae/loops/energy_budget.hpp"
 #include "synthetic_loop.hpp"
 
 namespace {
@@ -25,7 +26,7 @@ void per_sample(benchmark::State& state, const Prepared& prepared) {
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(prepared.loop.force.size()));
 }
 
-void ledger(benchmark::State& state) {
+void budget(benchmark::State& state) {
     const Prepared prepared;
     const EnergyBudgetInputs inputs{.smooth_sphere = shape.approach,
                                     .largest_contact_area = pi * shape.largest_radius * shape.largest_radius,
@@ -33,7 +34,7 @@ void ledger(benchmark::State& state) {
     for (auto _ : state) benchmark::DoNotOptimize(energy_budget(prepared.loop, prepared.segments, 0, inputs));
     per_sample(state, prepared);
 }
-BENCHMARK(ledger);
+BENCHMARK(budget);
 
 void course(benchmark::State& state) {
     Prepared prepared;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "setae/loops/energy_ledger.hpp"
+#include "setae/loops/energy_budget.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include "setae/core/errors.hpp"
 #include "synthetic_loop.hpp"
 
-namespace setae::loops::energy_ledger_test {
+namespace setae::loops::energy_budget_test {
 namespace {
 
 using tests::SyntheticLoop;
@@ -24,7 +24,7 @@ EnergyBudgetInputs inputs_of(const SyntheticLoop& shape) {
             .machine_stiffness = std::numeric_limits<double>::infinity()};
 }
 
-EnergyBudget ledger_of(const Loop& loop, const EnergyBudgetInputs& inputs = inputs_of(rough)) {
+EnergyBudget budget_of(const Loop& loop, const EnergyBudgetInputs& inputs = inputs_of(rough)) {
     return energy_budget(loop, find_segments(loop), 0, inputs);
 }
 
@@ -37,38 +37,38 @@ TEST(EnergyBudget, HasPartsThatAddUp) {
     std::mt19937_64 generator(3);
     Loop loop = rough.make();
     loop.force = tests::with_noise(loop.force, 1e-7, generator) + 1e-9 * loop.time;
-    const EnergyBudget ledger = ledger_of(loop);
-    const double sum = ledger.before_contact.energy + ledger.jump_in->energy + ledger.approach.energy +
-                       ledger.retraction.energy + ledger.jump_out->energy + ledger.after_contact.energy;
-    EXPECT_NEAR(sum / ledger.loop.energy, 1.0, 1e-12);
-    EXPECT_EQ(ledger.before_contact.range.last, ledger.jump_in->range.first);
-    EXPECT_EQ(ledger.jump_in->range.last, ledger.approach.range.first);
-    EXPECT_EQ(ledger.approach.range.last, ledger.retraction.range.first);
-    EXPECT_EQ(ledger.retraction.range.last, ledger.jump_out->range.first);
-    EXPECT_EQ(ledger.jump_out->range.last, ledger.after_contact.range.first);
+    const EnergyBudget budget = budget_of(loop);
+    const double sum = budget.before_contact.energy + budget.jump_in->energy + budget.approach.energy +
+                       budget.retraction.energy + budget.jump_out->energy + budget.after_contact.energy;
+    EXPECT_NEAR(sum / budget.loop.energy, 1.0, 1e-12);
+    EXPECT_EQ(budget.before_contact.range.last, budget.jump_in->range.first);
+    EXPECT_EQ(budget.jump_in->range.last, budget.approach.range.first);
+    EXPECT_EQ(budget.approach.range.last, budget.retraction.range.first);
+    EXPECT_EQ(budget.retraction.range.last, budget.jump_out->range.first);
+    EXPECT_EQ(budget.jump_out->range.last, budget.after_contact.range.first);
 }
 
 TEST(EnergyBudget, OfTheApproachIsWhatTheContactStores) {
     // from the jump on, work goes into elastic and surface energy; 800 steps of second order
-    const EnergyBudget ledger = ledger_of(rough.make());
+    const EnergyBudget budget = budget_of(rough.make());
     const double a_in = contact::jkr::jump_in_at_fixed_grips(rough.approach).contact_radius;
     const double gain = stored(rough.largest_radius, rough.approach) - stored(a_in, rough.approach);
-    EXPECT_NEAR(ledger.approach.energy / gain, 1.0, 1e-5);
-    EXPECT_NEAR(ledger.jump_in->energy, 0.0, 1e-12 * gain);
-    EXPECT_NEAR(ledger.recovered_share, -ledger.retraction.energy / ledger.approach.energy, 0.0);
+    EXPECT_NEAR(budget.approach.energy / gain, 1.0, 1e-5);
+    EXPECT_NEAR(budget.jump_in->energy, 0.0, 1e-12 * gain);
+    EXPECT_NEAR(budget.recovered_share, -budget.retraction.energy / budget.approach.energy, 0.0);
 }
 
 TEST(EnergyBudget, GivesTheLossPerArea) {
     EnergyBudgetInputs inputs = inputs_of(rough);
     inputs.true_area_ratio = 1.5;
-    const EnergyBudget ledger = ledger_of(rough.make(), inputs);
-    EXPECT_DOUBLE_EQ(ledger.loss_per_apparent_area, ledger.loop.energy / inputs.largest_contact_area);
-    EXPECT_DOUBLE_EQ(ledger.loss_per_true_area, ledger.loss_per_apparent_area / 1.5);
-    EXPECT_DOUBLE_EQ(ledger.largest_true_area(), 1.5 * inputs.largest_contact_area);
-    EXPECT_NEAR(ledger.ideal_fixed_grips / contact::jkr::ideal_loop_loss(rough.approach).total, 1.0, 1e-12);
-    EXPECT_NEAR(ledger.ideal_this_machine / ledger.ideal_fixed_grips, 1.0, 1e-12);
+    const EnergyBudget budget = budget_of(rough.make(), inputs);
+    EXPECT_DOUBLE_EQ(budget.loss_per_apparent_area, budget.loop.energy / inputs.largest_contact_area);
+    EXPECT_DOUBLE_EQ(budget.loss_per_true_area, budget.loss_per_apparent_area / 1.5);
+    EXPECT_DOUBLE_EQ(budget.largest_true_area(), 1.5 * inputs.largest_contact_area);
+    EXPECT_NEAR(budget.ideal_fixed_grips / contact::jkr::ideal_loop_loss(rough.approach).total, 1.0, 1e-12);
+    EXPECT_NEAR(budget.ideal_this_machine / budget.ideal_fixed_grips, 1.0, 1e-12);
     inputs.true_area_ratio = 0.5;
-    EXPECT_THROW((void)ledger_of(rough.make(), inputs), InvalidArgument);
+    EXPECT_THROW((void)budget_of(rough.make(), inputs), InvalidArgument);
 }
 
 TEST(EnergyBudget, OwesTheMachineNothingOverTheClosedLoop) {
@@ -76,16 +76,16 @@ TEST(EnergyBudget, OwesTheMachineNothingOverTheClosedLoop) {
     constexpr double stiffness = 300.0, error = 15.0;
     inputs.displacement_stiffness = Estimate{.value = stiffness, .standard_error = error};
     const Loop loop = rough.make();
-    const EnergyBudget ledger = ledger_of(loop, inputs);
+    const EnergyBudget budget = budget_of(loop, inputs);
     // of the approach: what the energy changes where δ is corrected with k + σ instead
     Loop stiffer = loop;
     stiffer.displacement += loop.force * (1.0 / stiffness - 1.0 / (stiffness + error));
-    const EnergyBudget moved = ledger_of(stiffer, inputs);
-    EXPECT_NEAR(ledger.approach.standard_error.compliance / std::abs(moved.approach.energy - ledger.approach.energy),
+    const EnergyBudget moved = budget_of(stiffer, inputs);
+    EXPECT_NEAR(budget.approach.standard_error.compliance / std::abs(moved.approach.energy - budget.approach.energy),
                 1.0, error / stiffness * 1.1);
-    EXPECT_GT(ledger.approach.standard_error.compliance, 1e-3 * ledger.approach.energy);
-    EXPECT_NEAR(moved.loop.energy / ledger.loop.energy, 1.0, 1e-12);
-    EXPECT_EQ(ledger.loop.standard_error.compliance, 0.0);
+    EXPECT_GT(budget.approach.standard_error.compliance, 1e-3 * budget.approach.energy);
+    EXPECT_NEAR(moved.loop.energy / budget.loop.energy, 1.0, 1e-12);
+    EXPECT_EQ(budget.loop.standard_error.compliance, 0.0);
 }
 
 TEST(EnergyBudget, ChangesByLessThanItsSamplingErrorWhereTheSamplingDoubles) {
@@ -94,9 +94,9 @@ TEST(EnergyBudget, ChangesByLessThanItsSamplingErrorWhereTheSamplingDoubles) {
         coarse.samples = 100;
         fine.samples = 200;
         coarse.even_in_displacement = fine.even_in_displacement = even_in_displacement;
-        const EnergyBudget once = ledger_of(coarse.make()), twice = ledger_of(fine.make());
-        const LoopErrorBudget& budget = once.loop.standard_error;
-        EXPECT_LT(std::abs(twice.loop.energy - once.loop.energy), std::hypot(budget.sampling, budget.discretisation))
+        const EnergyBudget once = budget_of(coarse.make()), twice = budget_of(fine.make());
+        const LoopErrorBudget& errors = once.loop.standard_error;
+        EXPECT_LT(std::abs(twice.loop.energy - once.loop.energy), std::hypot(errors.sampling, errors.discretisation))
             << even_in_displacement;
     }
 }
@@ -160,4 +160,4 @@ TEST(EnergyCourse, NeedsADisplacement) {
 }
 
 }  // namespace
-}  // namespace setae::loops::energy_ledger_test
+}  // namespace setae::loops::energy_budget_test

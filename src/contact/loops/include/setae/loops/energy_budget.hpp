@@ -121,7 +121,7 @@ struct Described<loops::EnergyBudget> {
             "ideal_loss_this_machine", "E_ideal", "J",
             "energy loss of the jumps of the ideal smooth sphere at the stiffness of the testing machine"),
         quantity<&T::machine_stiffness>("machine_stiffness", "k", "N/m", "stiffness k of the testing machine"),
-        quantity<&T::true_area_ratio>("true_area_ratio", "r", "1", "A_true/A_app"),
+        quantity<&T::true_area_ratio>("true_area_ratio", "A_true/A_app", "1", "A_true/A_app"),
         made<T>("largest_true_area", "r pi a_max^2", "m2", "r π a_max²",
                 [](const T& of) { return of.largest_true_area(); }),
         quantity<&T::loss_per_apparent_area>("loss_per_apparent_area", "E_loss/A", "J/m2", "E_loss/A"),
