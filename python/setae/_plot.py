@@ -20,6 +20,23 @@ def axes(ax: Any) -> Any:
     return plt.subplots()[1]
 
 
+def label_log_axes(ax: Any) -> None:
+    """Label powers of ten only; on an axis with fewer than two of them also 2 and 5 times a power, or four round numbers."""
+    import math
+
+    from matplotlib.ticker import LogFormatterSciNotation, LogLocator, MaxNLocator, NullFormatter
+
+    for axis in (ax.xaxis, ax.yaxis):
+        low, high = sorted(axis.get_view_interval())
+        powers = math.floor(math.log10(high)) - math.ceil(math.log10(low)) + 1
+        if powers >= 2:
+            axis.set_major_locator(LogLocator())
+        else:
+            axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)) if high > 3 * low else MaxNLocator(4))
+        axis.set_major_formatter(LogFormatterSciNotation(minor_thresholds=(math.inf, math.inf)))
+        axis.set_minor_formatter(NullFormatter())
+
+
 def plot_scan(scan: Scan, ax: Any) -> Any:
     ax = axes(ax)
     nanometres, micrometres = 1e9 * scan.heights, [1e6 * length for length in scan.size]
@@ -48,6 +65,7 @@ def plot_spectrum(spectrum: Spectrum, ax: Any, **style: Any) -> Any:
         ax.fill_between(q, below, density + error, color=line.get_color(), alpha=0.2, linewidth=0)
     ax.set_xlabel("q = 2π/λ [1/m]")
     ax.set_ylabel("C$_{1D}$ [m³]" if name == "C1D" else "C$_{iso}$ [m⁴]")
+    label_log_axes(ax)
     return ax
 
 
@@ -66,4 +84,5 @@ def plot_function_of_scale(function: FunctionOfScale, ax: Any, **style: Any) -> 
     ax.loglog(function.distance, function.value, **style)
     ax.set_xlabel("distance [m]")
     ax.set_ylabel(f"{function.quantity.replace('_', ' ')} [{function.units[function.quantity]}]")
+    label_log_axes(ax)
     return ax

@@ -133,7 +133,7 @@ TEST_F(StoppedStudy, KilledAtAnyMomentEndsWithTheSameBytes) {
     }
 }
 
-TEST_F(StoppedStudy, InterruptedLeavesWholeFilesAndGoesOn) {
+TEST_F(StoppedStudy, InterruptedLeavesCompleteFilesAndCanContinue) {
     const auto [content, duration] = undisturbed();
     const pid_t process = start("cache");
     std::this_thread::sleep_for(std::chrono::duration<double>(0.4 * duration));

@@ -42,6 +42,9 @@ constexpr const char* explanation =
     "A_true/A_app = 1 + sqrt(pi)/2 h' exp(1/h'^2) erfc(1/h') (Eq. 9)\n"
     "U_el/(A E*)  = (1/8) int q C1D dq (Eq. 8)\n"
     "\n"
+    "The modes of one measurement are summed. Each mode represents an interval of wavevectors, so that the waves of a\n"
+    "measurement of length L begin at 2 L. The waves of an average of several measurements begin at L.\n"
+    "\n"
     "--standard gives the parameters of ISO 25178-2 or ISO 21920-2. docs/reference/parameters.md contains their formulas.\n"
     "Equation numbers: Dalvi et al., PNAS 116 (2019) 25484 [D19].\n"
     "[J17] Jacobs, Junge, Pastewka, Surf. Topogr. 5 (2017) 013001.\n";

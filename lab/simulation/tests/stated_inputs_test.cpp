@@ -107,7 +107,7 @@ std::map<std::string, double> deviations(const Recipe& recipe) {
 
 // Deviations of 200 seeds: mean 0 ± 1/√n, variance 1 ± √((β − 1)/n) with kurtosis β = 3 of normal, 9/5 of uniform
 // numbers, and correlations 0 ± 1/√n between any two scopes.
-TEST(StatedInputs, AreDrawnIndependentlyOnceAScope) {
+TEST(StatedInputs, AreDrawnIndependentlyOncePerScope) {
     constexpr int seeds = 200;
     std::map<std::string, std::vector<double>> all;
     for (std::uint64_t seed = 1; seed <= seeds; ++seed)
@@ -136,7 +136,7 @@ TEST(StatedInputs, AreDrawnIndependentlyOnceAScope) {
     EXPECT_NEAR(far, 0.0455 * pairs, 3.0 * std::sqrt(0.0455 * pairs));
 }
 
-TEST(StatedInputs, AreOneForAllThatShareAScope) {
+TEST(StatedInputs, AreEqualWithinAScope) {
     const Recipe recipe = recipe_of(calibrated);
     const auto &first = recipe.elastomers[0], &second = recipe.elastomers[1], &third = recipe.elastomers[2];
     EXPECT_EQ(first.sphere_radius.value, second.sphere_radius.value);
@@ -200,7 +200,7 @@ Array1D column(const fs::path& file, Index index) {
 }
 
 // what is written has its last decimal rounded: 5e-5 nm of heights, 5e-6 µN, 5e-5 nm, 5e-6 µm of loops
-TEST(Calibrations, DivideWhatInstrumentsState) {
+TEST(Calibrations, DivideTheStatedValuesOfInstruments) {
     const auto& [recipe, stated, exact] = twins();
     const auto& c = recipe.calibrations;
     const auto compare = [&](const char* file, Index index, const StatedQuantity& factor, double rounding) {
@@ -226,7 +226,7 @@ TEST(Calibrations, DivideWhatInstrumentsState) {
     EXPECT_LT(std::abs(c.afm.height->value - 1.05), 0.1);
 }
 
-TEST(Calibrations, AreToldByTheirNamesAndEveryNameIsMentioned) {
+TEST(Calibrations, AreWrittenToTheStudyAndEveryNameIsUsed) {
     const auto study = bytes::read_file((twins().stated / "study.toml").string());
     const auto holds = [&](const std::string& text) { return study.find(text) != std::string::npos; };
     for (const char* line :
@@ -247,7 +247,7 @@ TEST(Calibrations, AreToldByTheirNamesAndEveryNameIsMentioned) {
         EXPECT_TRUE(holds(" = \"" + quantity.input + "\"")) << quantity.input;
 }
 
-TEST(Calibrations, OfAScaleAreThoseOfHeightsAndLengths) {
+TEST(Calibrations, OfAScaleApplyToHeightsAndLengths) {
     auto text = replaced(calibrated, ", tem = \"1 ± 0.03\" }", " }");
     text = replaced(text, ", tem = \"1 ± 0.01\" }", " }\nscale = { tem = \"1 ± 0.02\" }");
     const Recipe recipe = recipe_of(text);
@@ -257,7 +257,7 @@ TEST(Calibrations, OfAScaleAreThoseOfHeightsAndLengths) {
     EXPECT_EQ(named_inputs(recipe).size(), named_inputs(recipe_of(calibrated)).size() - 1);
 }
 
-TEST(Calibrations, OfInstrumentsOutOfUseAreNotTold) {
+TEST(Calibrations, OfUnusedInstrumentsAreNotWritten) {
     auto text = replaced(calibrated, "tem = { lengths = [\"20 nm\"] }", "");
     text.erase(text.find("[loops]"));
     for (const auto& quantity : named_inputs(recipe_of(text))) {
@@ -267,7 +267,7 @@ TEST(Calibrations, OfInstrumentsOutOfUseAreNotTold) {
 }
 
 // The same data; the study cannot know what is one thing.
-TEST(Calibrations, AreToldAnewAtEveryPlaceWithoutNames) {
+TEST(Calibrations, WithoutNamesAreWrittenAtEveryPlace) {
     const Recipe recipe = recipe_of(std::string("name_inputs = false\n") + calibrated);
     EXPECT_EQ(recipe.calibrations.force->value, twins().recipe.calibrations.force->value);
     EXPECT_EQ(recipe.elastomers[0].sphere_radius.value, twins().recipe.elastomers[0].sphere_radius.value);
@@ -291,7 +291,7 @@ TEST(Calibrations, AreToldAnewAtEveryPlaceWithoutNames) {
               bytes::read_file((twins().stated / "loops/A_E07.csv").string()));
 }
 
-TEST(UnmeasuredPairs, ArePlantedAndToldApart) {
+TEST(UnmeasuredPairs, AreSimulatedWithoutFilesAndMarked) {
     const auto& [recipe, stated, exact] = twins();
     EXPECT_FALSE(fs::exists(stated / "loops/B_E10.csv"));
     EXPECT_TRUE(fs::exists(stated / "loops/A_E10.csv"));
@@ -309,7 +309,7 @@ TEST(UnmeasuredPairs, ArePlantedAndToldApart) {
 }
 
 // What came before calibrations is written as it was, byte by byte: factors of 1 change no record.
-TEST(RecipesWithoutStatedInputs, AreWrittenAsBefore) {
+TEST(RecipesWithoutStatedInputs, GiveUnchangedFiles) {
     std::string plain = calibrated;
     plain.erase(plain.find("shared_tips"), plain.find("[rough_solid]") - plain.find("shared_tips"));
     plain.erase(plain.find("[elastomers.E07]"), plain.find("[elastomers.E19]") - plain.find("[elastomers.E07]"));
@@ -345,7 +345,7 @@ TEST(RecipesWithoutStatedInputs, AreWrittenAsBefore) {
     }
 }
 
-TEST(StatedInputs, ThatContradictThemselvesAreRefused) {
+TEST(StatedInputs, AreRefusedWhereContradictory) {
     const auto expect = [](const std::string& from, const std::string& to, const std::vector<std::string>& words) {
         const auto message = refusal(from, to);
         for (const auto& word : words) EXPECT_NE(message.find(word), std::string::npos) << message;
@@ -373,7 +373,7 @@ TEST(StatedInputs, ThatContradictThemselvesAreRefused) {
            {"no loop on 'E10'", "tell_modulus"});
 }
 
-TEST(SharedTips, OfProtocolsThatTellDifferentRadiiAreRefused) {
+TEST(SharedTips, AreRefusedForProtocolsWithDifferentRadii) {
     auto text = replaced(calibrated, "[surfaces.A]\nprotocol = \"p\"",
                          "[protocols.q]\nafm = { sizes = [\"100 nm\"], tip_radius = \"8 ± 1 nm\" }\n"
                          "[surfaces.A]\nprotocol = \"q\"");

@@ -75,7 +75,7 @@ void expect_consistent(const Channel& channel) {
     EXPECT_EQ(metadata.format, info.format);
 }
 
-TEST(EveryFile, OpensOrIsRefusedForItsReason) {
+TEST(EveryFile, OpensOrIsRefusedForTheExpectedReason) {
     const auto files = all_files();
     if (files.empty()) GTEST_SKIP() << "no files of instruments in " << tests::reference_data_folder();
     for (const auto& path : files) {
@@ -103,7 +103,7 @@ std::uint64_t bytes_read() {
     return 0;
 }
 
-TEST(EveryFile, LargerThanTwoMegabytesOpensFromLessThanOne) {
+TEST(EveryFile, LargerThanTwoMegabytesOpensFromLessThanOneMegabyte) {
     if (bytes_read() == 0) GTEST_SKIP() << "this system does not count the bytes a process reads";
     int looked_at = 0;
     for (const auto& path : all_files()) {
@@ -131,7 +131,7 @@ std::string error_of(const std::string& content, const ReadOptions& options) {
     return {};
 }
 
-TEST(EveryFile, CutAnywhereIsRefusedWithThePlace) {
+TEST(EveryFile, TruncatedAnywhereIsRefusedWithTheOffset) {
     constexpr std::size_t cuts = 64;
     // bytes at the end that programs add for themselves and no header announces
     const std::map<std::string, std::size_t> footers{{"spot_1-1000nm.ibw", 110'000}, {"plu-1.plu", 133'200}};

@@ -72,7 +72,7 @@ TEST_F(TextureCases, HeightsAndGradientsOfMapsAgree) {
                 1.0, 1e-10);
 }
 
-TEST_F(TextureCases, AMapWithHolesKeepsEveryDifferenceThatExists) {
+TEST_F(TextureCases, MapsWithHolesUseEveryDefinedDifference) {
     const auto heights = height_parameters(masked_map());
     EXPECT_NEAR(heights.Sq / cases["map_masked"]["Sq"].get<double>(), 1.0, 1e-10);
     EXPECT_NEAR(heights.mean / cases["map_masked"]["mean"].get<double>(), 1.0, 1e-10);

@@ -32,7 +32,7 @@ contact_line::ContactLine edge() {
 
 // What is found in the recording is the edge that was rendered, to the noise of a place that is stated and a tenth of a
 // pixel
-TEST(Recording, ShowsTheEdgeItWasMadeOf) {
+TEST(Recording, MeasurementRecoversTheRenderedEdge) {
     const setae::tests::TemporaryFolder folder;
     const auto path = folder.path("recording.tif");
     const auto shape = write_recording(path, edge(), {.pixel_size = pixel, .frame_rate = 5.0});
@@ -68,7 +68,7 @@ TEST(Recording, HasTheSameBytesForAnyNumberOfThreads) {
     EXPECT_EQ(bytes::read_file(folder.path("1.tif")), bytes::read_file(folder.path("3.tif")));
 }
 
-TEST(Recording, RefusesWhatNoCameraShows) {
+TEST(Recording, RefusesInvalidOptions) {
     const setae::tests::TemporaryFolder folder;
     const auto path = folder.path("recording.tif");
     const auto refused = [&](const RecordingOptions& options) {

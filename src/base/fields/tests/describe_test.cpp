@@ -145,7 +145,7 @@ std::string recorded(const Sample& sample) {
     return sink.text_;
 }
 
-TEST(Fields, ComeInTheOrderOfTheirRowsWithUnitsAndReasons) {
+TEST(Fields, AreWrittenInRowOrderWithUnitsAndReasons) {
     EXPECT_EQ(
         recorded({}),
         "flag=true;whole=3;number=0.5;force=0.002 N;stiffness=5±nan N/m;energy=1±0.1 J;area=4±0.5 m2;text=words;part={;texts=[;texts=a;texts=b;]}"
@@ -155,14 +155,14 @@ TEST(Fields, ComeInTheOrderOfTheirRowsWithUnitsAndReasons) {
         "found={;x=5;name=found;}by_name={;model:by_name=6±nan J/m2;}none_by_name=null();twice=1;of_its_own_unit=0.5 m/s;");
 }
 
-TEST(Fields, OfNumbersThatAreNoneAreHandedOn) {
+TEST(Fields, PassOnUndefinedAndInfiniteNumbers) {
     Sample sample;
     sample.number = std::nan("");
     sample.force = INFINITY;
     EXPECT_NE(recorded(sample).find("number=nan;force=inf N;"), std::string::npos);
 }
 
-TEST(Fields, KnowTheirKind) {
+TEST(Fields, HaveTheKindOfTheirMember) {
     const auto kind = [](std::string_view name) {
         for (const auto& row : Described<Sample>::rows)
             if (row.name == name) return row.kind;
@@ -196,7 +196,7 @@ static_assert(complete<Whole>);
 
 namespace {
 
-TEST(Fields, OfABaseStandAmongItsOwn) {
+TEST(Fields, OfABaseComeBeforeDerivedFields) {
     Recorded sink;
     const Whole whole{{4.0, "base"}, 2};
     put(&whole, Described<Whole>::description, sink);
@@ -242,7 +242,7 @@ static_assert(complete<Held>);
 
 namespace {
 
-TEST(Fields, HoldValuesByNameAndQuantitiesUnderTheirOwn) {
+TEST(Fields, WriteMapsByNameAndQuantitiesByTheirNames) {
     Recorded sink;
     Held held;
     held.boxed = Point{5.0, "boxed"};
@@ -258,7 +258,7 @@ TEST(Fields, HoldValuesByNameAndQuantitiesUnderTheirOwn) {
     EXPECT_EQ(Described<Held>::rows[5].kind, Kind::quantities);
 }
 
-TEST(Fields, RefuseAQuantityThatNoRowAnnounces) {
+TEST(Fields, RefuseAnUndeclaredQuantity) {
     Recorded sink;
     Held held;
     held.list.front().quantity = "speed";

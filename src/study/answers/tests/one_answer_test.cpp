@@ -73,7 +73,7 @@ PatchSurveyRequest few_patches() {
     return request;
 }
 
-TEST(OneAnswer, IsTheSameInEveryCommand) {
+TEST(ConsistentPrediction, IsTheSameInEveryCommand) {
     for (const double modulus : {1e6, 1.2e8, 2.5e8}) {  // full contact, part of the area, little of it
         const auto study = study_of(modulus);
         const auto result = study::run_study(study, {1});
@@ -92,7 +92,7 @@ TEST(OneAnswer, IsTheSameInEveryCommand) {
     }
 }
 
-TEST(OneAnswer, StandsBesideTheOtherTheories) {
+TEST(ConsistentPrediction, IsListedWithOtherTheories) {
     const auto study = study_of(1.2e8);
     const auto json = output::described(adhesion_of(study))["answers"];
     ASSERT_EQ(json["theories"].size(), 3U);
@@ -111,7 +111,7 @@ TEST(OneAnswer, StandsBesideTheOtherTheories) {
 }
 
 // in full contact all theories are the full-contact balance
-TEST(OneAnswer, IsThatOfEveryTheoryInFullContact) {
+TEST(ConsistentPrediction, EqualsEveryTheoryInFullContact) {
     const auto json = output::described(adhesion_of(study_of(1e6)));
     const double balance = json["work_of_adhesion_modified"]["value"].get<double>();
     EXPECT_TRUE(json["conforms"].get<bool>());
@@ -121,7 +121,7 @@ TEST(OneAnswer, IsThatOfEveryTheoryInFullContact) {
 }
 
 // every printed pull-off: 3/2 πRW of JKR as the roughness tends to zero
-TEST(OneAnswer, TendsToJkrInEveryCommandThatPrintsAPullOff) {
+TEST(ConsistentPrediction, TendsToJkrInEveryCommandWithAPullOff) {
     const double force = 1.5 * pi * 5e-3 * work;
     for (const double roughness : {1e-2, 1e-3}) {
         const auto study = study_of(1.5e6, roughness);
@@ -150,7 +150,7 @@ study::StudyResult published_with(double roughness) {
 }
 
 // with measured pairs, too: 3/2 πR W_int by models without the crack tip, times W_ret/W_app of the reference by others
-TEST(OneAnswer, TendsToJkrWhereMeasuredPairsChooseTheModel) {
+TEST(ConsistentPrediction, TendsToJkrWithAModelChosenByPairs) {
     for (const double roughness : {1e-2, 1e-3}) {
         const auto result = published_with(roughness);
         ASSERT_TRUE(result.hysteresis) << result.hysteresis.reason;

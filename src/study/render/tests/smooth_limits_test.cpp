@@ -12,7 +12,7 @@ namespace setae::output::smooth_limits_test {
 namespace {
 
 // OTS on four elastomers: W_ret 52 to 59 mJ/m² published, while one work a true area is that of rough surfaces
-TEST(SmoothLimits, OfThePublishedModelsStandBesideTheReference) {
+TEST(SmoothLimits, OfThePublishedModelsAreComparedWithTheReference) {
     const auto result = study::run_study(study::read_study("examples/nanodiamond/published.toml"));
     ASSERT_TRUE(result.hysteresis);
     const auto& h = *result.hysteresis;

@@ -32,7 +32,7 @@ std::vector<double> documented(const tests::ProjectionCase& wanted) {
     return {};
 }
 
-TEST(ProjectionTable, OfTheDocumentHoldsForOtherSurfacesOnASmallerGrid) {
+TEST(ProjectionTable, OfTheDocumentMatchesOtherSurfacesOnASmallerGrid) {
     for (const tests::ProjectionCase row :
          {tests::ProjectionCase{0.8, 25e-9, 20e-9}, tests::ProjectionCase{0.8, 50e-9, 20e-9}}) {
         const auto expected = documented(row);
@@ -49,7 +49,7 @@ TEST(ProjectionTable, OfTheDocumentHoldsForOtherSurfacesOnASmallerGrid) {
     }
 }
 
-TEST(ProjectionTable, HasARowForEachOfItsCases) {
+TEST(ProjectionTable, HasARowForEveryCase) {
     for (const auto& row : tests::projection_cases())
         EXPECT_EQ(documented(row).size(), 18U)
             << row.hurst_exponent << ' ' << row.rolloff_wavelength << ' ' << row.thickness;

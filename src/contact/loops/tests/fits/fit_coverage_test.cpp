@@ -33,7 +33,7 @@ JkrFit joint(const BranchData& data) { return fit_joint(data, tests::rubber_on_d
 
 class FitCoverage : public testing::TestWithParam<Case> {};
 
-TEST_P(FitCoverage, OfEveryRouteIsThatOfItsIntervals) {
+TEST_P(FitCoverage, OfEveryRouteMatchesItsIntervals) {
     const Case& run = GetParam();
     constexpr int seeds = 40;
     const BranchData truth = tests::branch_of(lens, run.shape, 1000);

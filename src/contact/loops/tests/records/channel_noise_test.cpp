@@ -26,7 +26,7 @@ Array1D low_pass(Index n, double phi, std::mt19937_64& generator) {
     return values;
 }
 
-TEST(FreeFlightNoise, IsThatOfTheProcessWhateverItsCorrelation) {
+TEST(FreeFlightNoise, RecoversTheNoiseAtAnyCorrelation) {
     std::mt19937_64 generator(4);
     constexpr int draws = 300;
     constexpr Index n = 400;
@@ -46,7 +46,7 @@ TEST(FreeFlightNoise, IsThatOfTheProcessWhateverItsCorrelation) {
     }
 }
 
-TEST(FreeFlightNoise, OfFewOrIndependentSamplesIsThatOfSecondDifferences) {
+TEST(FreeFlightNoise, OfFewOrIndependentSamplesUsesSecondDifferences) {
     std::mt19937_64 generator(5);
     int independent = 0;
     for (int k = 0; k < 200; ++k) {
@@ -62,7 +62,7 @@ TEST(FreeFlightNoise, OfFewOrIndependentSamplesIsThatOfSecondDifferences) {
     EXPECT_EQ(free_flight_noise(Array1D()).sigma, 0.0);
 }
 
-TEST(FreeFlightNoise, ErrorOfTheZeroOfForceHoldsTheTruth) {
+TEST(FreeFlightNoise, ErrorOfTheZeroOfForceCoversTheTrueZero) {
     std::mt19937_64 generator(6);
     constexpr int draws = 300;
     for (const double phi : {0.0, 0.5, 0.8, 0.9}) {

@@ -60,7 +60,7 @@ StudyResult study_of(const std::vector<loops::Outcome<loops::CrackSpeedFit>>& fi
     return result;
 }
 
-TEST(EdgeSpeeds, OfReferencesThatAgreeAreTheirsMoreSurely) {
+TEST(EdgeSpeeds, OfConsistentReferencesHaveSmallerErrors) {
     const auto one = edge_speed_of(study_of({fit_of(0.041, 1e-6, 0.6)}), "E"),
                two = edge_speed_of(study_of({fit_of(0.041, 1e-6, 0.6), fit_of(0.041, 1e-6, 0.6)}), "E");
     ASSERT_TRUE(one && two);
@@ -72,7 +72,7 @@ TEST(EdgeSpeeds, OfReferencesThatAgreeAreTheirsMoreSurely) {
 }
 
 // Errors of G0, v0 and n lie along a bent ridge: both fits say nearly the same G at every speed.
-TEST(EdgeSpeeds, OfReferencesApartOnTheirRidgeStayOnIt) {
+TEST(EdgeSpeeds, OfReferencesAlongACorrelationAreCombinedAlongIt) {
     const auto first = fit_of(0.040, 1e-6, 0.60), second = fit_of(0.044, 1.45e-6, 0.66);
     const auto found = edge_speed_of(study_of({first, second}), "E");
     ASSERT_TRUE(found);
@@ -87,7 +87,7 @@ TEST(EdgeSpeeds, OfReferencesApartOnTheirRidgeStayOnIt) {
         << "two fits know it no better than √2 times one";
 }
 
-TEST(EdgeSpeeds, OfReferencesThatTellNoneGiveTheReason) {
+TEST(EdgeSpeeds, OfReferencesWithoutResultGiveTheReason) {
     using Fit = loops::Outcome<loops::CrackSpeedFit>;
     const auto none = edge_speed_of(study_of({Fit::missing("the contact edge does not move inwards")}), "E");
     EXPECT_FALSE(none);
@@ -98,7 +98,7 @@ TEST(EdgeSpeeds, OfReferencesThatTellNoneGiveTheReason) {
     EXPECT_NE(edge_speed_of(study_of({Fit(without_errors)}), "E").reason.find("no standard errors"), std::string::npos);
 }
 
-TEST(EdgeSpeeds, ThatAreStatedAreThose) {
+TEST(EdgeSpeeds, UseStatedValues) {
     auto result = study_of({fit_of(0.04, 1e-6, 0.6)});
     result.elastomers[0].input.crack_speed = StatedEdgeSpeed{{.value = 2e-6, .standard_error = 1e-7}, {.value = 0.5}};
     const auto found = edge_speed_of(result, "E");

@@ -210,7 +210,7 @@ Coverage measure(const Setting& setting, const Effort& effort) {
 
 const Setting few{"5 an instrument", 5, 0.0}, uneven{"5 an instrument, levels scatter by 30 %", 5, 0.3};
 
-TEST(IntervalCoverage, OfTheDefaultIsWhatItSays) {
+TEST(IntervalCoverage, OfTheDefaultIsTheStatedOne) {
     // 250 sets: the share found scatters by √(0.95·0.05/250) = 1.4 %; 90 … 98 % is wanted
     for (const auto& setting : {few, uneven}) {
         const auto coverage = measure(setting, {.repetitions = 250, .resamples = 0});
@@ -221,7 +221,7 @@ TEST(IntervalCoverage, OfTheDefaultIsWhatItSays) {
     }
 }
 
-TEST(IntervalCoverage, OfThePercentileBootstrapIsLess) {
+TEST(IntervalCoverage, OfThePercentileBootstrapIsTooSmall) {
     const auto coverage = measure(uneven, {.repetitions = 60, .resamples = 99});
     double mean = 0.0;
     for (const auto& s : statistics) mean += 0.25 * coverage.of("percentile", s.name);
