@@ -6,6 +6,7 @@
 #include "setae/answers/contents_fields.hpp"
 #include "setae/answers/format_list.hpp"
 #include "setae/answers/lens.hpp"
+#include "setae/answers/patch_survey_fields.hpp"
 #include "setae/answers/power_spectrum_fields.hpp"
 #include "setae/fields/describe.hpp"
 #include "setae/output/contour_fields.hpp"
@@ -27,6 +28,7 @@ constexpr DescribedOutput outputs[]{
     one<FormatList>("formats"),
     one<Contents>("info"),
     one<Lens>("jkr lens"),
+    one<PatchSurveyAnswer>("lab conform"),
     one<study_figures::PlottedFigure>("plot"),
     one<study_figures::FigureList>("plot"),
     one<PowerSpectrum>("psd"),
