@@ -2,6 +2,7 @@
 #pragma once
 
 #include "setae/answers/json_schemas.hpp"
+#include "setae/validation/contour_summary.hpp"
 #include "setae/validation/summary.hpp"
 #include "setae/validation/true_area_of_maps.hpp"
 
@@ -13,6 +14,7 @@ inline constexpr answers::DescribedOutput described_outputs[]{
     {"lab area", &fields::Described<AreaOutput>::description},
     {"lab causes", &fields::Described<RecipeSummary>::of_causes},
     {"lab closure", &fields::Described<RecipeSummary>::description},
+    {"lab contours", &fields::Described<ContoursOutput>::description},
 };
 
 }  // namespace setae::validation
