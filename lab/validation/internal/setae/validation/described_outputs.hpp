@@ -3,6 +3,8 @@
 
 #include "setae/answers/json_schemas.hpp"
 #include "setae/validation/contour_summary.hpp"
+#include "setae/validation/law_recovery.hpp"
+#include "setae/validation/loop_coverage.hpp"
 #include "setae/validation/summary.hpp"
 #include "setae/validation/true_area_of_maps.hpp"
 
@@ -15,6 +17,8 @@ inline constexpr answers::DescribedOutput described_outputs[]{
     {"lab causes", &fields::Described<RecipeSummary>::of_causes},
     {"lab closure", &fields::Described<RecipeSummary>::description},
     {"lab contours", &fields::Described<ContoursOutput>::description},
+    {"lab loops", &fields::Described<LoopsOutput>::description},
+    {"lab loops", &fields::Described<MechanismsOutput>::description},
 };
 
 }  // namespace setae::validation
