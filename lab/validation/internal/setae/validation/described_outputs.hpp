@@ -5,6 +5,7 @@
 #include "setae/validation/contour_summary.hpp"
 #include "setae/validation/law_recovery.hpp"
 #include "setae/validation/loop_coverage.hpp"
+#include "setae/validation/next_trials.hpp"
 #include "setae/validation/summary.hpp"
 #include "setae/validation/true_area_of_maps.hpp"
 
@@ -19,6 +20,7 @@ inline constexpr answers::DescribedOutput described_outputs[]{
     {"lab contours", &fields::Described<ContoursOutput>::description},
     {"lab loops", &fields::Described<LoopsOutput>::description},
     {"lab loops", &fields::Described<MechanismsOutput>::description},
+    {"lab next", &fields::Described<NextOutput>::description},
 };
 
 }  // namespace setae::validation
