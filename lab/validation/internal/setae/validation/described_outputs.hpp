@@ -6,6 +6,7 @@
 #include "setae/validation/law_recovery.hpp"
 #include "setae/validation/loop_coverage.hpp"
 #include "setae/validation/next_trials.hpp"
+#include "setae/validation/record_trials.hpp"
 #include "setae/validation/summary.hpp"
 #include "setae/validation/true_area_of_maps.hpp"
 
@@ -21,6 +22,7 @@ inline constexpr answers::DescribedOutput described_outputs[]{
     {"lab loops", &fields::Described<LoopsOutput>::description},
     {"lab loops", &fields::Described<MechanismsOutput>::description},
     {"lab next", &fields::Described<NextOutput>::description},
+    {"lab records", &fields::Described<RecordsOutput>::description},
 };
 
 }  // namespace setae::validation
