@@ -2,6 +2,7 @@
 #pragma once
 
 #include "setae/answers/json_schemas.hpp"
+#include "setae/simulation/projection_bias.hpp"
 #include "setae/validation/contour_summary.hpp"
 #include "setae/validation/law_recovery.hpp"
 #include "setae/validation/loop_coverage.hpp"
@@ -19,6 +20,7 @@ inline constexpr answers::DescribedOutput described_outputs[]{
     {"lab causes", &fields::Described<RecipeSummary>::of_causes},
     {"lab closure", &fields::Described<RecipeSummary>::description},
     {"lab contours", &fields::Described<ContoursOutput>::description},
+    {"lab foil", &fields::Described<simulation::FoilOutput>::description},
     {"lab loops", &fields::Described<LoopsOutput>::description},
     {"lab loops", &fields::Described<MechanismsOutput>::description},
     {"lab next", &fields::Described<NextOutput>::description},
