@@ -2,6 +2,7 @@
 #pragma once
 
 #include "setae/answers/json_schemas.hpp"
+#include "setae/simulation/data_set.hpp"
 #include "setae/simulation/projection_bias.hpp"
 #include "setae/validation/contour_summary.hpp"
 #include "setae/validation/law_recovery.hpp"
@@ -23,6 +24,7 @@ inline constexpr answers::DescribedOutput described_outputs[]{
     {"lab foil", &fields::Described<simulation::FoilOutput>::description},
     {"lab loops", &fields::Described<LoopsOutput>::description},
     {"lab loops", &fields::Described<MechanismsOutput>::description},
+    {"lab make", &fields::Described<simulation::MakeOutput>::description},
     {"lab next", &fields::Described<NextOutput>::description},
     {"lab records", &fields::Described<RecordsOutput>::description},
 };
