@@ -4,6 +4,7 @@
 #include "setae/answers/json_schemas.hpp"
 #include "setae/simulation/data_set.hpp"
 #include "setae/simulation/projection_bias.hpp"
+#include "setae/simulation/recording.hpp"
 #include "setae/validation/contour_summary.hpp"
 #include "setae/validation/law_recovery.hpp"
 #include "setae/validation/loop_coverage.hpp"
@@ -26,6 +27,7 @@ inline constexpr answers::DescribedOutput described_outputs[]{
     {"lab loops", &fields::Described<MechanismsOutput>::description},
     {"lab make", &fields::Described<simulation::MakeOutput>::description},
     {"lab next", &fields::Described<NextOutput>::description},
+    {"lab recording", &fields::Described<simulation::RecordingOutput>::description},
     {"lab records", &fields::Described<RecordsOutput>::description},
 };
 

@@ -65,7 +65,7 @@ struct setae::fields::Described<setae::validation::SummaryRow> {
         field<&T::coverage>("coverage", "share of 95 % intervals that cover the true value"),
         made<T>("coverage_interval", "lower and upper end of the 95 % interval of the coverage",
                 [](const T& of) {
-                    return std::vector<double>{of.coverage_interval.lower, of.coverage_interval.upper};
+                    return std::array{of.coverage_interval.lower, of.coverage_interval.upper};
                 }),
         inner<&T::unit>(),
         inner<&T::measure>(),

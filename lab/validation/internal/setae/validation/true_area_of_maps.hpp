@@ -96,7 +96,7 @@ struct setae::fields::Described<setae::validation::AreaOutput> {
     static constexpr std::array rows{
         made<T>("points", "number of points along x and y",
                 [](const T& of) {
-                    return std::vector<Index>{of.points, of.points};
+                    return std::array{of.points, of.points};
                 }),
         field<&T::seed>("seed", "seed of the random numbers"),
         made<T>("maps_each", "number of maps of each Hurst exponent", [](const T&) { return validation::maps_each; }),
