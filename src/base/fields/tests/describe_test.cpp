@@ -5,6 +5,8 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -112,6 +114,7 @@ public:
 
     void flag(const Row& row, bool value) override { add(row, value ? "true" : "false"); }
     void whole(const Row& row, long long value) override { add(row, std::to_string(value)); }
+    void whole(const Row& row, std::uint64_t value) override { add(row, std::to_string(value)); }
     void number(const Row& row, double value) override { add(row, shown(value)); }
     void value(const Row& row, double value) override { add(row, shown(value) + " " + std::string(row.unit)); }
     void quantity(const Row& row, const Estimate& e) override {
@@ -205,6 +208,8 @@ struct Held {
     std::vector<std::pair<std::string, Point>> points{{"a", {1.0, "first"}}};
     std::vector<std::pair<std::string, int>> counts{{"a", 2}};
     std::vector<std::pair<std::string, std::string>> labels{{"a", "one"}};
+    std::map<std::string, int> sorted{{"b", 4}, {"a", 3}};
+    std::map<std::string, int> none;
     std::vector<Quantity> list{{.quantity = "force", .estimate = {.value = 3.0}, .unit = "N"}};
     Boxed<Point> boxed, no_box;
 };
@@ -221,6 +226,8 @@ struct Described<Held> {
         field<&T::points>("points", "points by name"),
         field<&T::counts>("counts", "whole numbers by name"),
         field<&T::labels>("labels", "texts by name"),
+        field<&T::sorted>("sorted", "whole numbers in the order of their names"),
+        field<&T::none>("none", "whole numbers by name, of which there are none"),
         field<&T::list>("list", "quantities"),
         quantities_among<T>(possible_quantities, [](const T& of) -> const auto& { return of.list; }),
         quantity_fields<T>([](const T& of) -> const Quantity& { return of.list.front(); }),
@@ -241,12 +248,14 @@ TEST(Fields, WriteMapsByNameAndQuantitiesByTheirNames) {
     held.boxed = Point{5.0, "boxed"};
     put(&held, Described<Held>::description, sink);
     EXPECT_EQ(sink.text_,
-              "points={;a:points={;x=1;name=first;}}counts={;a:counts=2;}labels={;a:labels=one;}list=[;list=3 N;]"
+              "points={;a:points={;x=1;name=first;}}counts={;a:counts=2;}labels={;a:labels=one;}"
+              "sorted={;a:sorted=3;b:sorted=4;}none={;}list=[;list=3 N;]"
               "force=3 N;force 3;later=[;]by_name_later={;}boxed={;x=5;name=boxed;}no_box=null();");
     EXPECT_EQ(Described<Held>::rows[0].kind, Kind::objects_of);
     EXPECT_EQ(Described<Held>::rows[1].kind, Kind::whole_of);
     EXPECT_EQ(Described<Held>::rows[2].kind, Kind::text_of);
-    EXPECT_EQ(Described<Held>::rows[3].kind, Kind::quantities);
+    EXPECT_EQ(Described<Held>::rows[3].kind, Kind::whole_of);
+    EXPECT_EQ(Described<Held>::rows[5].kind, Kind::quantities);
 }
 
 TEST(Fields, RefuseAnUndeclaredQuantity) {
@@ -254,6 +263,33 @@ TEST(Fields, RefuseAnUndeclaredQuantity) {
     Held held;
     held.list.front().quantity = "speed";
     EXPECT_THROW(put(&held, Described<Held>::description, sink), InternalError);
+}
+
+/// Values whose output differs from that of other numbers.
+struct Odd {
+    std::uint64_t seed = std::numeric_limits<std::uint64_t>::max();
+    double work = 2.0;
+};
+
+}  // namespace
+
+template <>
+struct Described<Odd> {
+    static constexpr std::array rows{field<&Odd::seed>("seed", "of random numbers"),
+                                     field<&Odd::work>("work", "a number without its unit").in_unit("J/m2")};
+    static constexpr Description description{"", "odd values", rows};
+};
+static_assert(complete<Odd>);
+
+namespace {
+
+TEST(Fields, HaveSeedsOf64BitsAndNumbersWithoutTheirUnit) {
+    Recorded sink;
+    const Odd odd;
+    put(&odd, Described<Odd>::description, sink);
+    EXPECT_EQ(sink.text_, "seed=18446744073709551615;work=2;");
+    EXPECT_EQ(Described<Odd>::rows[1].kind, Kind::number);
+    EXPECT_EQ(Described<Odd>::rows[1].unit, "J/m2");
 }
 
 /// Lists of lists, and what has its names from elsewhere.

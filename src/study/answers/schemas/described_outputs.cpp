@@ -20,6 +20,7 @@
 #include "setae/answers/loop_fields.hpp"
 #include "setae/answers/machine_stiffness.hpp"
 #include "setae/answers/parameters.hpp"
+#include "setae/answers/patch_survey_fields.hpp"
 #include "setae/answers/persson_fields.hpp"
 #include "setae/answers/power_spectrum_fields.hpp"
 #include "setae/answers/processed_file.hpp"
@@ -82,6 +83,7 @@ constexpr DescribedOutput outputs[]{
     one<imaging::ContactRadii>("jkr radius"),
     one<StiffnessOfFile>("jkr stiffness"),
     one<ReplicateSummary>("jkr summary"),
+    one<PatchSurveyAnswer>("lab conform"),
     one<ProcessingRecords>("level"),
     list<ParameterEntry>("params"),
     list<TextureEntry>("params"),

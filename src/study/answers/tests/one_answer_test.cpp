@@ -8,7 +8,7 @@
 
 #include "setae/adhesion/partial_contact.hpp"
 #include "setae/answers/adhesion_fields.hpp"
-#include "setae/answers/patch_survey.hpp"
+#include "setae/answers/patch_survey_fields.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/hysteresis/smooth_limit.hpp"
 #include "setae/output/field_json.hpp"
@@ -87,7 +87,7 @@ TEST(ConsistentPrediction, IsTheSameInEveryCommand) {
         EXPECT_NEAR(recommended_in(of_study["pairs"][0]["answers"]), answer, 1e-12 * answer);
         const auto hysteresis = study::hysteresis_of(result);
         EXPECT_NEAR(hysteresis.pairs.at(0).work_approach.value, answer, 1e-12 * answer);
-        const auto conform = to_json(patch_survey(result, few_patches()));
+        const auto conform = output::described(patch_survey(result, few_patches()));
         EXPECT_NEAR(recommended_in(conform["rows"][0]["answers"]), answer, 1e-12 * answer);
     }
 }

@@ -41,4 +41,7 @@ template <fields::HasRows T>
 /// Adds the schema of a described type under its name, and those of all named types in it.
 void add_named_schemas(const fields::Description& description, std::map<std::string, Json>& schemas);
 
+/// Adds the schemas that those of every described type refer to: "number", "value", "values" and "quantity".
+void add_schemas_of_numbers(std::map<std::string, Json>& schemas);
+
 }  // namespace setae::output
