@@ -44,7 +44,7 @@ double value_of(const FrontAnswer& answer, const char* name) {
     return std::ranges::find(answer.quantities, name, &Quantity::quantity)->estimate.value;
 }
 
-// hardly any roughness: JKR's own loop, and works of adhesion as told
+// very small roughness: the loop of JKR with the given works of adhesion
 TEST(ContactFront, OfANearlySmoothSurfaceIsJkr) {
     auto request = asked();
     request.steps = 400;

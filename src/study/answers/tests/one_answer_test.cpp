@@ -139,7 +139,7 @@ TEST(ConsistentPrediction, TendsToJkrInEveryCommandWithAPullOff) {
     }
 }
 
-/// The published pairs, whose likeliest model has no smooth limit, and a nearly smooth surface that nobody measured.
+/// The published pairs, whose likeliest model has no smooth limit, and a nearly smooth surface without measurements.
 study::StudyResult published_with(double roughness) {
     auto study = study::read_study("examples/nanodiamond/published.toml");
     auto smooth = study_of(1e6, roughness).surfaces.front();

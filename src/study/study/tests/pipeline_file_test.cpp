@@ -28,7 +28,7 @@ protected:
         std::ofstream(folder / name) << text;
         return (folder / name).string();
     }
-    /// What reading says, without the folder.
+    /// The error of reading, without the folder.
     [[nodiscard]] std::string complaint(const std::string& name, const std::string& text) const {
         try {
             (void)read_pipeline(write(name, text));
