@@ -248,7 +248,7 @@ TEST(InstrumentInputs, AreReadFromContainers) {
     EXPECT_EQ(told.inputs.height_calibration.input, "scale");
 }
 
-TEST(InstrumentInputs, OfInvalidContainersAreReportedWithTheirEntry) {
+TEST(InstrumentInputs, OfInvalidContainersAreReportedWithFileAndField) {
     const TemporaryFolder folder;
     const auto message = [&](const std::string& tip, const std::string& heights) -> std::string {
         MeasurementInput input;

@@ -16,7 +16,7 @@
 #include "setae/study/hysteresis.hpp"
 #include "setae/study/study_result.hpp"
 
-namespace setae::answers::one_answer_test {
+namespace setae::answers::consistent_prediction_test {
 namespace {
 
 constexpr double work = 0.040, gamma_1 = 0.025;
@@ -185,4 +185,4 @@ TEST(ConsistentPrediction, TendsToJkrWithAModelChosenByPairs) {
 }
 
 }  // namespace
-}  // namespace setae::answers::one_answer_test
+}  // namespace setae::answers::consistent_prediction_test
