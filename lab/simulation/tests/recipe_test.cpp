@@ -210,7 +210,7 @@ TEST(ClosureRecipes, GiveFullContactForMostPairsForEverySeed) {
         }
 }
 
-// Three of twelve pairs are for the study to predict; all of them conform, so that there is a truth to compare with.
+// Three of twelve pairs are predicted by the study. All are in full contact, so that a true value exists.
 TEST(ClosureRecipes, LeaveThreePairsUnmeasuredForPrediction) {
     for (const std::uint64_t seed : {1u, 2u, 3u, 4u, 5u, 6u}) {
         const auto loops = known_loops(read_recipe("examples/closure/calibrated.toml", seed));

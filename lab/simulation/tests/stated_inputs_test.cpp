@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a recipe tells with a ±: drawn once a scope, written into the data, told to the study by name.
+// Inputs with standard error in a recipe: drawn once per scope, written into the data, stated in the study by name.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -93,7 +93,7 @@ std::string refusal(const std::string& from, const std::string& to) {
     return "";
 }
 
-/// Deviations from what is told, in its standard errors, by scope.
+/// Deviations from stated values in units of their standard errors, by scope.
 std::map<std::string, double> deviations(const Recipe& recipe) {
     std::map<std::string, double> found;
     const auto add = [&](const std::string& scope, const StatedQuantity& q) {
@@ -142,7 +142,7 @@ TEST(StatedInputs, AreEqualWithinAScope) {
     EXPECT_EQ(first.sphere_radius.value, second.sphere_radius.value);
     EXPECT_EQ(first.surface_energy.value, second.surface_energy.value);
     EXPECT_NE(first.surface_energy.value, 25e-3);
-    EXPECT_EQ(third.surface_energy.value, 24e-3);  // of no batch: true as it is told
+    EXPECT_EQ(third.surface_energy.value, 24e-3);  // of no batch: equal to the stated value
     EXPECT_EQ(second.youngs_modulus.value, 1e6);
     EXPECT_TRUE(third.sphere_radius.value > 1.5e-3 && third.sphere_radius.value < 1.6e-3);
     EXPECT_NE(*recipe.surfaces[0].afm->shared_tip_radius, 10e-9);
@@ -167,7 +167,7 @@ TEST(StatedInputs, DoNotDependOnOtherScopes) {
     EXPECT_EQ(more.elastomers[3].sphere_radius.value, recipe_of(calibrated).elastomers[2].sphere_radius.value);
 }
 
-/// Two data sets of one recipe, of which one is written by instruments that state the truth.
+/// Two data sets of one recipe; the second is written by instruments without calibration error.
 struct Twins {
     Recipe recipe = recipe_of(calibrated);
     fs::path stated = scratch("stated"), exact = scratch("exact");
@@ -266,7 +266,7 @@ TEST(Calibrations, OfUnusedInstrumentsAreNotWritten) {
     }
 }
 
-// The same data; the study cannot know what is one thing.
+// The same data; the study does not name common inputs.
 TEST(Calibrations, WithoutNamesAreWrittenAtEveryPlace) {
     const Recipe recipe = recipe_of(std::string("name_inputs = false\n") + calibrated);
     EXPECT_EQ(recipe.calibrations.force->value, twins().recipe.calibrations.force->value);

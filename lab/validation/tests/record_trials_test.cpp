@@ -22,7 +22,7 @@ TEST(RecordTrials, AreAnalysedWithoutSilentErrorsOrRefusedWithTheCause) {
     constexpr int runs = 6;
     for (const RecordSummary& row : summary(record_trials({.runs = runs, .first_seed = 11}))) {
         EXPECT_EQ(row.count, runs);
-        // a deflection that nobody tells of cannot be seen in the record: E* is that of both in a row
+        // a deflection that is not given cannot be seen in the record: E* is that of both in series
         EXPECT_EQ(row.silent, row.kinds == "stage_stiffness_not_given" ? runs : 0) << row.kinds;
         EXPECT_EQ(row.refused, is_refused(row.kinds) ? runs : 0) << row.kinds;
         if (is_refused(row.kinds)) {

@@ -19,7 +19,7 @@ struct ArrayFile {
     const char* name;
     std::size_t channel;
     const char* channel_name;
-    ReadOptions given;  ///< what the file does not say
+    ReadOptions given;  ///< what the file does not state
     double unit;        ///< of the expected values [m]
     std::vector<double> size;
 };

@@ -47,7 +47,7 @@ std::vector<fs::path> all_files() {
     return files;
 }
 
-/// What a user would say of a file that leaves its size or unit open.
+/// Size and unit that a user would give for a file without them.
 ReadOptions said_by_the_user(const fs::path& path) {
     ReadOptions options{.unit = "nm"};
     const auto listed = open(path.string(), options);
@@ -120,7 +120,7 @@ TEST(EveryFile, LargerThanTwoMegabytesOpensFromLessThanOneMegabyte) {
     if (looked_at == 0) GTEST_SKIP() << "no files of instruments in " << tests::reference_data_folder();
 }
 
-/// What opening and reading all channels of bytes says is wrong; nothing where they are read.
+/// The error of opening and reading all channels of bytes; empty if they are read.
 std::string error_of(const std::string& content, const ReadOptions& options) {
     try {
         for (const auto& channel : open(bytes::memory_source("cut", content), options))

@@ -45,7 +45,7 @@ TEST(X3p2, AgreesWithSurfaceTopography) {
 TEST(X3p2, PlaceholdersAreNotReadAsMetadata) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "topography/surfacetopography/x3p-2.x3p");
     const auto info = open(path.string()).at(0).info;
-    EXPECT_EQ(info.metadata.acquisition_time, "");  // the file says 1970-01-01T01:00:00
+    EXPECT_EQ(info.metadata.acquisition_time, "");  // the file states 1970-01-01T01:00:00
     EXPECT_EQ(info.metadata.instrument.name, "Mountains Map Technology Software");
     EXPECT_EQ(info.metadata.attributes.at("manufacturer"), "DIGITAL SURF");
     EXPECT_FALSE(info.metadata.attributes.contains("serial_number"));  // "not available"

@@ -149,7 +149,7 @@ TEST(IbwFile, ScanSizeLiesBetweenFirstAndLastPoint) {
     EXPECT_NEAR(map.size[1], 2.007843137254902e-05, 1e-17);
 }
 
-/// The wave says "m" of all eight channels, also of volts and degrees.
+/// The wave states "m" for all eight channels, also for volts and degrees.
 TEST(IbwFile, PotentialIsNotALength) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "topography/surfacetopography/spot_1-1000nm.ibw");
     const auto channels = open(path.string());

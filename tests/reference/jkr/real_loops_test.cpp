@@ -104,7 +104,7 @@ TEST_P(RealLoop, WithDefaultsIsCloseToTheIndependentProgram) {
     EXPECT_LT(std::abs(loading.work_of_adhesion.value / units::mJ_per_m2 - expected.loading_work),
               loading.work_of_adhesion.standard_error / units::mJ_per_m2);
     ASSERT_TRUE(analysis.unloading);
-    // without the pinned edge unloading and pull-off say the same
+    // without the pinned edge unloading and pull-off agree
     expect_within(analysis.unloading->primary().work_of_adhesion.value / units::mJ_per_m2, expected.pull_off_work,
                   0.015);
     expect_within(analysis.unloading->primary().contact_modulus.value, loading.contact_modulus.value, 0.06);

@@ -95,7 +95,7 @@ TEST_F(TextureCases, MapsWithHolesUseEveryDefinedDifference) {
             both += !std::isnan(hx) && !std::isnan(hy) ? 1 : 0;
         }
     EXPECT_NEAR(hybrid_parameters(holed).Sdq, std::sqrt(x2 / x + y2 / y), 1e-12);
-    EXPECT_NEAR(std::sqrt(both2 / both), 0.28738572450030225, 1e-12);  // where the package says 0.2906
+    EXPECT_NEAR(std::sqrt(both2 / both), 0.28738572450030225, 1e-12);  // where the package gives 0.2906
 }
 
 TEST_F(TextureCases, HeightsAndSlopesOfAPolylineAgree) {

@@ -142,8 +142,8 @@ TEST(PublishedTables, PerssonTosattiIsBelowTheBoundOfAnySpectrum) {
                 published().free_energies->r_squared, 1e-12);
 }
 
-// Of the sixteen pairs: ln L and residuals of surfaces left out say (7), not (S13), by 4.6 in ln L; with waves shorter
-// than 100 nm cut the two say the same.
+// Of the sixteen pairs: ln L and leave-one-surface-out residuals support Eq. 7, not Eq. S13, by 4.6 in ln L; with waves
+// shorter than 100 nm excluded the two agree.
 TEST(PublishedTables, ComparisonOfBalancesMatches) {
     const auto find = [&](const std::string& balance, double cut) {
         for (const auto& b : published().balances)

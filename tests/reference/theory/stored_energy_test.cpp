@@ -18,8 +18,9 @@ spectra::Spectrum from_lines(const topography::HeightMap& map) {
 }
 
 TEST(StoredEnergy, OfAMapIsEqualByEveryRoute) {
-    // roughness in modes 16 to 60 of a 256² map, so that neither window nor trend reaches it. C1D knows one direction
-    // of one realisation only, which leaves a per cent; the other two share their data and differ by rounding and bins.
+    // roughness in modes 16 to 60 of a 256² map, so that neither window nor trend reaches it. C1D contains one
+    // direction of one realisation only, which leaves a per cent; the other two share their data and differ by rounding
+    // and bins.
     auto map = tests::self_affine_map(0.6, 256, 16, 60, 9);
     const double by_modes = adhesion::stored_energy(1e6, map);
     const double by_iso =

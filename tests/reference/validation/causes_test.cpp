@@ -16,7 +16,7 @@ namespace causes_test {
 using namespace setae;
 
 /// E[P_k]/C1D(q_k) of the first fourteen modes of n points for C_iso = q^−(2+2H), so that C1D ∝ q^−(1+2H); relative to
-/// the fourteenth, which reads the truth.
+/// the fourteenth, which reads the true surface.
 Array1D first_modes(Index points, int trend_degree, double hurst) {
     constexpr Index first = -180, last = 90;
     const auto kernel = spectral_fit::scan_kernel({points, trend_degree}, first, last, {1});

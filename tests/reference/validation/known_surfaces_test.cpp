@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Measurements simulated on known surfaces, studied from their files: what is planted comes back.
+// Measurements simulated on known surfaces, analysed from their files: true values are recovered.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -75,7 +75,7 @@ TEST(ProjectionBias, CorrectsSilhouettesOfOtherSurfacesToLineScans) {
     const auto other = projection_bias(density(rough), options);
     const Array1D corrected = other.C1D / known.C1D;
     const Array1D error = (known.C1D_standard_error.square() + other.C1D_standard_error.square()).sqrt() / known.C1D;
-    // twelve bins at four standard errors, which eight surfaces know to a quarter
+    // twelve bins at four standard errors, which eight surfaces determine to a quarter
     for (Index b = 0; b < corrected.size(); ++b) EXPECT_NEAR(corrected[b], 1.0, 5.0 * error[b]) << b;
 }
 
@@ -86,7 +86,7 @@ TEST(ProjectionBias, RecoversTheCorrelationLengthOfAGaussianSpectrum) {
         return pi * length * length * height * height * std::exp(-0.25 * q * q * length * length);
     };
     const auto bias = projection_bias(gaussian, foils(0.0));
-    // eight maps of (102.4/3)²/π patches each know h² to 1.5 %, the length to about 1 %
+    // eight maps of (102.4/3)²/π patches each determine h² to 1.5 %, the length to about 1 %
     EXPECT_NEAR(bias.correlation_length, length, 0.04 * length);
 }
 

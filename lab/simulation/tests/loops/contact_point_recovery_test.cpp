@@ -10,7 +10,7 @@
 #include "setae/loops/spring_jumps.hpp"
 #include "setae/simulation/loop_simulation.hpp"
 
-/// What the estimators of the contact point and the energy budget find in loops whose every property is known.
+/// Estimators of the contact point and of the energy budget on simulated loops with known properties.
 namespace setae::simulation::contact_point_recovery_test {
 namespace {
 

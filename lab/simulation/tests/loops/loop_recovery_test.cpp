@@ -108,7 +108,7 @@ TEST(LoopRecovery, FindsEqualWorkOnBothBranchesOfASmoothReference) {
     EXPECT_NEAR(analysis.loop->energy / analysis.context.ideal_smooth_sphere_loss, 1.0, 3e-3);
 }
 
-/// How often an interval holds the truth, and how far off the values are in their own standard errors.
+/// Coverage of intervals, and deviations of values in units of their standard errors.
 struct Coverage {
     int loops = 0;
     int held = 0;

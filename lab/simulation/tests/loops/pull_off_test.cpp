@@ -7,7 +7,7 @@
 #include "setae/loops/analysis.hpp"
 #include "setae/simulation/loop_simulation.hpp"
 
-/// What pull-off tells of machines of every stiffness.
+/// Pull-off in machines of any stiffness.
 namespace setae::simulation::pull_off_test {
 namespace {
 

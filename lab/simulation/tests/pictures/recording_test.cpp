@@ -44,7 +44,7 @@ TEST(Recording, MeasurementRecoversTheRenderedEdge) {
     EXPECT_NEAR(found.pixel_size / pixel, 1.0, 1e-6);  // as the file states it
     ASSERT_EQ(found.time.size(), 11);
     EXPECT_NEAR(found.time[10] - found.time[0], 2.0, 1e-9);
-    // places are told about the mean centre of the frames' ellipses
+    // places are relative to the mean centre of the ellipses of all frames
     const double dx = found.centre_x - 0.5 * static_cast<double>(shape.width - 1),
                  dy = found.centre_y - 0.5 * static_cast<double>(shape.height - 1);
     EXPECT_LT(std::hypot(dx, dy), 0.4);

@@ -84,7 +84,7 @@ TEST(BalanceScore, PrefersTheTrueBalance) {
     EXPECT_GT(strained.log_likelihood - modified.log_likelihood, 10.0);
     EXPECT_LT(strained.left_out_deviation, 0.5 * modified.left_out_deviation);
     EXPECT_EQ(strained.parameters, 2);
-    // where nothing was planted the second parameter gains what chance gives: a χ² of one degree of freedom, halved
+    // without a true change the second parameter gains half a χ² of one degree of freedom
     double gained = 0.0;
     constexpr int repetitions = 200;
     for (std::uint64_t seed = 0; seed < repetitions; ++seed) {

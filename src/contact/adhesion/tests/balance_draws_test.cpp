@@ -20,7 +20,7 @@ PairPoint line_at(double offset, Components inputs) {
     return line;
 }
 
-// 20 000 draws know a standard deviation to 0.5 %; far above the floor errors add in squares
+// 20 000 draws determine a standard deviation to 0.5 %; far above the floor variances add
 TEST(BalanceDraws, AgreeWithLinearPropagationAboveTheFloor) {
     const TracedValue work{W, one("work", 0.003)};
     const auto draws = draw_balances(work, {}, {line_at(0.01, one("modulus", 0.004))}, 20000, 3);

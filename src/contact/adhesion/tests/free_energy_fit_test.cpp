@@ -118,7 +118,7 @@ TEST(FreeEnergies, PropagateSharedInputs) {
     EXPECT_TRUE(fit.traced_work_of_adhesion.components.contains("E of " + list.front().pair.elastomer));
 }
 
-// Truths drawn with lens, γ1 and moduli as uncertain as told, one surface storing nothing.
+// True values drawn with the stated errors of lens, γ1 and moduli; one surface stores no energy.
 TEST(FreeEnergies, IntervalsCoverTrueValues) {
     constexpr int draws = 100;
     constexpr double noise = 8e-4;

@@ -51,7 +51,7 @@ TEST(GeneralisedFit, MatchesTheClosedFormForASharedSurfaceEnergy) {
                  information = (rr - s2 * rg * rg / (sigma * sigma + s2 * gg)) / (sigma * sigma);
     EXPECT_NEAR(fit.work_of_adhesion.value, W, 1e-12);
     EXPECT_NEAR(fit.work_of_adhesion.standard_error() * std::sqrt(information), 1.0, 1e-9);
-    // ordinary least squares would have dW/dγ1 = Σ r (r − 1)/Σ r²; here γ1 is fitted along, as far as data tell it
+    // ordinary least squares would have dW/dγ1 = Σ r (r − 1)/Σ r²; here γ1 is fitted as far as the data determine it
     EXPECT_LT(std::abs(fit.work_of_adhesion.components.at("gamma").directions[0]), gamma_error * rg / rr);
 }
 
@@ -109,7 +109,7 @@ struct Coverage {
     int held = 0, left_out_held = 0, left_out = 0;
 };
 
-/// Truths drawn with everything uncertain as the study says; how often the intervals hold them.
+/// True values drawn with the stated errors; coverage of the intervals.
 Coverage coverage_of(bool correlated, double surface_effect) {
     constexpr int draws = 400;
     std::mt19937 random(17);
@@ -189,8 +189,8 @@ TEST(GeneralisedFit, DerivativesMatchFiniteDifferences) {
                 const auto at = of.find(input);
                 return at == of.end() ? 0.0 : by * at->second.directions[0];
             };
-            // the study says what it said; the data come from an input that is off
-            p.measured.value += part(p.in_unitputs) / p.measured.value * p.prediction(fit.work_of_adhesion.value);
+            // the stated input is unchanged; the data follow a different value
+            p.measured.value += part(p.measured_inputs) / p.measured.value * p.prediction(fit.work_of_adhesion.value);
             p.measured.value -= part(p.slope_inputs) * fit.work_of_adhesion.value - part(p.offset_inputs);
         }
         return fit_generalised(there, ModelScatter{}).work_of_adhesion.value;
@@ -268,7 +268,7 @@ double held_of_new_pairs(const ModelScatter& scatter, bool with_departure) {
     return static_cast<double>(held) / all;
 }
 
-// Two surfaces cannot tell what surfaces scatter by; three can, and leaving one out does not make that unknown
+// Two surfaces do not determine the scatter between surfaces; three do, also if one is left out
 TEST(Departure, OfALeftOutSurfaceUsesTheScatterOfAllSurfaces) {
     auto list = pairs(3, 4, 0.0003);
     const double effects[] = {0.004, -0.005, 0.003};

@@ -12,7 +12,7 @@ namespace {
 
 Components one(const std::string& name, double size) { return {{name, {Array1D::Constant(1, size)}}}; }
 
-/// Pairs of one elastomer on rougher and rougher surfaces, W = 37 mJ/m² and γ1 as given; the study is told 25 ± 5
+/// Pairs of one elastomer on rougher and rougher surfaces, W = 37 mJ/m² and γ1 as given; the study states 25 ± 5
 /// mJ/m².
 std::vector<PairPoint> pairs_of(double surface_energy, double noise) {
     std::vector<PairPoint> list;
@@ -26,7 +26,7 @@ std::vector<PairPoint> pairs_of(double surface_energy, double noise) {
 }
 
 // Weighted straight line: measured = W r − γ (r − 1) is linear in W and γ, so that the line's own γ and its standard
-// error are what the pairs alone say.
+// error follow from the pairs only.
 TEST(InputProfile, RecoversTheInputFromThePairs) {
     constexpr double noise = 1e-4;
     const auto pairs = pairs_of(0.031, noise);

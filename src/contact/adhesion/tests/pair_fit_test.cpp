@@ -54,7 +54,7 @@ TEST(WorkFit, FindsTheGlobalMinimumOfABruteForceSearch) {
 }
 
 TEST(WorkFit, IntervalsHaveTheStatedCoverage) {
-    // 95 % of intervals W ± 2.13 SE (t, 15 degrees of freedom) hold the truth: 400 draws, 3σ = 3.3 %
+    // 95 % of intervals W ± 2.13 SE (t, 15 degrees of freedom) cover the true value: 400 draws, 3σ = 3.3 %
     std::mt19937 random(11);
     std::normal_distribution<double> noise(0.0, 0.003);
     int plain = 0, weighted = 0, refused = 0;
@@ -125,8 +125,8 @@ TEST(WorkFit, ClusteredErrorsAddGroupingsMinusTheirIntersection) {
     EXPECT_NEAR(one_way.clustered.standard_error, std::sqrt(144.0) / 6.0 * 1e-3, 1e-12);
 }
 
-// Four surfaces and five elastomers that each shift all their pairs by 3 mJ/m²: independent errors hold the truth in
-// about half of all cases.
+// Four surfaces and five elastomers that each shift all their pairs by 3 mJ/m²: independent errors cover the true value
+// in about half of all cases.
 TEST(WorkFit, ClusteredIntervalsCoverTheTrueWorkWithGroupShifts) {
     constexpr int draws = 400;
     constexpr double shift = 3e-3, noise = 1e-3;

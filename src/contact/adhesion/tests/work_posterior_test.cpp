@@ -157,8 +157,8 @@ TEST(WorkPosterior, IntervalsHaveTheStatedCoverage) {
     EXPECT_GE(held, 52);  // 0.2 % of the time by chance at 95 %
 }
 
-// Own noise, errors of areas and of energies of any size, few pairs or many: the truth lies within four ±, and ± is
-// neither nothing nor more than all errors together
+// Own noise, errors of areas and of energies of any size, few pairs or many: the true value is within four standard
+// errors, which are neither nothing nor more than all errors together
 TEST(WorkPosterior, CoversTheTrueWorkForErrorsOfAnySize) {
     std::mt19937_64 random(11);
     std::normal_distribution<double> normal;
@@ -188,7 +188,7 @@ TEST(WorkPosterior, CoversTheTrueWorkForErrorsOfAnySize) {
         const auto found = WorkPosterior(list).work_of_adhesion();
         const double all = own + r_error * W + energy_error * 2.7e6 * 1.6e-9;
         EXPECT_LT(std::abs(found.value - W), 4.0 * found.standard_error) << set << " " << found.value;
-        if (list.size() > 4) EXPECT_LT(found.standard_error, 3.0 * all) << set;  // of fewer, scatter has the say
+        if (list.size() > 4) EXPECT_LT(found.standard_error, 3.0 * all) << set;  // for fewer, scatter dominates
         EXPECT_GT(found.standard_error, 0.02 * std::max(own, std::min(r_error * (W - gamma_1), 1e-3))) << set;
     }
 }

@@ -106,7 +106,7 @@ TEST(CircularFront, BothMethodsAgreeInARandomField) {
     }
 }
 
-// where a jump just comes in one field and just not in the other they part: by 1.4 % at 0 on the way back from 0.1
+// fields differ where a jump occurs in one of them only: by 1.4 % at 0 on retraction from 0.1
 TEST(CircularFront, MatchesAFinerFieldWithinOnePercent) {
     CircularFront coarse(sphere, random_works(512, 0.08 / 16.0, 0)), fine(sphere, random_works(512, 0.08 / 64.0, 0));
     for (const double d : {0.0, 0.1, 0.2, 0.1, 0.0, -0.1, -0.2}) {

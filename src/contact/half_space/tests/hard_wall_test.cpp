@@ -371,7 +371,7 @@ TEST(HardWall, PressureIsLimitedByTheHardness) {
 }
 
 TEST(HardWall, ConvergesOnWhiteNoise) {
-    // neighbouring pixels do not know of each other: guesses of the set fail, the careful mode has to finish
+    // neighbouring pixels are independent: guesses of the set fail, and the careful mode must finish
     for (const double load : {0.02, 0.2, 0.5}) {
         HardWall problem{.grid = {128, 128, 128.0, 128.0},
                          .body = {.contact_modulus = 1.0, .layer = {}},

@@ -32,7 +32,7 @@ TEST(ConditionedValues, OfOneMeasurementEqualTheWeightedMean) {
 }
 
 TEST(ConditionedValues, OfPartsWithKnownSumAreCorrelated) {
-    // two parts of which the sum is measured ten times better than each: they can no longer be told apart
+    // two parts of which the sum is measured ten times better than each: they can no longer be distinguished
     const auto a = known(3.0, 1.0, "a"), b = known(4.0, 1.0, "b"), sum = known(8.0, 0.1, "noise");
     const TracedValue parts(a.value + b.value, combined({{1.0, a.components}, {1.0, b.components}}));
     const ConditionedValues fit({minus(sum, parts)});

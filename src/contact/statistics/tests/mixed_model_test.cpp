@@ -121,7 +121,7 @@ TEST(MixedModel, TrueNestedVariancesAreRecoveredWithinTenPercent) {
     EXPECT_NEAR(repeat / 2.25, 1.0, 0.10);
 }
 
-/// Share of 200 seeds whose 95 % interval of the mean holds the truth.
+/// Coverage of the 95 % interval of the mean over 200 seeds.
 double coverage(SimulatedReplicates plan) {
     int hits = 0;
     constexpr int seeds = 200;

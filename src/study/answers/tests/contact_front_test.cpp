@@ -50,7 +50,7 @@ output::Json json_of(const FrontAnswer& answer) {
     return output::described(ContactOutput{&answer, &none});
 }
 
-// hardly any roughness: JKR's own loop, and works of adhesion as told
+// very small roughness: the loop of JKR with the given works of adhesion
 TEST(ContactFront, OfANearlySmoothSurfaceIsJkr) {
     auto request = asked();
     request.steps = 400;

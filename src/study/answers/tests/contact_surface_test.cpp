@@ -75,7 +75,7 @@ TEST(SurfaceInContact, WarnsOfTheStepAtThePeriodicBoundary) {
     EXPECT_EQ(answer.alerts.front().code, "MAP_NOT_PERIODIC");
 }
 
-TEST(SurfaceInContact, IsNotRepeatedForFreeEdges) {
+TEST(SurfaceInContact, HasNoBoundaryWarningWithFreeEdges) {
     EXPECT_TRUE(map_in(taken(measured(60e-9), {}, BeyondMap::nothing)).metadata.alerts.empty());
     EXPECT_EQ(taken(measured(60e-9), {}, BeyondMap::nothing).records.front().step, "level_plane");
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which spectrum a surface rests on, and what results say of a fitted one.
+// Which spectrum a surface uses, and results of a fitted spectrum.
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 

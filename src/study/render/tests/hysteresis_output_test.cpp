@@ -51,7 +51,7 @@ TEST(StudyHysteresis, RanksByPairsInFullContactAndPredictsOthersSeparately) {
 
 // W_ret of sixteen pairs against r α, α of docs/validation/conformity.md at their U_el/AW, by least squares in Python:
 // 85.2 mJ/m², 13.6 mJ/m² rms off; against r alone 70.3 and 36.6. With the crack tip's factor or without cannot be
-// distinguished; every model that says less of the true area is clearly worse.
+// distinguished; every model that depends less on the true area is clearly worse.
 TEST(StudyHysteresis, OneWorkPerTrueAreaInContactFitsAllPairs) {
     const auto& h = published_hysteresis();
     const auto opening = std::ranges::find_if(
@@ -100,7 +100,7 @@ TEST(StudyHysteresis, EnergySharesOfALoopAddUp) {
     }
 }
 
-// A contact as wide as JKR's under 1 mN, of the measured W_app, says that it was pressed with that. Its edge is as long
+// A contact as wide as JKR's under 1 mN, of the measured W_app, implies this preload. Its edge is as long
 // as that contact, which moves the pinned W_app by less than 1 %, where the stated preload takes the predicted
 // contact's.
 TEST(StudyHysteresis, WithoutPreloadUsesTheForceOfMeasuredContacts) {

@@ -40,7 +40,7 @@ adhesion::PredictionTest test(double chi_squared, double probability, double sca
     return found;
 }
 
-/// A study whose approach says one W_int and whose loss another.
+/// A study whose approach and loss give different W_int.
 StudyResult result_of(const adhesion::PredictionTest& tested, double loss) {
     StudyResult result;
     result.study.title = "Two ways";

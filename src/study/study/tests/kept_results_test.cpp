@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a run takes from an earlier one, what it says meanwhile, and how it is stopped.
+// Results reused from an earlier run, reported progress, and cancellation.
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 

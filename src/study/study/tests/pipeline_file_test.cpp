@@ -28,7 +28,7 @@ protected:
         std::ofstream(folder / name) << text;
         return (folder / name).string();
     }
-    /// What reading says, without the folder.
+    /// The error of reading, without the folder.
     [[nodiscard]] std::string complaint(const std::string& name, const std::string& text) const {
         try {
             (void)read_pipeline(write(name, text));
@@ -144,7 +144,7 @@ TEST_F(PipelineFile, LargerThanOneMegabyteIsRefused) {
               std::string::npos);
 }
 
-TEST_F(PipelineFile, WithMultiplyingAliasesIsRefused) {
+TEST_F(PipelineFile, ResolvesAliasesAndRefusesUnknownKeys) {
     std::string bomb = "a: &a [x, x]\n";
     EXPECT_NE(complaint("p.yml", bomb + "steps: []\n").find("unknown key 'a'"), std::string::npos);
     expect_same(read_pipeline(write("p.yml", "steps:\n  - &level level_plane\n  - *level\n")),

@@ -38,7 +38,7 @@ TEST(ProjectionTable, OfTheDocumentMatchesOtherSurfacesOnASmallerGrid) {
         const auto expected = documented(row);
         const auto bias = tests::simulated(row, 4, 99, 204.8e-9);
         ASSERT_EQ(expected.size(), 4 + 2 * static_cast<std::size_t>(bias.C1D.size()));
-        // four surfaces know their own standard error to 40 %: five of them; the page rounds to 0.005 and 0.0005
+        // four surfaces determine their standard error to 40 %: five of them; the page rounds to 0.005 and 0.0005
         const auto agrees = [&](double value, double error, std::size_t at, double rounding, const char* what) {
             EXPECT_NEAR(value, expected[at], 5.0 * std::hypot(error, expected[at + 1]) + rounding) << what << ' ' << at;
         };

@@ -180,7 +180,7 @@ TEST(RetractionPair, ConformalLossIncludesTheJumps) {
     EXPECT_EQ(shares.crack_tip.value, 0.0);
 }
 
-// (10) says what is lost in all; a soft machine lets the sphere jump further, and the edge loses less
+// the true-area loss (Eq. 10) gives the total; on a soft machine jumps are larger and the edge loses less
 TEST(RetractionPair, SoftMachineIncreasesTheShareOfJumps) {
     const Study study;
     auto pair = study.pairs()[1];

@@ -11,7 +11,7 @@
 namespace setae::contact_line::line_roughness_test {
 namespace {
 
-// planted exponents come back, with a ± that holds the scatter of 24 records
+// true exponents are recovered with a standard error that covers the scatter of 24 records
 TEST(LineRoughness, RecoversTrueExponents) {
     for (const double exponent : {0.35, 0.5, 0.7}) {
         const int records = 24;

@@ -247,7 +247,8 @@ TEST(AdhesiveCell, HasAStableTangentUnderConstantTension) {
     EXPECT_NEAR(tangent.tension_slope, slope, 0.1 * std::abs(slope));
 }
 
-// the energy budget closes for every law: W_appr = w − e − D, W_sep = w − e + D, the state is the one it began with
+// the energy budget is closed for every attraction: W_appr = w − e − D, W_sep = w − e + D, the state is the one it
+// began with
 TEST(AdhesiveLoop, EnergyBudgetIsClosed) {
     for (const auto law :
          {AttractionLaw::exponential, AttractionLaw::cubic, AttractionLaw::dugdale, AttractionLaw::lennard_jones}) {

@@ -17,7 +17,7 @@ PatchDesign small(double energy_share, std::uint64_t seed = 1) {
             .seed = seed};
 }
 
-// full contact gains what (7) says: 1 − e of w
+// full contact gains that of the full-contact balance (Eq. 7): 1 − e of w
 TEST(PatchContact, GainsTheFullContactBalanceInFullContact) {
     const auto contact = bring_into_contact(make_patch(small(0.08)));
     EXPECT_EQ(contact.from_far.area_fraction, 1.0);

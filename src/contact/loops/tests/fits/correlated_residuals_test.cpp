@@ -43,7 +43,7 @@ struct Coverage {
 
 using Fit = std::function<JkrFit(const BranchData&)>;
 
-/// Share of 95 % intervals that hold the truth, noise in radius and displacement.
+/// Coverage of 95 % intervals with noise in radius and displacement.
 Coverage coverage(double neighbours, const Fit& fit) {
     constexpr int seeds = 200;
     Coverage result;

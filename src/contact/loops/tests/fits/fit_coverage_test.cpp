@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// 95 % intervals of E* and W hold the truth, whatever the noise: 40 seeds of a branch of 1000 samples each.
+// Coverage of 95 % intervals of E* and W for any noise: 40 seeds of a branch of 1000 samples each.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -218,7 +218,7 @@ TEST(ForceCurveSummary, ErrorOfTheLossIsItsScatter) {
         squares += found.energy_loss->value * found.energy_loss->value / runs;
         errors += found.energy_loss->standard_error / runs;
     }
-    // 200 runs know a standard deviation to 5 %
+    // 200 runs determine a standard deviation to 5 %
     EXPECT_NEAR(errors / std::sqrt(squares - sum * sum), 1.0, 0.2);
 }
 

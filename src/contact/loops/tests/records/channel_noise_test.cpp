@@ -41,7 +41,7 @@ TEST(FreeFlightNoise, RecoversTheNoiseAtAnyCorrelation) {
         }
         EXPECT_NEAR(sigma, 1.0, 0.03) << phi;
         EXPECT_NEAR(correlation, phi, 0.01) << phi;
-        // what second differences alone would say
+        // result of second differences only
         EXPECT_NEAR(white, std::sqrt((6.0 - 8.0 * phi + 2.0 * phi * phi) / 6.0), 0.01) << phi;
     }
 }

@@ -127,7 +127,7 @@ TEST(ForceDrift, OfTheWholeRecordIsRemovedByEitherModel) {
 }
 
 TEST(ForceDrift, PropagatesItsErrorToTheEnergy) {
-    // the energy moves with every mode of the zero as its budget says
+    // the energy changes with every mode of the zero as in its error budget
     std::mt19937_64 generator(2);
     Loop loop = smooth.make();
     loop.force = tests::with_noise(loop.force, 1e-6, generator);

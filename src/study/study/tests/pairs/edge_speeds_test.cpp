@@ -17,7 +17,7 @@ double rate(double threshold, double speed, double exponent, double at) {
     return threshold * (1.0 + std::pow(at / speed, exponent));
 }
 
-/// A fit that knows ln G to 1 % at the slowest, the middle and the fastest of its speeds.
+/// A fit with an error of 1 % of ln G at the slowest, the middle and the fastest of its speeds.
 loops::CrackSpeedFit fit_of(double threshold, double speed, double exponent) {
     loops::CrackSpeedFit fit;
     fit.law = {threshold, speed, exponent};
@@ -71,7 +71,7 @@ TEST(EdgeSpeeds, OfConsistentReferencesHaveSmallerErrors) {
     EXPECT_NEAR(two->law.exponent.standard_error() / one->law.exponent.standard_error(), std::sqrt(0.5), 1e-6);
 }
 
-// Errors of G0, v0 and n lie along a bent ridge: both fits say nearly the same G at every speed.
+// Errors of G0, v0 and n lie along a curved ridge: both fits give almost the same G at every speed.
 TEST(EdgeSpeeds, OfReferencesAlongACorrelationAreCombinedAlongIt) {
     const auto first = fit_of(0.040, 1e-6, 0.60), second = fit_of(0.044, 1.45e-6, 0.66);
     const auto found = edge_speed_of(study_of({first, second}), "E");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Measured against predicted: χ² of planted truths over seeds.
+// Measured against predicted values: χ² of true values over seeds.
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -38,7 +38,7 @@ Study study_of_nine_pairs() {
     return study;
 }
 
-/// The study with values measured on the truth, which differs from what the study says by the ± of its inputs.
+/// The study with values measured on true inputs, which differ from the stated inputs by their standard errors.
 Study planted(const Study& nominal, std::mt19937_64& random, double measured_error) {
     std::normal_distribution<double> normal;
     const auto drawn = [&](Estimate& estimate) { estimate.value += estimate.standard_error * normal(random); };

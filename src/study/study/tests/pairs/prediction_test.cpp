@@ -50,7 +50,7 @@ TEST(Prediction, PropagatesEveryUncertainInputLikeDraws) {
     const auto result = run_study(study, {1});
     const auto& pair = result.pairs.at(0);
     ASSERT_TRUE(pair.modified && pair.predicted_loss);
-    // 6000 draws know a standard deviation to 1/√12000 = 0.9 %; three of it, and 2 % for what is not linear
+    // 6000 draws determine a standard deviation to 1/√12000 = 0.9 %; three of it, and 2 % for what is not linear
     std::mt19937_64 random(7);
     std::normal_distribution<double> normal;
     const auto drawn = [&](const Estimate& estimate) {

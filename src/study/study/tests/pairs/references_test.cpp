@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Smooth references and repeated loops without labels: what they say of a pair.
+// Smooth references and repeated loops without labels, and their results for a pair.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -102,7 +102,7 @@ TEST(SmoothReference, IsTestedByItsLossPerAreaBeyondAnIdealSphere) {
     EXPECT_NE(alerts[0].message.find("more than the margin"), std::string::npos) << alerts[0].message;
 }
 
-/// Share of 2000 means of n loops whose 95 % interval holds the truth. Loops scatter by 3, their fits' errors are so
+/// Coverage of the 95 % interval over 2000 means of n loops. Loops scatter by 3, their fits' errors are so
 /// large.
 double coverage(int n, double fit_error) {
     std::mt19937_64 engine(17);

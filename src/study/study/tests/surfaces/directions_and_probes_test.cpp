@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a study says of each measurement beyond its file (its direction, what it was read with) reaches the spectrum;
-// surfaces that are not Gaussian and isotropic are told.
+// Direction and probe that a study states for a measurement reach the spectrum;
+// surfaces that are not Gaussian and isotropic are reported.
 #include <algorithm>
 #include <cmath>
 
@@ -172,7 +172,7 @@ TEST(MeasurementInputs, ReportMissingInputOfAProbe) {
               std::string::npos);
 }
 
-// Foils of 120 nm hide valleys: the same contours speak of more height where the study says how thick the foils were.
+// Foils of 120 nm hide valleys: the same contours give larger heights if the study states the thickness of the foils.
 TEST(MeasurementInputs, ThicknessOfAFoilIncreasesTheSpectrumOfContours) {
     const TemporaryFolder folder;
     SurfaceInput surface;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tips and calibrations that measurements share: what surfaces' numbers say of them, against analyses of moved data.
+// Tips and calibrations shared by measurements: derivatives of results against analyses of changed data.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -240,7 +240,7 @@ TEST(InstrumentInputs, AreReadFromContainers) {
     EXPECT_EQ(prepared.inputs.height_calibration.input, "height calibration of Dimension V in set.zip");
     EXPECT_DOUBLE_EQ(prepared.inputs.height_calibration.standard_error, 0.02);
     EXPECT_FALSE(prepared.inputs.lateral_calibration.uncertain());
-    // what the study says comes first
+    // the statement of the study comes first
     input.tip_radius = Estimate{.value = 2e-8, .standard_error = 1e-9, .input = "mine"};
     input.height_calibration = Estimate{.value = 1.1, .standard_error = 0.01, .input = "scale"};
     const auto told = measurement_sources(input).front().prepare();
@@ -248,7 +248,7 @@ TEST(InstrumentInputs, AreReadFromContainers) {
     EXPECT_EQ(told.inputs.height_calibration.input, "scale");
 }
 
-TEST(InstrumentInputs, OfInvalidContainersAreReportedWithTheirEntry) {
+TEST(InstrumentInputs, OfInvalidContainersAreReportedWithFileAndField) {
     const TemporaryFolder folder;
     const auto message = [&](const std::string& tip, const std::string& heights) -> std::string {
         MeasurementInput input;

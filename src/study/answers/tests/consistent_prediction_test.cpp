@@ -17,7 +17,7 @@
 #include "setae/study/hysteresis.hpp"
 #include "setae/study/study_result.hpp"
 
-namespace setae::answers::one_answer_test {
+namespace setae::answers::consistent_prediction_test {
 namespace {
 
 constexpr double work = 0.040, gamma_1 = 0.025;
@@ -140,7 +140,7 @@ TEST(ConsistentPrediction, TendsToJkrInEveryCommandWithAPullOff) {
     }
 }
 
-/// The published pairs, whose likeliest model has no smooth limit, and a nearly smooth surface that nobody measured.
+/// The published pairs, whose likeliest model has no smooth limit, and a nearly smooth surface without measurements.
 study::StudyResult published_with(double roughness) {
     auto study = study::read_study("examples/nanodiamond/published.toml");
     auto smooth = study_of(1e6, roughness).surfaces.front();
@@ -186,4 +186,4 @@ TEST(ConsistentPrediction, TendsToJkrWithAModelChosenByPairs) {
 }
 
 }  // namespace
-}  // namespace setae::answers::one_answer_test
+}  // namespace setae::answers::consistent_prediction_test
