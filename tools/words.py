@@ -190,7 +190,7 @@ def folder_sizes(names):
     """A line per folder of docs with its pages, words and words per page, and their sum."""
     sizes = {}
     for name in names:
-        if name.startswith("docs/") and name.endswith(".md"):
+        if name.startswith("docs/") and name.endswith(".md") and os.path.exists(name):
             folder = str(pathlib.PurePath(name).parent)
             sizes.setdefault(folder, []).append(len(pathlib.Path(name).read_text(encoding="utf-8").split()))
     rows = [(folder, len(counts), sum(counts)) for folder, counts in sorted(sizes.items())]
