@@ -33,7 +33,8 @@ from ._laboratory import (
     replicates,
 )
 from ._loops import Loop, LoopEnergy, LoopFit, MachineStiffness, loop
-from ._quantities import Alert, Answer, Band, Interval, Quantity
+from ._quantities import Alert, Band, Interval, Quantity, quantity
+from ._results import Answer, Result
 from ._scales import FunctionOfScale, autocorrelation, scale_dependent, variable_bandwidth
 from ._schema import schema
 from ._scan import Info, Processing, Scan, Step, channels, info, lengths, read, scan

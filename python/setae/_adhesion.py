@@ -8,7 +8,8 @@ from typing import Any
 
 from . import _setae
 from ._options import Text, filled, text
-from ._quantities import Answer, Quantity
+from ._quantities import Quantity
+from ._results import Answer
 from ._scan import Measured, items
 from ._spectra import Surface, analysis_of, shared_options
 

@@ -11,7 +11,8 @@ from . import _setae
 from ._columns import Columns
 from ._errors import InvalidArgument
 from ._options import Path, Text, filled, path
-from ._quantities import Answer, Quantity, quantity_from
+from ._quantities import Quantity, quantity_from
+from ._results import Answer
 from ._scan import Measured, items
 from ._spectra import analysis_of, shared_options
 from ._synthesis import one

@@ -8,7 +8,7 @@ from typing import Union
 
 from . import _setae
 from ._options import Path, Text, filled, path, text
-from ._quantities import Answer
+from ._results import Answer
 
 #: One value for all files, or a value per file by its name.
 Stated = Union[Text, int, Mapping[str, Union[Text, int]], None]

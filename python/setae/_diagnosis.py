@@ -8,7 +8,8 @@ from dataclasses import dataclass
 
 from . import _setae
 from ._options import Text, text
-from ._quantities import Alert, Answer, Quantity, alerts_from, quantity_from
+from ._quantities import Alert, Quantity, alerts_from, quantity_from
+from ._results import Answer
 from ._scan import Measured, items
 
 

@@ -11,7 +11,8 @@ from . import _setae
 from ._columns import Columns
 from ._loops import bodies_of, checked_bodies, files_of
 from ._options import Path, Text, filled, named, path, text
-from ._quantities import Alert, Answer, Quantity, quantity_from
+from ._quantities import Alert, Quantity, quantity_from
+from ._results import Answer
 
 #: One file or several.
 Paths = Union[Path, Sequence[Path]]

@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING, Any
 
 from . import _setae
 from ._options import MAPPINGS, Path, Text, filled, path, text, texts
-from ._quantities import Alert, Answer, Quantity, alerts_from
+from ._quantities import Alert, Quantity, alerts_from
+from ._results import Answer
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack

@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING, Any, Union, cast
 
 from . import _setae
 from ._options import Path, Text, named, path, text
-from ._quantities import Alert, Answer, Json, Quantity, alerts_from, quantity_from
+from ._quantities import Alert, Json, Quantity, alerts_from, quantity_from
+from ._results import Answer
 
 if TYPE_CHECKING:
     from ._columns import Array

@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING, Any
 from . import _setae
 from ._columns import Columns
 from ._options import Text, filled, text
-from ._quantities import Alert, Answer, Band, Quantity, alerts_from, number, quantity_from
+from ._quantities import Alert, Band, Quantity, alerts_from, number, quantity_from
+from ._results import Answer
 from ._scan import Measured, items
 
 if TYPE_CHECKING:
@@ -91,8 +92,8 @@ class PowerSpectrum(Spectrum):
     @property
     def fit(self) -> dict[str, Quantity]:
         """Parameters of the self-affine fit, by name; empty without a fit."""
-        fit = self.data.get("fit")
-        return {entry["quantity"]: quantity_from(entry) for entry in fit["parameters"]} if fit else {}
+        fit = self._data.get("fit")
+        return {entry["quantity"]: quantity_from(entry, self._shared) for entry in fit["parameters"]} if fit else {}
 
     def __repr__(self) -> str:
         return f"PowerSpectrum({len(self.q)} of {', '.join(self.columns)}, {self.n} measurements)"

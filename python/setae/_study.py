@@ -11,7 +11,8 @@ from typing import Any
 
 from . import _setae
 from ._options import MAPPINGS, Path, filled, path
-from ._quantities import Answer, Quantity
+from ._quantities import Quantity
+from ._results import Answer
 
 
 @dataclass(frozen=True)

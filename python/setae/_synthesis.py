@@ -8,7 +8,8 @@ from typing import Any
 
 from . import _setae
 from ._options import Path, Text, filled, path, text
-from ._quantities import Answer, Quantity
+from ._quantities import Quantity
+from ._results import Answer
 from ._scan import Measured, Scan, items, scan_of
 
 
