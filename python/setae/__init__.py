@@ -40,7 +40,7 @@ from ._schema import schema
 from ._scan import Info, Processing, Scan, Step, channels, info, lengths, read, scan
 from ._setae import limit_threads, steps, version
 from ._spectra import Parameters, PowerSpectrum, Surface, parameters, power_spectrum, surface
-from ._study import Figure, Study, StudyResult, conform, study
+from ._study import Figure, PatchSurvey, Study, StudyResult, conform, study
 from ._synthesis import Synthesis, Tip, synthesize, tip
 from ._texture import Texture, texture
 
@@ -79,11 +79,13 @@ __all__ = [
     "LoopFit",
     "MachineStiffness",
     "Parameters",
+    "PatchSurvey",
     "PerssonContact",
     "PowerSpectrum",
     "Processing",
     "Quantity",
     "Replicates",
+    "Result",
     "Scan",
     "Step",
     "Study",
@@ -118,6 +120,7 @@ __all__ = [
     "parameters",
     "persson",
     "power_spectrum",
+    "quantity",
     "read",
     "replicates",
     "scale_dependent",

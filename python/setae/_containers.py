@@ -21,9 +21,13 @@ class Container(Answer):
 class ContainerReport(Answer):
     """Content and problems of containers, as printed by ``setae container check --json``."""
 
+    tables = ("containers",)
+
 
 class Formats(Answer):
     """All supported formats: "formats" of topographies, "force_curves", "micrographs"."""
+
+    tables = ("formats",)
 
 
 def stated(values: Stated) -> list[str]:

@@ -374,10 +374,10 @@ def is_zero(value: Any) -> bool:
     return isinstance(value, Real) and value == 0
 
 
-def sum_of(a: Any, b: Any, operation: Callable[[Any, Any], Any]) -> Any:
+def sum_of(a: Any, b: Any, operation: Callable[[Any, Any], Any]) -> Quantity:
     first, second = operand(a), operand(b)
     if first is None or second is None:
-        return NotImplemented
+        return NotImplemented  # type: ignore[no-any-return]
     if is_zero(b):
         return first
     if is_zero(a):
@@ -385,10 +385,10 @@ def sum_of(a: Any, b: Any, operation: Callable[[Any, Any], Any]) -> Any:
     return made(operation(first._uncertain, second.to(first.unit)._uncertain), first.unit, first, second)
 
 
-def product_of(a: Any, b: Any, operation: Callable[[Any, Any], Any]) -> Any:
+def product_of(a: Any, b: Any, operation: Callable[[Any, Any], Any]) -> Quantity:
     first, second = operand(a), operand(b)
     if first is None or second is None:
-        return NotImplemented
+        return NotImplemented  # type: ignore[no-any-return]
     power = Fraction(1 if operation is operator.mul else -1)
     if second.unit == "1":
         unit, scale = first.unit, 1.0
@@ -402,10 +402,10 @@ def product_of(a: Any, b: Any, operation: Callable[[Any, Any], Any]) -> Any:
     return made(result if scale == 1.0 else scale * result, unit, first, second)
 
 
-def power_of(base: Any, exponent: Any) -> Any:
+def power_of(base: Any, exponent: Any) -> Quantity:
     first, second = operand(base), operand(exponent)
     if first is None or second is None:
-        return NotImplemented
+        return NotImplemented  # type: ignore[no-any-return]
     if second.unit != "1":
         raise InvalidArgument(f"an exponent of {described(second.unit)}; expected a number without unit")
     if first.unit == "1":
@@ -416,10 +416,10 @@ def power_of(base: Any, exponent: Any) -> Any:
     return made(scale * first._uncertain**second.value, unit, first)
 
 
-def compared(a: Quantity, b: Any, operation: Callable[[float, float], bool]) -> Any:
+def compared(a: Quantity, b: Any, operation: Callable[[float, float], bool]) -> bool:
     other = operand(b)
     if other is None:
-        return NotImplemented
+        return NotImplemented  # type: ignore[no-any-return]
     if is_zero(b) or a.unit == other.unit:
         return operation(rounded(a.value), rounded(other.value))
     if not have_one_dimension(a.unit, other.unit):

@@ -66,13 +66,13 @@ def correlated(fit: dict[str, Json]) -> list[tuple[Quantity, Any]]:
 
 def covariance_of(fit: dict[str, Json]) -> tuple[Sequence[str], list[list[float]]]:
     """Names and rows of the covariance of a fit; no names without one."""
-    matrix = fit.get("covariance")
+    matrix, names = fit.get("covariance"), fit.get("parameters")
     if isinstance(matrix, dict):
         names, matrix = [name.removeprefix("ln ") for name in matrix["of"]], matrix["rows"]
     else:
-        names = fit.get("parameters") or next((rows for rows in ROWS if rows[0] in fit), ())
+        names = names or next((list(rows) for rows in ROWS if rows[0] in fit), [])
     if not matrix or not all(isinstance(value, (int, float)) for row in matrix for value in row):
-        return (), []
+        return [], []
     return names[: len(matrix)], matrix
 
 
@@ -97,8 +97,8 @@ class Result(Mapping[str, Any]):
     dictionaries in it.
     """
 
-    #: The entry of the JSON that ``to_pandas()`` gives, a list of objects; without it the quantities.
-    rows: ClassVar[str] = ""
+    #: Entries of the JSON that are lists of objects: ``to_pandas()`` gives the first that exists, else the quantities.
+    tables: ClassVar[tuple[str, ...]] = ()
 
     def json(self) -> str:
         """The bytes that the program prints with ``--json``."""
@@ -150,9 +150,13 @@ class Result(Mapping[str, Any]):
         return (*own, *(quantity_from(entry, self._shared) for entry in listed if is_quantity(entry)))
 
     @cached_property
+    def _kept(self) -> tuple[Quantity, ...]:
+        return self.quantities
+
+    @cached_property
     def _by_name(self) -> dict[str, Quantity]:
         named: dict[str, Quantity] = {}
-        for quantity in self.quantities:
+        for quantity in self._kept:
             named.setdefault(quantity.quantity, quantity)
         if isinstance(self._data, dict):
             for name, entry in self._numbers().items():
@@ -163,7 +167,7 @@ class Result(Mapping[str, Any]):
     @cached_property
     def _by_symbol(self) -> dict[str, Quantity]:
         named: dict[str, Quantity] = {}
-        for quantity in self.quantities:
+        for quantity in self._kept:
             named.setdefault(quantity.symbol, quantity)
         return named
 
@@ -173,9 +177,12 @@ class Result(Mapping[str, Any]):
         return alerts_from(data.get("alerts", ())) if isinstance(data, dict) else ()
 
     def __getitem__(self, name: str) -> Any:
+        entries = self._data if isinstance(self._data, dict) else {}
+        if isinstance(entries.get(name), (dict, list, str)):
+            return self._entry(name)
         if name in self._by_name:
             return self._by_name[name]
-        if isinstance(self._data, dict) and name in self._data:
+        if name in entries:
             return self._entry(name)
         if name in self._by_symbol:
             return self._by_symbol[name]
@@ -209,14 +216,18 @@ class Result(Mapping[str, Any]):
     def __dir__(self) -> list[str]:
         return sorted({*super().__dir__(), *(name for name in self if name.isidentifier())})
 
+    def _listed(self) -> list[dict[str, Json]] | None:
+        return next((self._data[name] for name in self.tables if name in self._data), None)
+
     def to_pandas(self) -> Any:
         """As a DataFrame of pandas: one row per quantity, or per entry of the list that the result consists of. Units are in ``attrs``."""
         import pandas
 
-        if not self.rows:
+        listed = self._listed()
+        if listed is None:
             return pandas.DataFrame([row_of(quantity) for quantity in self.quantities])
-        table = pandas.json_normalize([plain_row(entry) for entry in self._data[self.rows]])
-        table.attrs["units"] = {name: entry["unit"] for row in self._data[self.rows] for name, entry in row.items() if is_quantity(entry)}
+        table = pandas.json_normalize([plain_row(entry) for entry in listed])
+        table.attrs["units"] = {name: entry["unit"] for row in listed for name, entry in row.items() if is_quantity(entry)}
         return table
 
     def __repr__(self) -> str:
@@ -225,7 +236,7 @@ class Result(Mapping[str, Any]):
         return f"{type(self).__name__}({', '.join(map(str, parts))}{', …' if len(quantities) > 6 else ''})"
 
     def _repr_html_(self) -> str:
-        shown = quantities_html(self.quantities)
+        shown = quantities_html(self.quantities) + rows_html(self._listed() or ())
         return (shown or entries_html(self)) + alerts_html(self.alerts)
 
 
@@ -304,6 +315,15 @@ def quantities_html(quantities: Sequence[Quantity]) -> str:
     return f"<table>{rows}</table>" if rows else ""
 
 
+def rows_html(listed: Sequence[dict[str, Json]], most: int = 20) -> str:
+    """The first of a list of objects as a table; empty without objects."""
+    names = list(dict.fromkeys(name for entry in listed[:most] for name in entry))
+    heads = "".join(f"<th>{html.escape(name.replace('_', ' '))}</th>" for name in names)
+    rows = ["<tr>" + "".join(f"<td>{short_html(part(entry[name])) if name in entry else ''}</td>" for name in names) + "</tr>" for entry in listed[:most]]
+    more = f"<tr><td colspan='{len(names)}'>… {len(listed) - most} more …</td></tr>" if len(listed) > most else ""
+    return f"<table><tr>{heads}</tr>{''.join(rows)}{more}</table>" if rows else ""
+
+
 def entries_html(result: Mapping[str, Any]) -> str:
     """Entries of a result in short; the name of the result if it is empty."""
     rows = "".join(
@@ -315,11 +335,14 @@ def entries_html(result: Mapping[str, Any]) -> str:
 def short_html(value: Any) -> str:
     if isinstance(value, Quantity):
         return value.to_html()
+    if isinstance(value, Result) and value.quantities:
+        return ", ".join(f"<i>{html.escape(q.symbol)}</i> = {q.to_html()}" for q in value.quantities[:2])
     if isinstance(value, Mapping):
         return html.escape(", ".join(list(value)[:8]) + (" …" if len(value) > 8 else ""))
-    if isinstance(value, tuple) and len(value) > 4:
-        return f"{len(value)} entries"
-    text = "–" if value is None else str(value)
+    if isinstance(value, tuple):
+        is_long = len(value) > 4 or any(isinstance(entry, Mapping) for entry in value)
+        return f"{len(value)} {'entry' if len(value) == 1 else 'entries'}" if is_long else ", ".join(map(short_html, value)) or "none"
+    text = "–" if value is None else f"{value:.6g}" if isinstance(value, float) else str(value)
     return html.escape(text if len(text) <= 80 else text[:79] + "…")
 
 

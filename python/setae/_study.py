@@ -109,7 +109,7 @@ class StudyResult(Answer):
         """W_ret, pull-off force and loss of every pair, with the retraction models, as printed by ``setae predict --json``."""
         return Answer(self.handle.predict(trials, seed, threads))
 
-    def conform(self, **patches: Any) -> Answer:
+    def conform(self, **patches: Any) -> PatchSurvey:
         """Random patches with the spectra and U_el/(A W) of the pairs of the study; ``patches``: arguments of :func:`conform`."""
         return conform(self, **patches)
 
@@ -147,6 +147,12 @@ class Study:
         return StudyResult.of(run, self.file)
 
 
+class PatchSurvey(Answer):
+    """Contact of random patches, as printed by ``setae lab conform --json``; ``rows``: one entry per kind of patch."""
+
+    tables = ("rows",)
+
+
 def conform(
     of: StudyResult | None = None,
     *,
@@ -160,7 +166,7 @@ def conform(
     seeds: int | None = None,
     seed: int | None = None,
     loops: bool = False,
-) -> Answer:
+) -> PatchSurvey:
     """Contact of random patches with adhesion, as ``setae lab conform --json``: full contact or partial contact.
 
     With a study, the patches have the spectra and U_el/(A W) of its pairs. Without a study, energy_shares gives U_el/(A W).
@@ -206,7 +212,7 @@ def conform(
         seed=seed,
         loops=loops,
     )
-    return Answer(_setae.conform(None if of is None else of.handle, request))
+    return PatchSurvey(_setae.conform(None if of is None else of.handle, request))
 
 
 def study(file: Path) -> Study:

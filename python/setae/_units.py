@@ -77,7 +77,7 @@ def registry() -> Any:
     """The registry of pint that the application uses."""
     import pint
 
-    return pint.get_application_registry()
+    return pint.application_registry
 
 
 @cache
