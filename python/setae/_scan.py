@@ -12,7 +12,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, Union, cast
 
 from . import _setae
-from ._options import Path, Text, named, path, text
+from ._options import Path, Text, named, path, require, text
 from ._quantities import Alert, Json, Quantity, alerts_from, quantity_from
 from ._results import Answer, alerts_html
 
@@ -295,6 +295,7 @@ def read(
     :raises FileError: for a path that cannot be read
     :raises FormatError: for content of an unknown format, or damaged content
     """
+    require("True or False", keep_values=keep_values)
     scan = Scan(
         path(file),
         channel,
@@ -320,6 +321,7 @@ def channels(file: Path, **stated: Any) -> tuple[Scan, ...]:
 def info(*paths: Path, heights: bool | None = None, size: Text | None = None, unit: str | None = None, layout: str | None = None,
          channel: int | str | None = None, keep_values: bool = False) -> Info:
     """Content of files or folders. heights: read (True), not read (False), or read from files up to 64 MB (None)."""
+    require("True or False", heights=heights, keep_values=keep_values)
     item = _setae.Item("")
     item.set_file(text(size, "size"), text(unit), text(layout), named(channel), keep_values)
     return Info(_setae.contents([path(entry) for entry in paths], item, heights))
@@ -339,6 +341,8 @@ def scan(heights: Any, size: Text | tuple[Text, ...] | None = None, unit: str | 
     """
     from ._arrays import as_heights
 
+    require("True or False", periodic=periodic)
+    require("a text", name=name)
     array, extent, is_periodic = as_heights(heights, size, unit, periodic)
     made = Scan(name, instrument=text(instrument), tip_radius=text(tip_radius, "tip_radius"), resolution=text(resolution, "resolution"),
                 trend=text(trend), source=(array, extent, is_periodic))

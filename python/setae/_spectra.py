@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from . import _setae
 from ._columns import Columns
-from ._options import Text, filled, text
+from ._options import Text, filled, require, text
 from ._quantities import Alert, Band, Quantity, alerts_from, number, quantity_from
 from ._results import Answer
 from ._scan import Measured, items
@@ -23,6 +23,7 @@ def shared_options(
     instrument: str | None, tip_radius: Text | None, resolution: Text | None, trend: str | None, size: Text | None, unit: str | None,
     keep_values: bool | None = False,
 ) -> dict[str, Any]:
+    require("True or False", keep_values=keep_values)
     return {
         "instrument": text(instrument),
         "tip_radius": text(tip_radius, "tip_radius"),
@@ -32,6 +33,10 @@ def shared_options(
         "stated_unit": text(unit),
         "keep_values": bool(keep_values),
     }
+
+
+#: Keywords of the analysis of measurements.
+ANALYSIS = ("longest", "shortest", "window", "contours", "conversion", "memory", "bootstrap_resamples")
 
 
 def analysis_of(
@@ -141,6 +146,7 @@ def power_spectrum(
     >>> bool(numpy.isclose(psd.C1D.max(), (3e-9) ** 2 * 2e-6 / 4))
     True
     """
+    require("True or False", isotropic=isotropic, abel=abel, binned=binned, fit=fit, rolloff=rolloff, short_cutoff=short_cutoff)
     shared = shared_options(instrument, tip_radius, resolution, trend, size, unit, keep_values)
     spectrum = _setae.power_spectrum(
         items(measurements, shared),
