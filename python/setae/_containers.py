@@ -8,7 +8,7 @@ from typing import Union
 
 from . import _setae
 from ._options import Path, Text, filled, path, text
-from ._quantities import Answer
+from ._results import Answer
 
 #: One value for all files, or a value per file by its name.
 Stated = Union[Text, int, Mapping[str, Union[Text, int]], None]
@@ -21,17 +21,21 @@ class Container(Answer):
 class ContainerReport(Answer):
     """Content and problems of containers, as printed by ``setae container check --json``."""
 
+    tables = ("containers",)
+
 
 class Formats(Answer):
     """All supported formats: "formats" of topographies, "force_curves", "micrographs"."""
 
+    tables = ("formats",)
 
-def stated(values: Stated) -> list[str]:
+
+def stated(values: Stated, argument: str = "") -> list[str]:
     if values is None:
         return []
     if isinstance(values, Mapping):
-        return [f"{file}={text(value)}" for file, value in values.items()]
-    return [text(values)]
+        return [f"{file}={text(value, argument)}" for file, value in values.items()]
+    return [text(values, argument)]
 
 
 def write_container(
@@ -84,7 +88,7 @@ def write_container(
         taken_over=[path(file) for file in taken_over],
         name=name,
         description=description,
-        sizes=stated(size),
+        sizes=stated(size, "size"),
         units=stated(unit),
         channels=stated(channel),
         trends=stated(detrend),

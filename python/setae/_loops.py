@@ -10,8 +10,9 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from . import _setae
-from ._options import MAPPINGS, Path, Text, filled, path, text, texts
-from ._quantities import Alert, Answer, Quantity, alerts_from
+from ._options import MAPPINGS, Path, Text, filled, path, texts, texts_of
+from ._quantities import Alert, Quantity, alerts_from
+from ._results import Answer
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -41,6 +42,13 @@ class LoopFit(Answer):
         loop = self["loop"]
         return None if loop is None else loop["energy"]
 
+    @property
+    def quantities(self) -> tuple[Quantity, ...]:
+        """E* and W of loading, pull-off force and energy loss, then the quantities at the top level."""
+        pull_off = self["pull_off"]
+        own = (self.E_star, self.W, None if pull_off is None else pull_off["force"], self.loss)
+        return (*(quantity for quantity in own if quantity is not None), *super().quantities)
+
     def __repr__(self) -> str:
         loss = "" if self.loss is None else f", E_loss = {self.loss}"
         return f"LoopFit(E* = {self.E_star}, W = {self.W}{loss})"
@@ -58,6 +66,12 @@ class MachineStiffness(Answer):
 
 class LoopEnergy(Answer):
     """Energy budget of a loop, as printed by ``setae jkr energy --json``."""
+
+    @property
+    def quantities(self) -> tuple[Quantity, ...]:
+        """Energy of the closed loop and loss per area."""
+        loop, ledger = self._entry("loop"), self._entry("ledger")
+        return (*(loop.quantities if loop else ()), *(ledger.quantities if ledger else ()))
 
 
 @dataclass(frozen=True, eq=False)
@@ -173,8 +187,8 @@ class Loop:
             "models": texts(models),
             "branch": branch,
             "errors": errors,
-            "contact_point": text(model_contact_point),
-            "cohesive_stress": text(cohesive_stress),
+            "model_contact_point": model_contact_point,
+            "cohesive_stress": cohesive_stress,
             "profile": profile,
             "crack_speed": crack_speed,
             "exponent": exponent,
@@ -189,11 +203,11 @@ class Loop:
         """Stiffness from a loop on a rigid body: slope of force against the position of the stage."""
         return MachineStiffness(_setae.machine_stiffness(self._opened))
 
-    def plot(self, ax: Any = None) -> Any:
-        """Force against displacement, or contact radius, on axes of matplotlib."""
+    def plot(self, ax: Any = None, **style: Any) -> Any:
+        """Plots force against displacement, or contact radius, on axes of matplotlib; ``style``: keywords of matplotlib."""
         from ._plot import plot_loop
 
-        return plot_loop(self, ax)
+        return plot_loop(self, ax, **style)
 
 
 def files_of(*, frame_rate: float | None = None, fringes: bool = False, curve_number: int | None = None,
@@ -201,7 +215,7 @@ def files_of(*, frame_rate: float | None = None, fringes: bool = False, curve_nu
     """Attributes of LoopFiles; arguments that are not given keep their defaults."""
     names = ("mapping", "camera", "camera_mapping", "clock_offset", "pixel", "spring_constant", "sensitivity")
     return {
-        **{name: text(texts.get(name)) for name in names},
+        **texts_of(_setae.LoopFiles, **{name: texts.get(name) for name in names}),
         "mapping_folder": MAPPINGS,
         "frame_rate": frame_rate,
         "fringes": fringes,
@@ -214,11 +228,8 @@ def bodies_of(*, radius: Text | None = None, lens_height: Text | None = None, la
               counter_E: Text | None = None, counter_nu: float | None = None) -> dict[str, Any]:
     """Attributes of LoopBodies."""
     return {
-        "radius": text(radius),
-        "lens_height": text(lens_height),
-        "layer_thickness": text(layer_thickness),
+        **texts_of(_setae.LoopBodies, radius=radius, lens_height=lens_height, layer_thickness=layer_thickness, counter_E=counter_E),
         "nu": nu,
-        "counter_E": text(counter_E),
         "counter_nu": counter_nu,
     }
 

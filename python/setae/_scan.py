@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import dataclasses
+import html
 import json
 import pathlib
 from dataclasses import dataclass, field
@@ -11,8 +12,9 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, Union, cast
 
 from . import _setae
-from ._options import Path, Text, named, path, text
-from ._quantities import Alert, Answer, Json, Quantity, alerts_from, quantity_from
+from ._options import Path, Text, named, path, require, text
+from ._quantities import Alert, Json, Quantity, alerts_from, quantity_from
+from ._results import Answer, alerts_html
 
 if TYPE_CHECKING:
     from ._columns import Array
@@ -25,11 +27,13 @@ def lengths(size: Text | tuple[Text, ...]) -> list[float]:
     [2e-06, 1.0]
     """
     parts = size if isinstance(size, tuple) else (size,)
-    return [length for part in parts for length in _setae.lengths(text(part))]
+    return [length for part in parts for length in _setae.lengths(text(part, "size"))]
 
 
 class Info(Answer):
     """Content of files, as printed by ``setae info --json``."""
+
+    tables = ("channels",)
 
     @property
     def channels(self) -> tuple[Json, ...]:
@@ -69,8 +73,17 @@ class Processing(Answer):
     def alerts(self) -> tuple[Alert, ...]:
         return tuple(alert for step in self.steps for alert in step.alerts)
 
+    @property
+    def quantities(self) -> tuple[Quantity, ...]:
+        """Numbers of all steps."""
+        return tuple(number for step in self.steps for number in step.numbers)
+
     def __repr__(self) -> str:
-        return "\n".join(map(str, self.steps))
+        return "\n".join(map(str, self.steps)) or "no steps"
+
+    def _repr_html_(self) -> str:
+        steps = "".join(f"<li>{html.escape(str(step))}</li>" for step in self.steps)
+        return (f"<ol>{steps}</ol>" if steps else "<p>no steps</p>") + alerts_html(self.alerts)
 
 
 @dataclass(frozen=True, eq=False)
@@ -217,17 +230,17 @@ class Scan:
     ) -> Scan:
         """The scan with metadata that its file does not contain: "stylus", "afm", "tem" or "optical"; radius of the tip with its ±."""
         given: dict[str, Any] = {
-            name: text(value)
+            name: text(value, name)
             for name, value in (("instrument", instrument), ("tip_radius", tip_radius), ("resolution", resolution), ("trend", trend))
             if value is not None
         }
         return dataclasses.replace(self, **given)
 
-    def plot(self, ax: Any = None) -> Any:
-        """Plots the heights on axes of matplotlib."""
+    def plot(self, ax: Any = None, **style: Any) -> Any:
+        """Plots the heights on axes of matplotlib, a map with y upwards as the program draws it; ``style``: keywords of matplotlib."""
         from ._plot import plot_scan
 
-        return plot_scan(self, ax)
+        return plot_scan(self, ax, **style)
 
     def save(self, file: Path) -> None:
         """Writes the heights after all steps. The ending gives the format: .x3p, .sdf, .gwy, .nc, .npy, .txt or .csv."""
@@ -257,8 +270,8 @@ class Scan:
     def _repr_html_(self) -> str:
         shape = " × ".join(map(str, self.heights.shape))
         extent = " × ".join(_setae.format_uncertain(length, float("nan"), "m") for length in self.size)
-        steps = "".join(f"<li>{step}</li>" for step in self.processing.steps) if self.steps or self.pipeline else ""
-        return f"<b>{self.name or self.file}</b>: {shape} points, {extent}" + (f"<ol>{steps}</ol>" if steps else "")
+        steps = self.processing._repr_html_() if self.steps or self.pipeline else ""
+        return f"<b>{html.escape(self.name or self.file)}</b>: {shape} points, {extent}{steps}"
 
 
 def read(
@@ -282,14 +295,15 @@ def read(
     :raises FileError: for a path that cannot be read
     :raises FormatError: for content of an unknown format, or damaged content
     """
+    require("True or False", keep_values=keep_values)
     scan = Scan(
         path(file),
         channel,
         instrument=text(instrument),
-        tip_radius=text(tip_radius),
-        resolution=text(resolution),
+        tip_radius=text(tip_radius, "tip_radius"),
+        resolution=text(resolution, "resolution"),
         trend=text(trend),
-        stated_size=text(size),
+        stated_size=text(size, "size"),
         stated_unit=text(unit),
         layout=text(layout),
         keep_values=keep_values,
@@ -307,8 +321,9 @@ def channels(file: Path, **stated: Any) -> tuple[Scan, ...]:
 def info(*paths: Path, heights: bool | None = None, size: Text | None = None, unit: str | None = None, layout: str | None = None,
          channel: int | str | None = None, keep_values: bool = False) -> Info:
     """Content of files or folders. heights: read (True), not read (False), or read from files up to 64 MB (None)."""
+    require("True or False", heights=heights, keep_values=keep_values)
     item = _setae.Item("")
-    item.set_file(text(size), text(unit), text(layout), named(channel), keep_values)
+    item.set_file(text(size, "size"), text(unit), text(layout), named(channel), keep_values)
     return Info(_setae.contents([path(entry) for entry in paths], item, heights))
 
 
@@ -326,9 +341,11 @@ def scan(heights: Any, size: Text | tuple[Text, ...] | None = None, unit: str | 
     """
     from ._arrays import as_heights
 
+    require("True or False", periodic=periodic)
+    require("a text", name=name)
     array, extent, is_periodic = as_heights(heights, size, unit, periodic)
-    made = Scan(name, instrument=text(instrument), tip_radius=text(tip_radius), resolution=text(resolution), trend=text(trend),
-                source=(array, extent, is_periodic))
+    made = Scan(name, instrument=text(instrument), tip_radius=text(tip_radius, "tip_radius"), resolution=text(resolution, "resolution"),
+                trend=text(trend), source=(array, extent, is_periodic))
     made._item  # noqa: B018  raises an error for wrong arguments
     return made
 

@@ -8,7 +8,8 @@ from typing import Any
 
 from . import _setae
 from ._options import Path, Text, filled, path, text
-from ._quantities import Answer, Quantity
+from ._quantities import Quantity
+from ._results import Answer
 from ._scan import Measured, Scan, items, scan_of
 
 
@@ -17,6 +18,10 @@ class Synthesis(Answer):
     """A simulated surface or line, as printed by ``setae synthesize --json``; ``scan`` contains its heights."""
 
     scan: Scan = field(compare=False)
+
+    def plot(self, ax: Any = None, **style: Any) -> Any:
+        """Plots the heights on axes of matplotlib."""
+        return self.scan.plot(ax, **style)
 
 
 def synthesize(
@@ -99,17 +104,17 @@ def synthesize(
     """
     request = filled(
         _setae.SynthesisRequest(),
-        size=text(size),
+        size=size,
         pixels=str(pixels),
         hurst=hurst,
         rolloff=rolloff,
         short_cutoff=short_cutoff,
         long_cutoff=long_cutoff,
         rms_height=rms_height,
-        rms_slope=text(rms_slope),
+        rms_slope=rms_slope,
         plateau=plateau,
         spectrum=None if spectrum is None else path(spectrum),
-        spectrum_unit=unit,
+        unit=unit,
         window_of=window_of,
         line=line,
         exact_rms=exact_rms,
@@ -140,6 +145,10 @@ class Tip(Answer):
         """Radius of a parabola through the apex, an upper bound."""
         return self.quantities[0]
 
+    def plot(self, ax: Any = None, **style: Any) -> Any:
+        """Plots the tip on axes of matplotlib."""
+        return self.scan.plot(ax, **style)
+
 
 def tip(measurement: Measured, *, points: int = 21, threshold: Text | None = None, rounds: int = 100, size: Text | None = None,
         unit: str | None = None, keep_values: bool = False) -> Tip:
@@ -169,7 +178,7 @@ def tip(measurement: Measured, *, points: int = 21, threshold: Text | None = Non
 
 def one(measurement: Measured, size: Text | None, unit: str | None, keep_values: bool, trend: str | None = None) -> Any:
     """The single measurement of a call."""
-    found = items(measurement, {"stated_size": text(size), "stated_unit": text(unit), "keep_values": keep_values, "trend": text(trend)})
+    found = items(measurement, {"stated_size": text(size, "size"), "stated_unit": text(unit), "keep_values": keep_values, "trend": text(trend)})
     if len(found) != 1:
         raise TypeError(f"{len(found)} measurements; expected one")
     return found[0]
