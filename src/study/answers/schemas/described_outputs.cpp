@@ -94,8 +94,8 @@ constexpr DescribedOutput outputs[]{
     one<PowerSpectrum>("psd"),
     {.command = "sdrp", .description = &sdrp_description},
     one<DraftEntry>("study init"),
-    {.command = "synthesize", .description = &surface_description},
-    {.command = "synthesize", .description = &line_description},
+    {.command = "synthesize", .description = &synthetic_surface_description},
+    {.command = "synthesize", .description = &synthetic_line_description},
     one<BlindTipAnswer>("tip"),
     {.command = "vbw", .description = &vbw_description},
 };

@@ -39,7 +39,7 @@ inline constexpr std::array last_rows_of_synthesis{
 };
 
 /// JSON of a surface.
-inline constexpr auto rows_of_surface = fields::joined(
+inline constexpr auto rows_of_synthetic_surface = fields::joined(
     first_rows_of_synthesis,
     std::array{fields::made<SynthesisEntry>("size", "extent along x and y",
                                             [](const SynthesisEntry& of) -> const auto& {
@@ -47,10 +47,11 @@ inline constexpr auto rows_of_surface = fields::joined(
                                             })
                    .in_unit("m")},
     last_rows_of_synthesis);
-inline constexpr fields::Description surface_description{"", "surface generated from its spectrum", rows_of_surface};
+inline constexpr fields::Description synthetic_surface_description{"", "surface generated from its spectrum",
+                                                                   rows_of_synthetic_surface};
 
 /// JSON of a line.
-inline constexpr auto rows_of_line = fields::joined(
+inline constexpr auto rows_of_synthetic_line = fields::joined(
     first_rows_of_synthesis,
     std::array{fields::made<SynthesisEntry>("size", "extent of the line",
                                             [](const SynthesisEntry& of) {
@@ -58,11 +59,11 @@ inline constexpr auto rows_of_line = fields::joined(
                                             })
                    .in_unit("m")},
     last_rows_of_synthesis);
-inline constexpr fields::Description line_description{"", "with `--line` the line", rows_of_line};
+inline constexpr fields::Description synthetic_line_description{"", "with `--line` the line", rows_of_synthetic_line};
 
 [[nodiscard]] inline const fields::Description& description_of(const Synthesis& synthesis) {
-    return std::holds_alternative<topography::HeightMap>(synthesis.measurement) ? surface_description
-                                                                                : line_description;
+    return std::holds_alternative<topography::HeightMap>(synthesis.measurement) ? synthetic_surface_description
+                                                                                : synthetic_line_description;
 }
 
 }  // namespace setae::answers
