@@ -39,7 +39,8 @@ from ._schema import schema
 from ._scan import Info, Processing, Scan, Step, channels, info, lengths, read, scan
 from ._setae import limit_threads, steps, version
 from ._spectra import Parameters, PowerSpectrum, Surface, parameters, power_spectrum, surface
-from ._study import Figure, Study, StudyResult, conform, study
+from ._study import Figure, StudyResult, conform
+from ._study_building import Study, study
 from ._synthesis import Synthesis, Tip, synthesize, tip
 from ._texture import Texture, texture
 

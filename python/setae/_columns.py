@@ -7,6 +7,7 @@ import json
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, cast
 
+from ._given import shown
 from ._quantities import Alert, Json, alerts_from
 
 if TYPE_CHECKING:
@@ -18,6 +19,15 @@ if TYPE_CHECKING:
     Array = NDArray[np.float64]
 
 
+class Edge(dict[str, "Array"]):
+    """Places along the edge of a contact: columns "time", "frame", "radius_1" … by name, with their units."""
+
+    @property
+    def units(self) -> dict[str, str]:
+        known = {"time": "s", "frame": "1", "force": "N", "displacement": "m"}
+        return {name: known.get(name, "m") for name in self}
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class Columns:
     """Columns of numbers by name, each with its unit. The arrays are memory of setae and read-only."""
@@ -26,10 +36,14 @@ class Columns:
     units: dict[str, str]
     text: str | Callable[[], str] = field(repr=False)  #: text of ``json()``, or a function that makes the text at the first call
 
+    def __post_init__(self) -> None:
+        if isinstance(self.text, str):
+            object.__setattr__(self, "text", shown(self.text))
+
     def json(self) -> str:
         """The bytes that the command prints with ``--json``."""
         if not isinstance(self.text, str):
-            self.__dict__["text"] = self.text()
+            self.__dict__["text"] = shown(self.text())
         return cast("str", self.text)
 
     def __getstate__(self) -> dict[str, Any]:

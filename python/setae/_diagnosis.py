@@ -7,7 +7,7 @@ import html
 from dataclasses import dataclass
 
 from . import _setae
-from ._options import Text, text
+from ._options import Size, Text, size_text, text
 from ._quantities import Alert, Answer, Quantity, alerts_from, quantity_from
 from ._scan import Measured, items
 
@@ -43,7 +43,7 @@ class Diagnosis(Answer):
         return "<ul>" + "".join(f"<li>{html.escape(str(finding))}</li>" for finding in self.findings) + "</ul>"
 
 
-def check(measurements: Measured, *, tip_radius: Text | None = None, size: Text | None = None, unit: str | None = None, keep_values: bool = False,
+def check(measurements: Measured, *, tip_radius: Text | None = None, size: Size | None = None, unit: str | None = None, keep_values: bool = False,
           skip_failed: bool = False) -> Diagnosis:
     """Problems of single measurements and differences between them, with the size of the effect and a remedy.
 
@@ -55,5 +55,5 @@ def check(measurements: Measured, *, tip_radius: Text | None = None, size: Text 
     >>> "SPIKES" in [alert.code for alert in check(setae.scan(heights, size="1 um x 1 um", unit="m")).alerts]
     True
     """
-    shared = {"stated_size": text(size), "stated_unit": text(unit), "keep_values": keep_values}
+    shared = {"stated_size": size_text(size), "stated_unit": text(unit), "keep_values": keep_values}
     return Diagnosis(_setae.diagnosis(items(measurements, shared), text(tip_radius), not skip_failed))

@@ -10,7 +10,8 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from . import _setae
-from ._options import MAPPINGS, Path, Text, filled, path, text, texts
+from ._given import Given, Source, as_file, shown
+from ._options import MAPPINGS, Text, filled, path, text, texts
 from ._quantities import Alert, Answer, Quantity, alerts_from
 
 if TYPE_CHECKING:
@@ -64,13 +65,13 @@ class LoopEnergy(Answer):
 class Loop:
     """A loop in SI, and the properties of its bodies."""
 
-    file: str
+    file: str | Given
     files: tuple[tuple[str, Any], ...] = field(default=(), repr=False)
     bodies: tuple[tuple[str, Any], ...] = field(default=(), repr=False)
 
     @cached_property
     def _opened(self) -> _setae.Loop:
-        return _setae.open_loop(self.file, filled(_setae.LoopFiles(), **dict(self.files)))
+        return _setae.open_loop(path(self.file), loop_files(dict(self.files)))
 
     def __getstate__(self) -> dict[str, Any]:
         return {"file": self.file, "files": self.files, "bodies": self.bodies}
@@ -93,7 +94,7 @@ class Loop:
 
     @property
     def alerts(self) -> tuple[Alert, ...]:
-        return alerts_from(json.loads(self._opened.alerts))
+        return alerts_from(json.loads(shown(self._opened.alerts)))
 
     def __getitem__(self, name: str) -> Any:
         return self.columns[name]
@@ -189,6 +190,27 @@ class Loop:
         """Stiffness from a loop on a rigid body: slope of force against the position of the stage."""
         return MachineStiffness(_setae.machine_stiffness(self._opened))
 
+    def to_pandas(self) -> Any:
+        """As a DataFrame of pandas; units and metadata are in ``attrs``. :func:`loop` takes it."""
+        import pandas
+
+        frame = pandas.DataFrame(dict(self.columns))
+        frame.attrs.update({"units": dict(self.units), **self._header})
+        return frame
+
+    def to_xarray(self) -> Any:
+        """As a Dataset of xarray along the samples; metadata are in ``attrs``. :func:`loop` takes it."""
+        import xarray
+
+        columns = {name: ("sample", values, {"units": self.units[name]}) for name, values in self.columns.items()}
+        return xarray.Dataset(columns, attrs=self._header)
+
+    @property
+    def _header(self) -> dict[str, str]:
+        """Metadata that a table of the loop can contain: not those of the file itself."""
+        own = ("file", "format", "header", "mapping", "version")
+        return {key: value for key, value in self.metadata.items() if key not in own}
+
     def plot(self, ax: Any = None) -> Any:
         """Force against displacement, or contact radius, on axes of matplotlib."""
         from ._plot import plot_loop
@@ -196,18 +218,24 @@ class Loop:
         return plot_loop(self, ax)
 
 
-def files_of(*, frame_rate: float | None = None, fringes: bool = False, curve_number: int | None = None,
+def files_of(*, camera: Source | None = None, frame_rate: float | None = None, fringes: bool = False, curve_number: int | None = None,
              columns: Mapping[str, str] | None = None, **texts: Text | None) -> dict[str, Any]:
     """Attributes of LoopFiles; arguments that are not given keep their defaults."""
-    names = ("mapping", "camera", "camera_mapping", "clock_offset", "pixel", "spring_constant", "sensitivity")
+    names = ("mapping", "camera_mapping", "clock_offset", "pixel", "spring_constant", "sensitivity")
     return {
         **{name: text(texts.get(name)) for name in names},
+        "camera": "" if camera is None else as_file(camera, "camera"),
         "mapping_folder": MAPPINGS,
         "frame_rate": frame_rate,
         "fringes": fringes,
         "curve_number": curve_number,
         "columns": [f"{role}={chosen}" for role, chosen in (columns or {}).items()],
     }
+
+
+def loop_files(given: Mapping[str, Any]) -> _setae.LoopFiles:
+    """The request of the library for :func:`files_of`, which keeps tables in memory."""
+    return filled(_setae.LoopFiles(), **{**given, "camera": path(given["camera"])})
 
 
 def bodies_of(*, radius: Text | None = None, lens_height: Text | None = None, layer_thickness: Text | None = None, nu: float | None = None,
@@ -231,8 +259,9 @@ def checked_bodies(given: Mapping[str, Any]) -> _setae.LoopBodies:
 
 
 def loop(
-    file: Path,
+    file: Source | Loop,
     *,
+    units: Mapping[str, str] | None = None,
     radius: Text | None = None,
     nu: float | None = None,
     counter_E: Text | None = None,
@@ -240,7 +269,7 @@ def loop(
     lens_height: Text | None = None,
     layer_thickness: Text | None = None,
     mapping: str | None = None,
-    camera: Path | None = None,
+    camera: Source | None = None,
     camera_mapping: str | None = None,
     clock_offset: Text | None = None,
     pixel: Text | None = None,
@@ -251,10 +280,16 @@ def loop(
     curve_number: int | None = None,
     columns: Mapping[str, str] | None = None,
 ) -> Loop:
-    """A loop from a table with units in the header, a loop file, a workbook or a force curve.
+    """A loop from a table with units in the header, a loop file, a workbook, a force curve, or a table in memory.
+
+    A table in memory is a DataFrame of pandas, a Dataset of xarray, a dictionary of arrays, also of pint, or a structured array. Its units
+    are in names of columns ("force [mN]"), in ``attrs["units"]``, in arrays of pint, or in ``units``. The camera's table may be in memory,
+    too, such as the result of :func:`contact_radii`.
 
     Parameters
     ----------
+    units : Mapping[str, str]
+        units of columns of a table in memory, where neither names nor attributes state them, such as {'force': 'mN'}
     radius : str or Quantity
         radius of the sphere; fits of loops include a given ±, such as "7.5 um"; default: as the file states
     nu : float
@@ -269,7 +304,7 @@ def loop(
         thickness of a soft layer on a rigid base; fits are corrected for the finite thickness, such as "0.5 mm"
     mapping : str
         mapping (TOML) that names the columns of a foreign table: a file or a known name, such as "eoh"
-    camera : str or path
+    camera : str or path or table
         camera record with a separate clock: a table of time and contact_radius, a TIFF stack, an AVI or a folder of pictures
     camera_mapping : str
         mapping (TOML) of the camera's table
@@ -293,7 +328,7 @@ def loop(
     """
     files = files_of(
         mapping=mapping,
-        camera="" if camera is None else path(camera),
+        camera=camera,
         camera_mapping=camera_mapping,
         clock_offset=clock_offset,
         pixel=pixel,
@@ -307,6 +342,6 @@ def loop(
     bodies = bodies_of(radius=radius, lens_height=lens_height, layer_thickness=layer_thickness, nu=nu, counter_E=counter_E,
                        counter_nu=counter_nu)
     checked_bodies(bodies)
-    opened = Loop(path(file), tuple(files.items()), tuple(bodies.items()))
+    opened = Loop(as_file(file.to_xarray() if isinstance(file, Loop) else file, "loop", units), tuple(files.items()), tuple(bodies.items()))
     opened._opened  # noqa: B018
     return opened

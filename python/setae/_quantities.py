@@ -12,6 +12,7 @@ from functools import cached_property
 from typing import Any
 
 from . import _setae
+from ._given import PREFIX, shown
 
 Json = Any
 
@@ -155,6 +156,10 @@ class Answer(Mapping[str, Any]):
     """
 
     text: str
+
+    def __post_init__(self) -> None:
+        if PREFIX in self.text:
+            object.__setattr__(self, "text", shown(self.text))
 
     def json(self) -> str:
         """The bytes that the program prints with ``--json``."""

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from . import _setae
 from ._columns import Columns
-from ._options import Text, filled, text
+from ._options import Size, Text, filled, size_text, text
 from ._quantities import Alert, Answer, Band, Quantity, alerts_from, number, quantity_from
 from ._scan import Measured, items
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 def shared_options(
-    instrument: str | None, tip_radius: Text | None, resolution: Text | None, trend: str | None, size: Text | None, unit: str | None,
+    instrument: str | None, tip_radius: Text | None, resolution: Text | None, trend: str | None, size: Size | None, unit: str | None,
     keep_values: bool | None = False,
 ) -> dict[str, Any]:
     return {
@@ -27,7 +27,7 @@ def shared_options(
         "tip_radius": text(tip_radius),
         "resolution": text(resolution),
         "trend": text(trend),
-        "stated_size": text(size),
+        "stated_size": size_text(size),
         "stated_unit": text(unit),
         "keep_values": bool(keep_values),
     }
@@ -116,7 +116,7 @@ def power_spectrum(
     tip_radius: Text | None = None,
     resolution: Text | None = None,
     trend: str | None = None,
-    size: Text | None = None,
+    size: Size | None = None,
     unit: str | None = None,
     keep_values: bool = False,
     longest: Text | None = None,
@@ -189,7 +189,7 @@ def parameters(
     tip_radius: Text | None = None,
     resolution: Text | None = None,
     trend: str | None = None,
-    size: Text | None = None,
+    size: Size | None = None,
     unit: str | None = None,
     keep_values: bool = False,
     longest: Text | None = None,
@@ -274,7 +274,7 @@ def surface(
     tip_radius: Text | None = None,
     resolution: Text | None = None,
     trend: str | None = None,
-    size: Text | None = None,
+    size: Size | None = None,
     unit: str | None = None,
     keep_values: bool = False,
     longest: Text | None = None,

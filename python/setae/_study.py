@@ -3,14 +3,13 @@
 
 from __future__ import annotations
 
-import os
 import pathlib
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from . import _setae
-from ._options import MAPPINGS, Path, filled, path
+from ._options import Path, filled
 from ._quantities import Answer, Quantity
 
 
@@ -132,20 +131,6 @@ class StudyResult(Answer):
         return f"<pre>{html.escape(self.summary())}</pre>"
 
 
-@dataclass(frozen=True)
-class Study:
-    """A study file that was read without an error."""
-
-    file: str
-    title: str
-
-    def run(self, *, output: Path | None = None, cache: Path | None = None, keep: bool = True) -> StudyResult:
-        """Runs the study. Earlier results come from the cache, which the program shares; ``keep=False`` uses no cache."""
-        folder = (path(cache) if cache is not None else "") if keep else None
-        run = _setae.run_study(self.file, "" if output is None else path(output), folder, MAPPINGS)
-        return StudyResult.of(run, self.file)
-
-
 def conform(
     of: StudyResult | None = None,
     *,
@@ -206,12 +191,3 @@ def conform(
         loops=loops,
     )
     return Answer(_setae.conform(None if of is None else of.handle, request))
-
-
-def study(file: Path) -> Study:
-    """Reads a study. Errors in the file are raised with the line number.
-
-    :raises FormatError: for an unknown key, a missing or wrong unit, a name that is not declared
-    """
-    name = os.fspath(file)
-    return Study(name, _setae.title_of_study(name, MAPPINGS))
