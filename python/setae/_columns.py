@@ -11,7 +11,7 @@ from ._given import shown
 from ._quantities import Alert, Json, alerts_from
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Mapping
 
     import numpy as np
     from numpy.typing import NDArray
@@ -19,13 +19,18 @@ if TYPE_CHECKING:
     Array = NDArray[np.float64]
 
 
-class Edge(dict[str, "Array"]):
-    """Places along the edge of a contact: columns "time", "frame", "radius_1" … by name, with their units."""
+class Named(dict[str, "Array"]):
+    """Columns by name, with their units in ``units``."""
 
-    @property
-    def units(self) -> dict[str, str]:
-        known = {"time": "s", "frame": "1", "force": "N", "displacement": "m"}
-        return {name: known.get(name, "m") for name in self}
+    def __init__(self, columns: Mapping[str, Array], units: Mapping[str, str]) -> None:
+        super().__init__(columns)
+        self.units = dict(units)
+
+
+def edge_of(columns: Mapping[str, Array]) -> Named:
+    """Places along the edge of a contact: columns "time", "frame", "radius_1" … by name."""
+    known = {"time": "s", "frame": "1", "force": "N", "displacement": "m"}
+    return Named(columns, {name: known.get(name, "m") for name in columns})
 
 
 @dataclass(frozen=True, eq=False, repr=False)

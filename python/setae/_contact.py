@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from . import _setae
-from ._columns import Columns, Edge
+from ._columns import Columns, Named, edge_of
 from ._errors import InvalidArgument
 from ._options import Path, Size, Text, filled, path
 from ._quantities import Answer, Quantity, quantity_from
@@ -308,7 +308,7 @@ class ContactFront(_ContactLoop):
     writes a table for :func:`contact_line`.
     """
 
-    edge: Edge = field(default_factory=Edge)
+    edge: Named = field(default_factory=lambda: edge_of({}))
     handle: Any = None
 
     def save_edge(self, file: Path) -> None:
@@ -422,7 +422,7 @@ def contact_front(
     )
     measured = one(measurement, size, unit, keep_values, trend)
     found: Any = _setae.contact_front(measured[0], request, made_surface(pixels, cell, surface, seed), edges, realisations)
-    return ContactFront(found.columns, found.units, found.json, tuple(map(quantity_from, json.loads(found.quantities()))), Edge(found.edge), found)
+    return ContactFront(found.columns, found.units, found.json, tuple(map(quantity_from, json.loads(found.quantities()))), edge_of(found.edge), found)
 
 
 class PerssonContact(Columns):

@@ -8,10 +8,10 @@ from dataclasses import dataclass, field
 from typing import Any, Union
 
 from . import _setae
-from ._columns import Columns, Edge
+from ._columns import Columns, Named, edge_of
 from ._errors import InvalidArgument
 from ._given import Given, Source, as_file, saved
-from ._loops import bodies_of, checked_bodies, files_of, loop_files
+from ._loops import Loop, bodies_of, checked_bodies, curve_file, files_of, loop_files
 from ._options import Path, Text, filled, named, path, text
 from ._quantities import Alert, Answer, Quantity, quantity_from
 from ._scan import Scan
@@ -189,7 +189,7 @@ class ContactLine(Recording):
     ``save("edge.csv")`` writes a table for :func:`contact_line`.
     """
 
-    edge: Edge = field(default_factory=Edge, repr=False)
+    edge: Named = field(default_factory=lambda: edge_of({}), repr=False)
 
     @property
     def n(self) -> int:
@@ -206,7 +206,7 @@ class ContactLine(Recording):
         return f"ContactLine({self.n} frames, {self.data['angles']} places each)"
 
 
-def edge_of(frames: Sources) -> Sources:
+def recorded_edge(frames: Sources) -> Sources:
     """The recorded edge of a result, with its header as far as it is known; other frames as they are."""
     if getattr(frames, "handle", None) is not None and hasattr(frames, "edge"):
         return saved(getattr(frames, "save_edge", None) or frames.save, "edge.csv")
@@ -255,7 +255,7 @@ def contact_line(
     **recording
         keywords of recordings, as those of `contact_radii`
     """
-    recorded = sources(edge_of(frames), "edge.csv")
+    recorded = sources(recorded_edge(frames), "edge.csv")
     moved = None if displacement is None else as_file(displacement, "displacement")
     request = filled(
         _setae.LineRequest(),
@@ -271,7 +271,7 @@ def contact_line(
         **recording,
     )
     found: Any = _setae.contact_line(list(map(path, recorded)), request)
-    return ContactLine(found.columns, found.units, found.json, found, Edge(found.edge))
+    return ContactLine(found.columns, found.units, found.json, found, edge_of(found.edge))
 
 
 @dataclass(frozen=True, repr=False)
@@ -338,7 +338,7 @@ class ForceCurves(Answer):
 
 
 def force_curves(
-    file: Source,
+    file: Source | Loop,
     *,
     units: Mapping[str, str] | None = None,
     radius: Text | None = None,
@@ -405,7 +405,7 @@ def force_curves(
         contact_point=contact_point,
         keep_baseline_slope=keep_baseline_slope,
     )
-    curve = as_file(file, "curve", units)
+    curve = curve_file(file, "curve", units)
     return ForceCurves(_setae.fit_force_curves(path(curve), loop_files(files), checked_bodies(bodies), request))
 
 

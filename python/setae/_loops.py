@@ -10,6 +10,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from . import _setae
+from ._columns import Named
 from ._given import Given, Source, as_file, shown
 from ._options import MAPPINGS, Text, filled, path, text, texts
 from ._quantities import Alert, Answer, Quantity, alerts_from
@@ -17,7 +18,6 @@ from ._quantities import Alert, Answer, Quantity, alerts_from
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
-    from ._columns import Array
     from ._generated import LoopSettings
 
 
@@ -80,9 +80,9 @@ class Loop:
         self.__dict__.update(state)
 
     @property
-    def columns(self) -> dict[str, Array]:
+    def columns(self) -> Named:
         """"force" [N], "displacement" [m], "contact_radius" [m], "time" [s], if the file contains them."""
-        return self._opened.columns
+        return Named(self._opened.columns, self.units)
 
     @property
     def units(self) -> dict[str, str]:
@@ -218,6 +218,11 @@ class Loop:
         return plot_loop(self, ax)
 
 
+def curve_file(source: Source | Loop, name: str, units: Mapping[str, str] | None) -> str | Given:
+    """A path, or the table of a loop or a table in memory as a file."""
+    return as_file(source.to_xarray() if isinstance(source, Loop) else source, name, units)
+
+
 def files_of(*, camera: Source | None = None, frame_rate: float | None = None, fringes: bool = False, curve_number: int | None = None,
              columns: Mapping[str, str] | None = None, **texts: Text | None) -> dict[str, Any]:
     """Attributes of LoopFiles; arguments that are not given keep their defaults."""
@@ -342,6 +347,6 @@ def loop(
     bodies = bodies_of(radius=radius, lens_height=lens_height, layer_thickness=layer_thickness, nu=nu, counter_E=counter_E,
                        counter_nu=counter_nu)
     checked_bodies(bodies)
-    opened = Loop(as_file(file.to_xarray() if isinstance(file, Loop) else file, "loop", units), tuple(files.items()), tuple(bodies.items()))
+    opened = Loop(curve_file(file, "loop", units), tuple(files.items()), tuple(bodies.items()))
     opened._opened  # noqa: B018
     return opened

@@ -412,9 +412,10 @@ def items(measurements: Measured, shared: dict[str, Any]) -> Items:
     listed: list[Any] = [measurements] if is_one(measurements) else list(cast(Any, measurements))
     found = Items()
     found.kept = [measurement(entry, number_of, shared) for number_of, entry in enumerate(listed)]
-    for made in found.kept:
+    for place, made in enumerate(found.kept):
         own: dict[str, Any] = {key: value for key, value in shared.items() if value and not getattr(made, key)}
-        found.append(dataclasses.replace(made, **own)._item if own else made._item)
+        found.kept[place] = dataclasses.replace(made, **own) if own else made
+        found.append(found.kept[place]._item)
     return found
 
 

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from . import _setae
 from ._columns import Columns
+from ._errors import InvalidArgument
 from ._options import Size, Text, filled, size_text, text
 from ._quantities import Alert, Answer, Band, Quantity, alerts_from, number, quantity_from
 from ._scan import Measured, items
@@ -253,6 +254,15 @@ class Surface(Spectrum):
     def _repr_html_(self) -> str:
         rows = "".join(f"<tr><td>{html.escape(q.quantity.replace('_', ' '))}</td><td>{q._repr_html_()}</td></tr>" for q in self.moments)
         return f"<table>{rows}</table>"
+
+    def to_surface_topography(self) -> Any:
+        """The measurements as a container of SurfaceTopography in memory, with their instruments."""
+        from SurfaceTopography.Container.SurfaceContainer import InMemorySurfaceContainer
+
+        measurements, shared, *_ = self.arguments
+        if self.method == "given":
+            raise InvalidArgument("a surface from a spectrum has no heights; expected a surface from measurements")
+        return InMemorySurfaceContainer([scan.to_surface_topography() for scan in items(measurements, shared).kept])
 
     def analysed(self) -> _setae.Surface:
         """The surface of the library; it is computed again in another process."""

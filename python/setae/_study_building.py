@@ -12,10 +12,10 @@ from . import _setae
 from ._errors import InvalidArgument
 from ._given import TableLike
 from ._options import MAPPINGS, Path, Text, path
-from ._quantities import Answer
 from ._scan import Scan, is_one
 from ._spectra import Spectrum
 from ._study import StudyResult
+from ._study_file import is_keys, write_study
 
 
 class Study:
@@ -128,7 +128,7 @@ class Study:
         listed = [] if measurements is None else [measurements] if is_one(measurements) else list(measurements)
         given = {"power_spectrum": power_spectrum, "moments": moments, "description": description}
         if listed:
-            given["measurements"] = [entry if isinstance(entry, Mapping) else {"file": entry} for entry in listed]
+            given["measurements"] = [entry if is_keys(entry) else {"file": entry} for entry in listed]
             given["shared"] = shared
         elif shared:
             raise TypeError(f"{', '.join(shared)}: keys of measurements; expected measurements of the surface '{name}'")
@@ -266,8 +266,6 @@ class Study:
         """
         if self._file is not None:
             raise InvalidArgument(f"{self._file}: a study file; copy the file")
-        from ._study_file import write_study
-
         return Study.of_file(write_study(file, study_keys(self._content)))
 
     def run(self, *, output: Path | None = None, cache: Path | None = None, keep: bool = True) -> StudyResult:
@@ -308,7 +306,7 @@ def counts(number: int, noun: str) -> str:
 
 def copied(content: Any) -> Any:
     """Dictionaries and lists that are new; their values are those given."""
-    if isinstance(content, Mapping) and not isinstance(content, Answer):
+    if is_keys(content):
         return {str(name): copied(value) for name, value in content.items()}
     return [copied(entry) for entry in content] if isinstance(content, list) else content
 

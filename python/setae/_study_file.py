@@ -14,10 +14,16 @@ from ._errors import InvalidArgument
 from ._given import Given, as_file, is_path, plain_name
 from ._loops import Loop
 from ._options import path, text
+from ._quantities import Answer
 from ._scan import Scan, lengths, scan
 
 #: Keys of a study whose values are files; relative paths are relative to the current folder, in the study file to the study file.
 FILES = ("file", "mapping", "output", "pipeline", "power_spectrum", "references", "tip_file")
+
+
+def is_keys(value: Any) -> bool:
+    """True for a dictionary of keys; False for results and datasets, which are mappings, too."""
+    return isinstance(value, Mapping) and not isinstance(value, Answer) and not hasattr(value, "data_vars")
 
 
 def written(value: Any) -> str:
@@ -31,7 +37,7 @@ def written(value: Any) -> str:
         return str(value).lower()
     if type(value) in (int, float):
         return repr(value)
-    if isinstance(value, Mapping) and not hasattr(value, "json"):
+    if is_keys(value):
         return "{ " + ", ".join(f"{key(name)} = {written(entry)}" for name, entry in value.items()) + " }"
     if isinstance(value, (list, tuple)) or getattr(value, "ndim", 0) == 1:
         return "[" + ", ".join(map(written, value)) + "]"
@@ -97,7 +103,7 @@ class StudyFile:
             return {inner: entry for inner, entry in value.items() if entry is not None}
         if name in FILES:
             return self.reference(name, value, label)
-        if isinstance(value, Mapping) and not hasattr(value, "json"):
+        if is_keys(value):
             return {inner: self.converted(inner, entry, label) for inner, entry in value.items() if entry is not None}
         if isinstance(value, (list, tuple)):
             return [self.converted("", entry, label) for entry in value]
@@ -151,7 +157,7 @@ class StudyFile:
 
     def measurement(self, given: Any, label: str) -> dict[str, Any]:
         """The entry of a measurement; keys that are given have priority over those of a scan."""
-        given = given if isinstance(given, Mapping) else {"file": given}
+        given = given if is_keys(given) else {"file": given}
         if "file" not in given:
             raise InvalidArgument(f"surface {label}: a measurement has no 'file'; expected a path, a scan or an array")
         measured = given["file"]
