@@ -33,13 +33,14 @@ from ._laboratory import (
     replicates,
 )
 from ._loops import Loop, LoopEnergy, LoopFit, MachineStiffness, loop
-from ._quantities import Alert, Answer, Band, Interval, Quantity
+from ._quantities import Alert, Band, Interval, Quantity, quantity
+from ._results import Answer, Result
 from ._scales import FunctionOfScale, autocorrelation, scale_dependent, variable_bandwidth
 from ._schema import schema
 from ._scan import Info, Processing, Scan, Step, channels, info, lengths, read, scan
 from ._setae import limit_threads, steps, version
 from ._spectra import Parameters, PowerSpectrum, Surface, parameters, power_spectrum, surface
-from ._study import Figure, StudyResult, conform
+from ._study import Figure, PatchSurvey, StudyResult, conform
 from ._study_building import Study, study
 from ._synthesis import Synthesis, Tip, synthesize, tip
 from ._texture import Texture, texture
@@ -79,11 +80,13 @@ __all__ = [
     "LoopFit",
     "MachineStiffness",
     "Parameters",
+    "PatchSurvey",
     "PerssonContact",
     "PowerSpectrum",
     "Processing",
     "Quantity",
     "Replicates",
+    "Result",
     "Scan",
     "Step",
     "Study",
@@ -118,6 +121,7 @@ __all__ = [
     "parameters",
     "persson",
     "power_spectrum",
+    "quantity",
     "read",
     "replicates",
     "scale_dependent",

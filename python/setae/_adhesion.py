@@ -7,8 +7,9 @@ import html
 from typing import Any
 
 from . import _setae
-from ._options import Text, filled, text
-from ._quantities import Answer, Quantity
+from ._options import Text, filled
+from ._quantities import Quantity
+from ._results import Answer
 from ._scan import Measured, items
 from ._spectra import Surface, analysis_of, shared_options
 
@@ -33,6 +34,12 @@ class WorkOfAdhesion(Answer):
     def conforms(self) -> bool:
         """Whether full contact forms spontaneously."""
         return bool(self["conforms"])
+
+    def plot(self, ax: Any = None, **style: Any) -> Any:
+        """Plots the energies that waves up to each wavevector gain and store on axes of matplotlib."""
+        from ._plot import plot_energies
+
+        return plot_energies(self._data["scales"], ax, **style)
 
     def __repr__(self) -> str:
         return f"WorkOfAdhesion(W_app = {self.estimate}{'' if self.conforms else ', ' + str(self['contact'])})"
@@ -88,14 +95,14 @@ def work_of_adhesion(
     """
     solids = filled(
         _setae.Solids(),
-        youngs_modulus=text(E),
-        poisson_ratio=nu,
-        work_of_adhesion=text(W_int),
-        surface_energy=text(gamma),
-        rough_E=text(rough_E),
+        E=E,
+        nu=nu,
+        W_int=W_int,
+        gamma=gamma,
+        rough_E=rough_E,
         rough_nu=rough_nu,
-        radius=text(radius),
-        preload=text(preload),
+        radius=radius,
+        preload=preload,
     )
     solids.require_valid()
     if isinstance(surface, Surface):

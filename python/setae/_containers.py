@@ -9,7 +9,7 @@ from typing import Any, Union
 from . import _setae
 from ._given import Given, is_path, plain_name, saved
 from ._options import Path, Text, filled, path, text
-from ._quantities import Answer
+from ._results import Answer
 from ._scan import Measured, scan
 
 #: One value for all files, or a value per file by its name.
@@ -23,9 +23,13 @@ class Container(Answer):
 class ContainerReport(Answer):
     """Content and problems of containers, as printed by ``setae container check --json``."""
 
+    tables = ("containers",)
+
 
 class Formats(Answer):
     """All supported formats: "formats" of topographies, "force_curves", "micrographs"."""
+
+    tables = ("formats",)
 
 
 def stated(values: Stated) -> list[str]:

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import base64
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Union
@@ -13,7 +14,8 @@ from ._errors import InvalidArgument
 from ._given import Given, Source, as_file, saved
 from ._loops import Loop, bodies_of, checked_bodies, curve_file, files_of, loop_files
 from ._options import Path, Text, filled, named, path, text
-from ._quantities import Alert, Answer, Quantity, quantity_from
+from ._quantities import Alert, Quantity, quantity_from
+from ._results import Answer, alerts_html, rows_html
 from ._scan import Scan
 
 #: One file or several.
@@ -85,7 +87,7 @@ class Camera(Answer):
 
 def camera(pictures: Paths, pitch: Text) -> Camera:
     """Pixel size and distortion from pictures of a ruling. ``pitch`` is the distance of its lines, "10 um" or "10 ± 0.02 um"."""
-    return Camera(_setae.camera_scale(paths(pictures), text(pitch)))
+    return Camera(_setae.camera_scale(paths(pictures), text(pitch, "pitch")))
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -103,6 +105,9 @@ class Recording(Columns):
         return ()
 
     def save(self, file: Path) -> None:
+        """Writes the results as a table."""
+        if self.handle is None:
+            raise InvalidArgument("the recording was analysed in another process; expected save() there")
         self.handle.save(path(file))
 
 
@@ -112,10 +117,16 @@ class ContactRadii(Recording):
     @property
     def n(self) -> int:
         """Number of frames with a contact radius."""
-        return int(self.data["summary"]["measured"])
+        return int(self._data["summary"]["measured"])
 
     def __repr__(self) -> str:
         return f"ContactRadii({len(self['time'])} frames, {self.n} measured)"
+
+    def plot(self, ax: Any = None, **style: Any) -> Any:
+        """Plots the contact radius against time on axes of matplotlib."""
+        from ._plot import plot_columns
+
+        return plot_columns(self, "time", ["contact_radius"], ax, **style)
 
 
 def contact_radii(
@@ -199,11 +210,17 @@ class ContactLine(Recording):
     @property
     def roughness_exponent(self) -> Quantity | None:
         """ζ of ⟨|r_n|²⟩ ∝ n^−(1 + 2ζ); None for too few frames or places."""
-        roughness = self.data["roughness"]
-        return None if roughness is None else quantity_from(roughness["exponent"])
+        roughness = self._data["roughness"]
+        return None if roughness is None else quantity_from(roughness["exponent"], self._shared)
 
     def __repr__(self) -> str:
         return f"ContactLine({self.n} frames, {self.data['angles']} places each)"
+
+    def plot(self, ax: Any = None, **style: Any) -> Any:
+        """Plots the mean radius of the edge against time on axes of matplotlib."""
+        from ._plot import plot_columns
+
+        return plot_columns(self, "time", ["mean_radius"], ax, **style)
 
 
 def recorded_edge(frames: Sources) -> Sources:
@@ -259,7 +276,7 @@ def contact_line(
     moved = None if displacement is None else as_file(displacement, "displacement")
     request = filled(
         _setae.LineRequest(),
-        sphere_radius=radius,
+        radius=radius,
         contact_modulus=contact_modulus,
         displacement=None if moved is None else path(moved),
         angles=angles,
@@ -278,6 +295,8 @@ def contact_line(
 class Contour(Answer):
     """The contour in a micrograph, as printed by ``setae contour --json``; ``profiles`` are texts of profile files, the longest first."""
 
+    tables = ("segments",)
+
     profiles: tuple[str, ...] = field(default=(), compare=False)
     overlay: bytes = field(default=b"", compare=False)  #: the picture with the edge drawn in, PNG
 
@@ -288,6 +307,10 @@ class Contour(Answer):
 
     def _repr_png_(self) -> bytes:
         return self.overlay
+
+    def _repr_html_(self) -> str:
+        picture = base64.b64encode(self.overlay).decode()
+        return f"<img src='data:image/png;base64,{picture}'>{rows_html(self._data['segments'])}{alerts_html(self.alerts)}"
 
 
 def contour(
@@ -335,6 +358,13 @@ def contour(
 
 class ForceCurves(Answer):
     """Fits of a force curve ("segments", "summary"), or of every curve of a file ("curves"), as printed by ``setae jkr fit --json``."""
+
+    tables = ("curves", "segments")
+
+    @property
+    def quantities(self) -> tuple[Quantity, ...]:
+        """Results of one curve; none for a file of many."""
+        return self._entry("summary").quantities if "summary" in self._data else ()
 
 
 def force_curves(
@@ -401,7 +431,7 @@ def force_curves(
         tip=tip,
         half_angle=half_angle,
         model=model,
-        range=fit_range,
+        fit_range=fit_range,
         contact_point=contact_point,
         keep_baseline_slope=keep_baseline_slope,
     )
@@ -411,6 +441,8 @@ def force_curves(
 
 class Replicates(Answer):
     """Means over surfaces, lenses, spots and repeats, as printed by ``setae jkr summary --json``."""
+
+    tables = ("surfaces",)
 
 
 def replicates(

@@ -12,8 +12,9 @@ from typing import TYPE_CHECKING, Any
 from . import _setae
 from ._columns import Named
 from ._given import Given, Source, as_file, shown
-from ._options import MAPPINGS, Text, filled, path, text, texts
-from ._quantities import Alert, Answer, Quantity, alerts_from
+from ._options import MAPPINGS, Text, filled, path, texts, texts_of
+from ._quantities import Alert, Quantity, alerts_from
+from ._results import Answer
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -42,6 +43,13 @@ class LoopFit(Answer):
         loop = self["loop"]
         return None if loop is None else loop["energy"]
 
+    @property
+    def quantities(self) -> tuple[Quantity, ...]:
+        """E* and W of loading, pull-off force and energy loss, then the quantities at the top level."""
+        pull_off = self["pull_off"]
+        own = (self.E_star, self.W, None if pull_off is None else pull_off["force"], self.loss)
+        return (*(quantity for quantity in own if quantity is not None), *super().quantities)
+
     def __repr__(self) -> str:
         loss = "" if self.loss is None else f", E_loss = {self.loss}"
         return f"LoopFit(E* = {self.E_star}, W = {self.W}{loss})"
@@ -59,6 +67,12 @@ class MachineStiffness(Answer):
 
 class LoopEnergy(Answer):
     """Energy budget of a loop, as printed by ``setae jkr energy --json``."""
+
+    @property
+    def quantities(self) -> tuple[Quantity, ...]:
+        """Energy of the closed loop and loss per area."""
+        loop, ledger = self._entry("loop"), self._entry("ledger")
+        return (*(loop.quantities if loop else ()), *(ledger.quantities if ledger else ()))
 
 
 @dataclass(frozen=True, eq=False)
@@ -174,8 +188,8 @@ class Loop:
             "models": texts(models),
             "branch": branch,
             "errors": errors,
-            "contact_point": text(model_contact_point),
-            "cohesive_stress": text(cohesive_stress),
+            "model_contact_point": model_contact_point,
+            "cohesive_stress": cohesive_stress,
             "profile": profile,
             "crack_speed": crack_speed,
             "exponent": exponent,
@@ -211,11 +225,11 @@ class Loop:
         own = ("file", "format", "header", "mapping", "version")
         return {key: value for key, value in self.metadata.items() if key not in own}
 
-    def plot(self, ax: Any = None) -> Any:
-        """Force against displacement, or contact radius, on axes of matplotlib."""
+    def plot(self, ax: Any = None, **style: Any) -> Any:
+        """Plots force against displacement, or contact radius, on axes of matplotlib; ``style``: keywords of matplotlib."""
         from ._plot import plot_loop
 
-        return plot_loop(self, ax)
+        return plot_loop(self, ax, **style)
 
 
 def curve_file(source: Source | Loop, name: str, units: Mapping[str, str] | None) -> str | Given:
@@ -228,7 +242,7 @@ def files_of(*, camera: Source | None = None, frame_rate: float | None = None, f
     """Attributes of LoopFiles; arguments that are not given keep their defaults."""
     names = ("mapping", "camera_mapping", "clock_offset", "pixel", "spring_constant", "sensitivity")
     return {
-        **{name: text(texts.get(name)) for name in names},
+        **texts_of(_setae.LoopFiles, **{name: texts.get(name) for name in names}),
         "camera": "" if camera is None else as_file(camera, "camera"),
         "mapping_folder": MAPPINGS,
         "frame_rate": frame_rate,
@@ -247,11 +261,8 @@ def bodies_of(*, radius: Text | None = None, lens_height: Text | None = None, la
               counter_E: Text | None = None, counter_nu: float | None = None) -> dict[str, Any]:
     """Attributes of LoopBodies."""
     return {
-        "radius": text(radius),
-        "lens_height": text(lens_height),
-        "layer_thickness": text(layer_thickness),
+        **texts_of(_setae.LoopBodies, radius=radius, lens_height=lens_height, layer_thickness=layer_thickness, counter_E=counter_E),
         "nu": nu,
-        "counter_E": text(counter_E),
         "counter_nu": counter_nu,
     }
 

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import dataclasses
+import html
 import json
 import pathlib
 from dataclasses import dataclass, field
@@ -12,8 +13,9 @@ from typing import TYPE_CHECKING, Any, Union, cast
 
 from . import _setae
 from ._given import Given, is_path, shown
-from ._options import Length, Path, Size, Text, named, path, size_text, text
-from ._quantities import Alert, Answer, Json, Quantity, alerts_from, quantity_from
+from ._options import Length, Path, Size, Text, exact, named, path, size_text, text
+from ._quantities import Alert, Json, Quantity, alerts_from, quantity_from
+from ._results import Answer, alerts_html
 
 if TYPE_CHECKING:
     from ._columns import Array
@@ -21,6 +23,8 @@ if TYPE_CHECKING:
 
 class Info(Answer):
     """Content of files, as printed by ``setae info --json``."""
+
+    tables = ("channels",)
 
     @property
     def channels(self) -> tuple[Json, ...]:
@@ -60,8 +64,17 @@ class Processing(Answer):
     def alerts(self) -> tuple[Alert, ...]:
         return tuple(alert for step in self.steps for alert in step.alerts)
 
+    @property
+    def quantities(self) -> tuple[Quantity, ...]:
+        """Numbers of all steps."""
+        return tuple(number for step in self.steps for number in step.numbers)
+
     def __repr__(self) -> str:
-        return "\n".join(map(str, self.steps))
+        return "\n".join(map(str, self.steps)) or "no steps"
+
+    def _repr_html_(self) -> str:
+        steps = "".join(f"<li>{html.escape(str(step))}</li>" for step in self.steps)
+        return (f"<ol>{steps}</ol>" if steps else "<p>no steps</p>") + alerts_html(self.alerts)
 
 
 @dataclass(frozen=True, eq=False)
@@ -208,17 +221,17 @@ class Scan:
     ) -> Scan:
         """The scan with metadata that its file does not contain: "stylus", "afm", "tem" or "optical"; radius of the tip with its ±."""
         given: dict[str, Any] = {
-            name: text(value)
+            name: text(value, name)
             for name, value in (("instrument", instrument), ("tip_radius", tip_radius), ("resolution", resolution), ("trend", trend))
             if value is not None
         }
         return dataclasses.replace(self, **given)
 
-    def plot(self, ax: Any = None) -> Any:
-        """Plots the heights on axes of matplotlib."""
+    def plot(self, ax: Any = None, **style: Any) -> Any:
+        """Plots the heights on axes of matplotlib, a map with y upwards as the program draws it; ``style``: keywords of matplotlib."""
         from ._plot import plot_scan
 
-        return plot_scan(self, ax)
+        return plot_scan(self, ax, **style)
 
     def save(self, file: Path) -> None:
         """Writes the heights after all steps. The ending gives the format: .x3p, .sdf, .gwy, .nc, .npy, .txt or .csv."""
@@ -260,8 +273,8 @@ class Scan:
     def _repr_html_(self) -> str:
         shape = " × ".join(map(str, self.heights.shape))
         extent = " × ".join(_setae.format_uncertain(length, float("nan"), "m") for length in self.size)
-        steps = "".join(f"<li>{step}</li>" for step in self.processing.steps) if self.steps or self.pipeline else ""
-        return f"<b>{self.name or self.file}</b>: {shape} points, {extent}" + (f"<ol>{steps}</ol>" if steps else "")
+        steps = self.processing._repr_html_() if self.steps or self.pipeline else ""
+        return f"<b>{html.escape(self.name or str(self.file))}</b>: {shape} points, {extent}{steps}"
 
 
 def read(
@@ -289,8 +302,8 @@ def read(
         path(file),
         channel,
         instrument=text(instrument),
-        tip_radius=text(tip_radius),
-        resolution=text(resolution),
+        tip_radius=text(tip_radius, "tip_radius"),
+        resolution=text(exact(resolution), "resolution"),
         trend=text(trend),
         stated_size=size_text(size),
         stated_unit=text(unit),
@@ -364,8 +377,9 @@ def scan(heights: Any, size: Size | None = None, unit: str | None = None, *, x: 
     >>> scan([0.0, 2.0, 1.0], x=[0.0, 1.0, 4.0], unit="um, nm").positions
     array([0.e+00, 1.e-06, 4.e-06])
     """
-    given = {"instrument": text(instrument), "tip_radius": text(tip_radius), "resolution": text(resolution), "trend": text(trend)}
-    given = {key: value for key, value in given.items() if value}
+    stated = {"instrument": text(instrument), "tip_radius": text(tip_radius, "tip_radius"),
+              "resolution": text(exact(resolution), "resolution"), "trend": text(trend)}
+    given = {key: value for key, value in stated.items() if value}
     own = own_scan(heights)
     if own is not None:
         made = dataclasses.replace(own, **cast(Any, given))
@@ -387,7 +401,7 @@ def own_scan(value: Any) -> Scan | None:
     if isinstance(value, Scan):
         return value
     if isinstance(value, Answer) and isinstance(getattr(value, "scan", None), Scan):
-        return cast("Scan", value.scan)  # type: ignore[attr-defined]
+        return cast("Scan", value.scan)
     profiles = getattr(value, "profiles", ()) if isinstance(value, Answer) else ()
     return Scan(Given("profile", profiles[0].encode())) if profiles else None
 

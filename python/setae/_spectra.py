@@ -3,16 +3,17 @@
 
 from __future__ import annotations
 
-import html
 import json
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from . import _setae
 from ._columns import Columns
 from ._errors import InvalidArgument
-from ._options import Size, Text, filled, size_text, text
-from ._quantities import Alert, Answer, Band, Quantity, alerts_from, number, quantity_from
+from ._options import Size, Text, exact, filled, size_text, text
+from ._quantities import Alert, Band, Quantity, alerts_from, number, quantity_from
+from ._results import Answer
 from ._scan import Measured, items
 
 if TYPE_CHECKING:
@@ -25,8 +26,8 @@ def shared_options(
 ) -> dict[str, Any]:
     return {
         "instrument": text(instrument),
-        "tip_radius": text(tip_radius),
-        "resolution": text(resolution),
+        "tip_radius": text(tip_radius, "tip_radius"),
+        "resolution": text(exact(resolution), "resolution"),
         "trend": text(trend),
         "stated_size": size_text(size),
         "stated_unit": text(unit),
@@ -44,7 +45,7 @@ def analysis_of(
     bootstrap_resamples: int | None = None,
 ) -> _setae.Analysis:
     texts = {"longest": longest, "shortest": shortest, "window": window, "contours": contours, "conversion": conversion}
-    given = {name: text(value) for name, value in texts.items() if value is not None}
+    given = {name: text(value, name) for name, value in texts.items() if value is not None}
     analysis = filled(_setae.Analysis(), memory=memory, bootstrap_resamples=bootstrap_resamples, **given)
     analysis.require_valid()
     return analysis
@@ -86,21 +87,17 @@ class PowerSpectrum(Spectrum):
     @property
     def band(self) -> Band:
         """Wavevectors of the combined spectrum."""
-        band = self.data["band"]
+        band = self._data["band"]
         return Band(number(band["lower"]), number(band["upper"]))
 
     @property
     def fit(self) -> dict[str, Quantity]:
         """Parameters of the self-affine fit, by name; empty without a fit."""
-        fit = self.data.get("fit")
-        return {entry["quantity"]: quantity_from(entry) for entry in fit["parameters"]} if fit else {}
+        fit = self._data.get("fit")
+        return {entry["quantity"]: quantity_from(entry, self._shared) for entry in fit["parameters"]} if fit else {}
 
     def __repr__(self) -> str:
         return f"PowerSpectrum({len(self.q)} of {', '.join(self.columns)}, {self.n} measurements)"
-
-    def _repr_html_(self) -> str:
-        warnings = "".join(f"<li>{html.escape(str(alert))}</li>" for alert in self.alerts)
-        return f"<b>{html.escape(repr(self))}</b><ul>{warnings}</ul>"
 
 
 def power_spectrum(
@@ -162,25 +159,26 @@ def power_spectrum(
 
 
 class Parameters(Answer):
-    """Parameters from heights and from the spectrum by name, as printed by ``setae params --json``; of several, the first measurement."""
+    """Parameters from heights and from the spectrum by name or symbol, as printed by ``setae params --json``.
 
-    def __getitem__(self, name: str) -> Any:
-        for entry in self._data:
-            if entry["quantity"] == name:
-                return quantity_from(entry)
-        raise KeyError(name)
+    ``parameters["Sq"]`` is ``parameters["rms_height"]``; of several measurements, the first. ``to_pandas()`` has a row for each.
+    """
 
-    def __iter__(self) -> Any:
-        return iter(dict.fromkeys(entry["quantity"] for entry in self._data))
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._by_name)
 
     @property
     def headline(self) -> dict[str, Quantity]:
         """The parameters to quote: rms height, slope, curvature and true area of the waves inside the reliable band."""
-        return {entry["quantity"]: quantity_from(entry) for entry in self._data if entry["headline"]}
+        return {entry["quantity"]: quantity_from(entry, self._shared) for entry in self._data if entry["headline"]}
 
     def of(self, file: str) -> dict[str, Quantity]:
         """The parameters of one measurement, or those called "combined"."""
-        return {entry["quantity"]: quantity_from(entry) for entry in self._data if entry["file"] == file}
+        return {entry["quantity"]: quantity_from(entry, self._shared) for entry in self._data if entry["file"] == file}
+
+    def to_dict(self) -> dict[str, Any]:
+        """The JSON of each parameter by its name."""
+        return {entry["quantity"]: entry for entry in reversed(self.data)}
 
 
 def parameters(
@@ -228,32 +226,30 @@ class Surface(Spectrum):
     def __getstate__(self) -> dict[str, Any]:
         return {**super().__getstate__(), "handle": None}
 
+    @property
+    def quantities(self) -> tuple[Quantity, ...]:
+        """Moments of the spectrum with their standard errors."""
+        return self.moments
+
     def __getitem__(self, name: str) -> Any:
-        for quantity in self.moments:
-            if quantity.quantity == name:
-                return quantity
-        return self.columns[name]
+        return self._by_name[name] if name in self._by_name else super().__getitem__(name)
 
     @property
     def method(self) -> str:
         """Origin of the spectrum: "likelihood", "average" or "given"."""
-        return str(self.data["spectrum_method"])
+        return str(self._data["spectrum_method"])
 
     @property
     def n(self) -> int:
-        return int(self.data["n_measurements"])
+        return int(self._data["n_measurements"])
 
     @property
     def alerts(self) -> tuple[Alert, ...]:
-        data = self.data
+        data = self._data
         return tuple(alert for m in data["measurements"] for alert in alerts_from(m.get("alerts", ()))) + alerts_from(data["alerts"])
 
     def __repr__(self) -> str:
         return f"Surface({self.method} of {self.n}: {', '.join(f'{q.symbol} = {q}' for q in self.moments[:4])})"
-
-    def _repr_html_(self) -> str:
-        rows = "".join(f"<tr><td>{html.escape(q.quantity.replace('_', ' '))}</td><td>{q._repr_html_()}</td></tr>" for q in self.moments)
-        return f"<table>{rows}</table>"
 
     def to_surface_topography(self) -> Any:
         """The measurements as a container of SurfaceTopography in memory, with their instruments."""
@@ -302,7 +298,7 @@ def surface(
         :func:`power_spectrum`.
     """
     shared = shared_options(instrument, tip_radius, resolution, trend, size, unit, keep_values)
-    options = (text(longest), text(shortest), text(window), text(contours), text(conversion), memory, bootstrap_resamples)
+    options = (text(longest, "longest"), text(shortest, "shortest"), text(window), text(contours), text(conversion), memory, bootstrap_resamples)
     arguments = (measurements, shared, options, text(spectrum), not skip_failed)
     found = computed(*arguments)
     moments = tuple(map(quantity_from, json.loads(found.quantities())))

@@ -10,7 +10,8 @@ from typing import Any
 
 from . import _setae
 from ._options import Path, filled
-from ._quantities import Answer, Quantity
+from ._quantities import Quantity
+from ._results import Answer
 
 
 @dataclass(frozen=True)
@@ -107,7 +108,7 @@ class StudyResult(Answer):
         """W_ret, pull-off force and loss of every pair, with the retraction models, as printed by ``setae predict --json``."""
         return Answer(self.handle.predict(trials, seed, threads))
 
-    def conform(self, **patches: Any) -> Answer:
+    def conform(self, **patches: Any) -> PatchSurvey:
         """Random patches with the spectra and U_el/(A W) of the pairs of the study; ``patches``: arguments of :func:`conform`."""
         return conform(self, **patches)
 
@@ -131,6 +132,12 @@ class StudyResult(Answer):
         return f"<pre>{html.escape(self.summary())}</pre>"
 
 
+class PatchSurvey(Answer):
+    """Contact of random patches, as printed by ``setae lab conform --json``; ``rows``: one entry per kind of patch."""
+
+    tables = ("rows",)
+
+
 def conform(
     of: StudyResult | None = None,
     *,
@@ -144,7 +151,7 @@ def conform(
     seeds: int | None = None,
     seed: int | None = None,
     loops: bool = False,
-) -> Answer:
+) -> PatchSurvey:
     """Contact of random patches with adhesion, as ``setae lab conform --json``: full contact or partial contact.
 
     With a study, the patches have the spectra and U_el/(A W) of its pairs. Without a study, energy_shares gives U_el/(A W).
@@ -190,4 +197,4 @@ def conform(
         seed=seed,
         loops=loops,
     )
-    return Answer(_setae.conform(None if of is None else of.handle, request))
+    return PatchSurvey(_setae.conform(None if of is None else of.handle, request))

@@ -14,7 +14,7 @@ from ._errors import InvalidArgument
 from ._given import Given, as_file, is_path, plain_name
 from ._loops import Loop
 from ._options import path, text
-from ._quantities import Answer
+from ._results import Result
 from ._scan import Scan, lengths, scan
 
 #: Keys of a study whose values are files; relative paths are relative to the current folder, in the study file to the study file.
@@ -23,7 +23,7 @@ FILES = ("file", "mapping", "output", "pipeline", "power_spectrum", "references"
 
 def is_keys(value: Any) -> bool:
     """True for a dictionary of keys; False for results and datasets, which are mappings, too."""
-    return isinstance(value, Mapping) and not isinstance(value, Answer) and not hasattr(value, "data_vars")
+    return isinstance(value, Mapping) and not isinstance(value, Result) and not hasattr(value, "data_vars")
 
 
 def written(value: Any) -> str:

@@ -9,7 +9,8 @@ from typing import Any
 from . import _setae
 from ._given import Source, as_file
 from ._options import Path, Size, Text, filled, path, size_text, text
-from ._quantities import Answer, Quantity
+from ._quantities import Quantity
+from ._results import Answer
 from ._scan import Items, Measured, Scan, items, scan_of
 
 
@@ -18,6 +19,10 @@ class Synthesis(Answer):
     """A simulated surface or line, as printed by ``setae synthesize --json``; ``scan`` contains its heights."""
 
     scan: Scan = field(compare=False)
+
+    def plot(self, ax: Any = None, **style: Any) -> Any:
+        """Plots the heights on axes of matplotlib."""
+        return self.scan.plot(ax, **style)
 
 
 def synthesize(
@@ -108,10 +113,10 @@ def synthesize(
         short_cutoff=short_cutoff,
         long_cutoff=long_cutoff,
         rms_height=rms_height,
-        rms_slope=text(rms_slope),
+        rms_slope=rms_slope,
         plateau=plateau,
         spectrum=None if table is None else path(table),
-        spectrum_unit=unit,
+        unit=unit,
         window_of=window_of,
         line=line,
         exact_rms=exact_rms,
@@ -141,6 +146,10 @@ class Tip(Answer):
     def radius(self) -> Quantity:
         """Radius of a parabola through the apex, an upper bound."""
         return self.quantities[0]
+
+    def plot(self, ax: Any = None, **style: Any) -> Any:
+        """Plots the tip on axes of matplotlib."""
+        return self.scan.plot(ax, **style)
 
 
 def tip(measurement: Measured, *, points: int = 21, threshold: Text | None = None, rounds: int = 100, size: Size | None = None,

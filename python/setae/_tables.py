@@ -16,7 +16,7 @@ import numpy as np
 from ._columns import Columns
 from ._errors import InvalidArgument
 from ._given import TableLike
-from ._quantities import Answer
+from ._results import Answer
 
 #: Units in SI of the columns that setae reads; arrays of pint are converted to the unit of their dimension.
 SI_UNITS = ("m", "N", "s", "1/m", "m3", "m4", "Pa", "J/m2", "J", "N/m", "m/s", "V", "A", "K", "rad", "1")

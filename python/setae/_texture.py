@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from . import _setae
 from ._options import Size, Text, filled
 from ._scan import Measured, items
@@ -13,12 +11,6 @@ from ._spectra import Parameters, shared_options
 
 class Texture(Parameters):
     """Parameters of a standard by symbol or by name, ``texture(…)["Sq"]``, as printed by ``setae params --standard --json``."""
-
-    def __getitem__(self, name: str) -> Any:
-        for entry in self._data:
-            if entry["symbol"] == name:
-                return super().__getitem__(entry["quantity"])
-        return super().__getitem__(name)
 
 
 def texture(
