@@ -38,12 +38,13 @@ from ._results import Answer, Result
 from ._scales import FunctionOfScale, autocorrelation, scale_dependent, variable_bandwidth
 from ._schema import schema
 from ._scan import Info, Processing, Scan, Step, channels, info, lengths, read, scan
-from ._setae import limit_threads, steps, version
+from ._setae import steps, version
 from ._spectra import Parameters, PowerSpectrum, Surface, parameters, power_spectrum, surface
 from ._study import Figure, PatchSurvey, StudyResult, conform
 from ._study_building import Study, study
 from ._synthesis import Synthesis, Tip, synthesize, tip
 from ._texture import Texture, texture
+from ._threads import limit_threads
 
 __version__ = version().partition("+")[0]
 

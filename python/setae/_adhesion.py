@@ -7,11 +7,11 @@ import html
 from typing import Any
 
 from . import _setae
-from ._options import Text, filled
+from ._options import Text, filled, require_known
 from ._quantities import Quantity
 from ._results import Answer
 from ._scan import Measured, items
-from ._spectra import Surface, analysis_of, shared_options
+from ._spectra import ANALYSIS, Surface, analysis_of, shared_options
 
 
 class WorkOfAdhesion(Answer):
@@ -110,5 +110,6 @@ def work_of_adhesion(
             raise TypeError(f"{', '.join(measurement)}: the surface is analysed already; give this argument to setae.surface")
         return WorkOfAdhesion(_setae.adhesion_of_surface(surface.analysed(), solids))
     names = ("instrument", "tip_radius", "resolution", "trend", "size", "unit", "keep_values")
+    require_known(measurement, (*names, *ANALYSIS))
     shared = shared_options(*(measurement.pop(name, None) for name in names))
     return WorkOfAdhesion(_setae.adhesion_of_files(items(surface, shared), analysis_of(**measurement), solids, not skip_failed))

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from . import _setae
 from ._columns import Columns, Named, edge_of
 from ._errors import InvalidArgument
-from ._options import Path, Size, Text, filled, path
+from ._options import Path, Size, Text, filled, path, require
 from ._quantities import Quantity, quantity_from
 from ._results import Answer
 from ._scan import Measured, items
@@ -165,6 +165,7 @@ def contact(
     >>> setae.contact(wave, contact_modulus="1 MPa", pressure="3.2 kPa")["area_fraction"]
     1.000
     """
+    require("a text", edges=edges)
     request = filled(
         _setae.HardWallRequest(),
         contact_modulus=contact_modulus,
@@ -317,6 +318,8 @@ def contact_sweep(
     >>> sweep.complete, sweep.units["tension"]
     (True, 'Pa')
     """
+    require("a text", edges=edges)
+    require("True or False", maps=maps)
     request = filled(
         _setae.SweepRequest(),
         contact_modulus=contact_modulus,
@@ -454,6 +457,8 @@ def contact_front(
     >>> front.complete, front.units["force"]
     (True, 'N')
     """
+    require("a text", edges=edges)
+    require("a whole number", realisations=realisations)
     request = filled(
         _setae.FrontRequest(),
         radius=radius,

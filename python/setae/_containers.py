@@ -32,12 +32,12 @@ class Formats(Answer):
     tables = ("formats",)
 
 
-def stated(values: Stated) -> list[str]:
+def stated(values: Stated, argument: str = "") -> list[str]:
     if values is None:
         return []
     if isinstance(values, Mapping):
-        return [f"{file}={text(value)}" for file, value in values.items()]
-    return [text(values)]
+        return [f"{file}={text(value, argument)}" for file, value in values.items()]
+    return [text(values, argument)]
 
 
 def heights_of(measurement: Measured) -> Given:
@@ -100,7 +100,7 @@ def write_container(
         taken_over=[path(file) for file in taken_over],
         name=name,
         description=description,
-        sizes=stated(size),
+        sizes=stated(size, "size"),
         units=stated(unit),
         channels=stated(channel),
         trends=stated(detrend),

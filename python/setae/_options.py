@@ -3,11 +3,11 @@
 
 from __future__ import annotations
 
-import math
+import difflib
 import os
 import pathlib
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from numbers import Integral, Real
 from typing import Any, TypeVar, Union
@@ -43,8 +43,10 @@ MAPPINGS = str(pathlib.Path(__file__).parent / "share" / "setae" / "mappings")
 
 #: Examples of arguments that many functions have; those of requests are in their documentation.
 EXAMPLES = {"tip_radius": "10 ± 2 nm", "resolution": "0.5 um", "size": "5 um x 5 um", "longest": "10 um", "shortest": "100 nm",
-            "distance": "100 nm", "pressure": "1 MPa", "contact_point": "1.2 um", "pitch": "10 um"}
-_NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?")
+            "distance": "100 nm", "pressure": "1 MPa", "contact_point": "1.2 um", "pitch": "10 um",
+            "pixel": "2.05 um", "scale_bar": "500 nm", "foil_thickness": "50 nm"}
+_NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?\s*([^\d\s]\S*(?: \S+)*|)")
+_SIGNS = re.compile(r"±|\+-|\+/-|\bto\b|(?<=[\w.])\s*\bx\b\s*(?=[\d.])")
 _EXAMPLE = re.compile(r'such as "([^"]*)"')
 #: Options of requests that take a standard error. Other options take the value of a quantity without it.
 UNCERTAIN = {
@@ -92,14 +94,28 @@ def named_argument(argument: str) -> str:
 
 
 def require_unit(given: str, argument: str, example: str) -> None:
-    """Raises an error for a number without unit where the argument has a dimension."""
+    """Raises an error for a number without unit, or with a unit of another dimension, where the argument has a dimension."""
     example = example or EXAMPLES.get(argument, "")
-    of_example = re.fullmatch(rf"{_NUMBER.pattern}(?: ± {_NUMBER.pattern})? ?(.*)", example.split(" x ")[0])
-    kind = kind_of(of_example[5]) if of_example and of_example[5] else ""
-    numbers = [number.strip() for number in re.split(r"±|\+-|\+/-| to |(?<=\d)\s*x\s*(?=[\d.])", given)]
-    if not kind or not all(_NUMBER.fullmatch(number) for number in numbers) or (len(numbers) == 1 and float(numbers[0]) == 0.0):
+    kind = kind_of_text(example)
+    numbers = [_NUMBER.fullmatch(number.strip()) for number in _SIGNS.split(given)]
+    if not kind or numbers[0] is None or (len(numbers) == 1 and numbers[0][3] == "" and float(numbers[0][0]) == 0.0):
         return
-    raise InvalidArgument(f"{named_argument(argument)}{given} has no unit; expected {kind} with its unit, such as \"{example}\"")
+    of_given = kind_of_text(given)
+    if all(number is not None and number[3] == "" for number in numbers):
+        raise InvalidArgument(f"{named_argument(argument)}'{given}' has no unit; expected {kind} with its unit, such as \"{example}\"")
+    if of_given and {of_given, kind} != {"a stiffness", "an energy per area"} and of_given != kind:
+        raise InvalidArgument(f"{named_argument(argument)}'{given}' is {of_given}; expected {kind}, such as \"{example}\"")
+
+
+def kind_of_text(given: str) -> str:
+    """What a text measures, by its last unit; empty for a text that is no number with a known unit.
+
+    >>> kind_of_text("0.7 ± 0.02 MPa"), kind_of_text("5 um x 5 um"), kind_of_text("auto")
+    ('a pressure', 'a length', '')
+    """
+    parts = [_NUMBER.fullmatch(part.strip()) for part in _SIGNS.split(given)]
+    last = parts[-1]
+    return kind_of(last[3]) if last is not None and all(parts) and last[3] else ""
 
 
 def size_text(size: Size | None) -> str:
@@ -154,9 +170,21 @@ def fill(request: Any, name: str, value: Any) -> None:
     is_text = isinstance(now, str) or (now is None and takes(request, name, "", now))
     if is_text and (quantity is not None or isinstance(value, (str, int, float))) and not isinstance(value, bool):
         value = option_text(type(request), name, value if quantity is None else quantity)
+        require_word(value, name, getattr(type(request), name).__doc__ or "", now)
     elif quantity is not None:
         value = number_of(quantity, name)
     setattr(request, name, value)
+
+
+def require_word(given: str, argument: str, documentation: str, default: Any) -> None:
+    """Raises an error for a word that the documentation of an option does not list."""
+    listed = re.search(r"; one of ([\w, ]+)$", documentation)
+    words = listed[1].split(", ") if listed else []
+    if not words or given in (*words, default, ""):
+        return
+    near = difflib.get_close_matches(given, words, 1)
+    hint = f"did you mean '{near[0]}'?; " if near else ""
+    raise InvalidArgument(f"{argument}: '{given}' is unknown; {hint}expected one of {', '.join(words)}")
 
 
 def example_of(request: type, name: str) -> str:
@@ -199,10 +227,21 @@ def number_of(quantity: Quantity, argument: str) -> float:
     return float(quantity.to("1"))
 
 
+def require_known(given: Mapping[str, Any], known: Sequence[str]) -> None:
+    """Raises an error for a keyword that a function does not have."""
+    for name in given:
+        if name not in known:
+            near = difflib.get_close_matches(name, known, 1)
+            raise TypeError(f"unknown argument '{name}'; " + (f"did you mean '{near[0]}'?; " if near else "") + f"expected one of {', '.join(known)}")
+
+
 def named(value: int | str | None) -> str | None:
     """A channel or image by its number, counted from 0, or its name, as a text for the library."""
     return None if value is None else str(value)
 
 
 def path(value: Path) -> str:
+    """A path as a text."""
+    if not isinstance(value, (str, os.PathLike)):
+        raise TypeError(f"{type(value).__name__}; expected the path of a file")
     return os.fspath(value)

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, Union, cast
 
 from . import _setae
 from ._given import Given, is_path, shown
-from ._options import Length, Path, Size, Text, exact, named, path, size_text, text
+from ._options import Length, Path, Size, Text, exact, named, path, require, size_text, text
 from ._quantities import Alert, Json, Quantity, alerts_from, quantity_from
 from ._results import Answer, alerts_html
 
@@ -298,6 +298,7 @@ def read(
     :raises FileError: for a path that cannot be read
     :raises FormatError: for content of an unknown format, or damaged content
     """
+    require("True or False", keep_values=keep_values)
     scan = Scan(
         path(file),
         channel,
@@ -323,6 +324,7 @@ def channels(file: Path, **stated: Any) -> tuple[Scan, ...]:
 def info(*paths: Path, heights: bool | None = None, size: Size | None = None, unit: str | None = None, layout: str | None = None,
          channel: int | str | None = None, keep_values: bool = False) -> Info:
     """Content of files or folders. heights: read (True), not read (False), or read from files up to 64 MB (None)."""
+    require("True or False", heights=heights, keep_values=keep_values)
     item = _setae.Item("")
     item.set_file(size_text(size), text(unit), text(layout), named(channel), keep_values)
     return Info(_setae.contents([path(entry) for entry in paths], item, heights))
@@ -377,6 +379,8 @@ def scan(heights: Any, size: Size | None = None, unit: str | None = None, *, x: 
     >>> scan([0.0, 2.0, 1.0], x=[0.0, 1.0, 4.0], unit="um, nm").positions
     array([0.e+00, 1.e-06, 4.e-06])
     """
+    require("True or False", periodic=periodic)
+    require("a text", name=name)
     stated = {"instrument": text(instrument), "tip_radius": text(tip_radius, "tip_radius"),
               "resolution": text(exact(resolution), "resolution"), "trend": text(trend)}
     given = {key: value for key, value in stated.items() if value}

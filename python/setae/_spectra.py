@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from . import _setae
 from ._columns import Columns
 from ._errors import InvalidArgument
-from ._options import Size, Text, exact, filled, size_text, text
+from ._options import Size, Text, exact, filled, require, size_text, text
 from ._quantities import Alert, Band, Quantity, alerts_from, number, quantity_from
 from ._results import Answer
 from ._scan import Measured, items
@@ -24,6 +24,7 @@ def shared_options(
     instrument: str | None, tip_radius: Text | None, resolution: Text | None, trend: str | None, size: Size | None, unit: str | None,
     keep_values: bool | None = False,
 ) -> dict[str, Any]:
+    require("True or False", keep_values=keep_values)
     return {
         "instrument": text(instrument),
         "tip_radius": text(tip_radius, "tip_radius"),
@@ -33,6 +34,10 @@ def shared_options(
         "stated_unit": text(unit),
         "keep_values": bool(keep_values),
     }
+
+
+#: Keywords of the analysis of measurements.
+ANALYSIS = ("longest", "shortest", "window", "contours", "conversion", "memory", "bootstrap_resamples")
 
 
 def analysis_of(
@@ -142,6 +147,7 @@ def power_spectrum(
     >>> bool(numpy.isclose(psd.C1D.max(), (3e-9) ** 2 * 2e-6 / 4))
     True
     """
+    require("True or False", isotropic=isotropic, abel=abel, binned=binned, fit=fit, rolloff=rolloff, short_cutoff=short_cutoff)
     shared = shared_options(instrument, tip_radius, resolution, trend, size, unit, keep_values)
     spectrum = _setae.power_spectrum(
         items(measurements, shared),

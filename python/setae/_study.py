@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from . import _setae
-from ._options import Path, filled
+from ._options import Path, filled, require
 from ._quantities import Quantity
 from ._results import Answer
 
@@ -94,18 +94,22 @@ class StudyResult(Answer):
 
     def summary(self, width: int = 100) -> str:
         """Every table as text, the verdict first."""
+        require("a whole number", width=width)
         return self.handle.summary(width)
 
     def budget(self, width: int = 100) -> str:
         """Contributions of the inputs to each standard error, as text."""
+        require("a whole number", width=width)
         return self.handle.budget(width)
 
     def next_measurements(self, target: str = "W_int") -> Answer:
         """Standard error of ``target`` after one further measurement, as printed by ``setae study --next --json``."""
+        require("a text", target=target)
         return Answer(self.handle.next_measurements(target))
 
     def predict(self, *, trials: int = 0, seed: int = 1, threads: int = 0) -> Answer:
         """W_ret, pull-off force and loss of every pair, with the retraction models, as printed by ``setae predict --json``."""
+        require("a whole number", trials=trials, seed=seed, threads=threads)
         return Answer(self.handle.predict(trials, seed, threads))
 
     def conform(self, **patches: Any) -> PatchSurvey:

@@ -41,7 +41,7 @@ TEST(ParseQuantity, RefusesAMissingUnit) {
         (void)parse_quantity("37", dimension::surface_energy);
         FAIL();
     } catch (const InvalidArgument& error) {
-        EXPECT_STREQ(error.what(), "'37' has no unit; write for instance \"37 J/m2\"");
+        EXPECT_STREQ(error.what(), "'37' has no unit; expected an energy per area with its unit, such as \"40 mJ/m2\"");
     }
 }
 

@@ -72,8 +72,9 @@ TEST(NamedInputs, AreRefusedInOneLine) {
         "0");
     EXPECT_EQ(message_of("sphere.radius = '1.25 ± -1 mm'"),
               "study.toml:1: sphere.radius: '1.25 ± -1 mm', expected an uncertainty >= 0");
-    EXPECT_EQ(message_of("sphere.radius = '1.25 ± 0.01'"),
-              "study.toml:1: sphere.radius: '1.25 ± 0.01' has no unit; write for instance \"1.25 ± 0.01 um\"");
+    EXPECT_EQ(
+        message_of("sphere.radius = '1.25 ± 0.01'"),
+        "study.toml:1: sphere.radius: '1.25 ± 0.01' has no unit; expected a length with its unit, such as \"5 um\"");
     EXPECT_EQ(message_of("inputs.lens = true\nsphere.radius = '1 mm'"),
               "study.toml:1: inputs.lens: expected a value with its ± and unit in quotes");
 }
