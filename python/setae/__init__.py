@@ -11,6 +11,7 @@ Results are in SI with unit, standard error, band and source. Arguments with a u
 
 from __future__ import annotations
 
+from . import models
 from ._adhesion import WorkOfAdhesion, work_of_adhesion
 from ._contact import Contact, ContactComparison, ContactFront, ContactSweep, PerssonContact, contact, contact_compare, contact_front, contact_sweep, persson
 from ._containers import Container, ContainerReport, Formats, check_container, formats, write_container
@@ -119,6 +120,7 @@ __all__ = [
     "lens",
     "limit_threads",
     "loop",
+    "models",
     "parameters",
     "persson",
     "power_spectrum",

@@ -247,7 +247,8 @@ def contact_line(
     """Roughness and motion of the edge of a contact: roughness exponent, speeds, jumps, arrests, voids inside.
 
     Frames are a recording as for :func:`contact_radii`, whose keywords are accepted too, or a table, of ``save()`` or a simulation, with columns
-    "time", "radius_1" … "radius_N"; or in memory the result of :func:`contact_line` or :func:`contact_front`, or such a table. With radius and contact_modulus the result has "release_rate", the energy release rate of the edge.
+    "time", "radius_1" … "radius_N"; or in memory the result of :func:`contact_line` or :func:`contact_front`, or such a table. With radius and
+    contact_modulus the result has "release_rate", the energy release rate of the edge.
 
     Parameters
     ----------
@@ -463,7 +464,8 @@ def replicates(
 ) -> Replicates:
     """Means of tables with one row per fit: y = mean of the surface + b(lens) + b(spot) + b(repeat) + error of the fit.
 
-    Tables are files, or in memory, such as DataFrames. Quantities are "W", "E*", "E_loss", "F_po" or a column. Exclusions are texts such as "file=a.csv;reason=dust on the lens".
+    Tables are files, or in memory, such as DataFrames. Quantities are "W", "E*", "E_loss", "F_po" or a column. Exclusions
+    are texts such as "file=a.csv;reason=dust on the lens".
 
     Parameters
     ----------

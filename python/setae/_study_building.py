@@ -332,8 +332,8 @@ def study_keys(content: Mapping[str, Any]) -> dict[str, Any]:
 def stated(entry: Mapping[str, Any]) -> dict[str, Any]:
     """The keys of a measurement that it states itself, with those of its scan."""
     scan = entry["file"]
-    own = {name: getattr(scan, name) for name in ("instrument", "tip_radius", "resolution", "trend") if isinstance(scan, Scan) and getattr(scan, name)}
-    return {**own, **entry}
+    names = ("instrument", "tip_radius", "resolution", "trend") if isinstance(scan, Scan) else ()
+    return {**{name: getattr(scan, name) for name in names if getattr(scan, name)}, **entry}
 
 
 def rows_of(published: Sequence[Mapping[str, Any]]) -> dict[str, Any]:

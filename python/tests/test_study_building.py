@@ -148,7 +148,7 @@ def test_published_values_of_pairs():
     ("added", "words"),
     [
         (lambda study: study.pair("A", "soft", approach="41 mJ/m2").pair("A", "stiff", pull_off="40 mJ/m2"), "approach of A lacks stiff"),
-        (lambda study: study.pair("A", "soft", aproach="41 mJ/m2"), "aproach of A and soft; expected loops, or published values of approach"),
+        (lambda study: study.pair("A", "soft", approached="41 mJ/m2"), "approached of A and soft; expected loops, or published values of approach"),
         (lambda study: study.pairs({"surface": ["A"], "elastomer": ["soft"], "approach": [41.0]}), "column 'approach' has no unit"),
         (lambda study: study.pairs({"surface": ["A"], "approach [mJ/m2]": [41.0]}), "no column 'elastomer'"),
         (lambda study: study.pair("A", "soft", setae.loop({"force [mN]": [0.0, 1.0, 0.0], "displacement [um]": [0.0, 1.0, 0.0]}, nu=0.4)), "nu of a loop"),
