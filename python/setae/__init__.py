@@ -11,6 +11,7 @@ Results are in SI with unit, standard error, band and source. Arguments with a u
 
 from __future__ import annotations
 
+from . import models
 from ._adhesion import WorkOfAdhesion, work_of_adhesion
 from ._contact import Contact, ContactComparison, ContactFront, ContactSweep, PerssonContact, contact, contact_compare, contact_front, contact_sweep, persson
 from ._containers import Container, ContainerReport, Formats, check_container, formats, write_container
@@ -40,7 +41,8 @@ from ._schema import schema
 from ._scan import Info, Processing, Scan, Step, channels, info, lengths, read, scan
 from ._setae import steps, version
 from ._spectra import Parameters, PowerSpectrum, Surface, parameters, power_spectrum, surface
-from ._study import Figure, PatchSurvey, Study, StudyResult, conform, study
+from ._study import Figure, PatchSurvey, StudyResult, conform
+from ._study_building import Study, study
 from ._synthesis import Synthesis, Tip, synthesize, tip
 from ._texture import Texture, texture
 from ._threads import limit_threads
@@ -118,6 +120,7 @@ __all__ = [
     "lens",
     "limit_threads",
     "loop",
+    "models",
     "parameters",
     "persson",
     "power_spectrum",

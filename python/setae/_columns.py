@@ -4,10 +4,11 @@
 from __future__ import annotations
 
 import html
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, cast
 
+from ._given import shown
 from ._quantities import Quantity
 from ._results import Result, alerts_html, quantities_html
 
@@ -18,6 +19,20 @@ if TYPE_CHECKING:
     Array = NDArray[np.float64]
 
 
+class Named(dict[str, "Array"]):
+    """Columns by name, with their units in ``units``."""
+
+    def __init__(self, columns: Mapping[str, Array], units: Mapping[str, str]) -> None:
+        super().__init__(columns)
+        self.units = dict(units)
+
+
+def edge_of(columns: Mapping[str, Array]) -> Named:
+    """Places along the edge of a contact: columns "time", "frame", "radius_1" … by name."""
+    known = {"time": "s", "frame": "1", "force": "N", "displacement": "m"}
+    return Named(columns, {name: known.get(name, "m") for name in columns})
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class Columns(Result):
     """Columns of numbers by name, each with its unit, and the other entries of the JSON. The arrays are memory of setae and read-only."""
@@ -26,10 +41,14 @@ class Columns(Result):
     units: dict[str, str]
     text: str | Callable[[], str] = field(repr=False)  #: text of ``json()``, or a function that makes the text at the first call
 
+    def __post_init__(self) -> None:
+        if isinstance(self.text, str):
+            object.__setattr__(self, "text", shown(self.text))
+
     def json(self) -> str:
         """The bytes that the command prints with ``--json``."""
         if not isinstance(self.text, str):
-            self.__dict__["text"] = self.text()
+            self.__dict__["text"] = shown(self.text())
         return cast("str", self.text)
 
     def __getstate__(self) -> dict[str, Any]:

@@ -8,9 +8,9 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from . import _setae
-from ._columns import Columns
+from ._columns import Columns, Named, edge_of
 from ._errors import InvalidArgument
-from ._options import Path, Text, filled, path, require
+from ._options import Path, Size, Text, filled, path, require
 from ._quantities import Quantity, quantity_from
 from ._results import Answer
 from ._scan import Measured, items
@@ -94,7 +94,7 @@ def contact(
     seed: int = 1,
     trend: str | None = None,
     edges: str = "automatic",
-    size: Text | None = None,
+    size: Size | None = None,
     unit: str | None = None,
     keep_values: bool = False,
 ) -> Contact:
@@ -151,7 +151,7 @@ def contact(
         trend that is removed from the heights: 'none', 'mean', 'tilt' or 'parabola'
     edges : str, default 'automatic'
         edges of a map: 'automatic' (repeated, with a warning where heights do not match), 'periodic' or 'windowed'
-    size : str or Quantity
+    size : str or Quantity or tuple
         extent of the heights, where the file does not state it
     unit : str
         unit of the heights, where the file does not state it
@@ -182,7 +182,8 @@ def contact(
         tolerance=tolerance,
     )
     attraction = filled(_setae.InteractionRequest(), W_int=W_int, range=range, law=law)
-    solved: Any = _setae.contact(one(measurement, size, unit, keep_values, trend), request, attraction, made_surface(pixels, cell, surface, seed), edges)
+    measured = one(measurement, size, unit, keep_values, trend)
+    solved: Any = _setae.contact(measured[0], request, attraction, made_surface(pixels, cell, surface, seed), edges)
     return Contact(solved.json, solved.pressures, solved.gaps, tuple(map(quantity_from, json.loads(solved.quantities()))))
 
 
@@ -253,7 +254,7 @@ def contact_sweep(
     seed: int = 1,
     trend: str | None = None,
     edges: str = "automatic",
-    size: Text | None = None,
+    size: Size | None = None,
     unit: str | None = None,
     keep_values: bool = False,
 ) -> ContactSweep:
@@ -304,7 +305,7 @@ def contact_sweep(
         trend that is removed from the heights: 'none', 'mean', 'tilt' or 'parabola'
     edges : str, default 'automatic'
         edges of a map: 'automatic' (repeated, with a warning where heights do not match), 'periodic' or 'windowed'
-    size : str or Quantity
+    size : str or Quantity or tuple
         extent of the heights, where the file does not state it
     unit : str
         unit of the heights, where the file does not state it
@@ -335,7 +336,8 @@ def contact_sweep(
         frictionless=frictionless,
         nu=nu,
     )
-    swept: Any = _setae.contact_sweep(one(measurement, size, unit, keep_values, trend), request, made_surface(pixels, cell, surface, seed), edges)
+    measured = one(measurement, size, unit, keep_values, trend)
+    swept: Any = _setae.contact_sweep(measured[0], request, made_surface(pixels, cell, surface, seed), edges)
     return ContactSweep(swept.columns, swept.units, swept.json, tuple(map(quantity_from, json.loads(swept.quantities()))), swept.maps)
 
 
@@ -347,7 +349,7 @@ class ContactFront(_ContactLoop):
     writes a table for :func:`contact_line`.
     """
 
-    edge: Mapping[str, Array] = field(default_factory=dict)
+    edge: Named = field(default_factory=lambda: edge_of({}))
     handle: Any = None
 
     def __getstate__(self) -> dict[str, Any]:
@@ -390,7 +392,7 @@ def contact_front(
     seed: int = 1,
     trend: str | None = None,
     edges: str = "automatic",
-    size: Text | None = None,
+    size: Size | None = None,
     unit: str | None = None,
     keep_values: bool = False,
 ) -> ContactFront:
@@ -441,7 +443,7 @@ def contact_front(
         trend that is removed from the heights: 'none', 'mean', 'tilt' or 'parabola'
     edges : str, default 'automatic'
         edges of a map: 'automatic' (repeated, with a warning where heights do not match), 'periodic' or 'windowed'
-    size : str or Quantity
+    size : str or Quantity or tuple
         extent of the heights, where the file does not state it
     unit : str
         unit of the heights, where the file does not state it
@@ -472,8 +474,9 @@ def contact_front(
         steps=steps,
         duration=duration,
     )
-    found: Any = _setae.contact_front(one(measurement, size, unit, keep_values, trend), request, made_surface(pixels, cell, surface, seed), edges, realisations)
-    return ContactFront(found.columns, found.units, found.json, tuple(map(quantity_from, json.loads(found.quantities()))), found.edge, found)
+    measured = one(measurement, size, unit, keep_values, trend)
+    found: Any = _setae.contact_front(measured[0], request, made_surface(pixels, cell, surface, seed), edges, realisations)
+    return ContactFront(found.columns, found.units, found.json, tuple(map(quantity_from, json.loads(found.quantities()))), edge_of(found.edge), found)
 
 
 class PerssonContact(Columns):
@@ -509,7 +512,7 @@ def persson(
     tip_radius: Text | None = None,
     resolution: Text | None = None,
     trend: str | None = None,
-    size: Text | None = None,
+    size: Size | None = None,
     unit: str | None = None,
     keep_values: bool = False,
     longest: Text | None = None,
@@ -548,7 +551,7 @@ def persson(
         distance below which the instrument does not resolve heights
     trend : str
         trend that is removed from the heights: 'none', 'mean', 'tilt' or 'parabola'
-    size : str or Quantity
+    size : str or Quantity or tuple
         extent of the heights, where the file does not state it
     unit : str
         unit of the heights, where the file does not state it
@@ -623,7 +626,7 @@ def contact_compare(
     tip_radius: Text | None = None,
     resolution: Text | None = None,
     trend: str | None = None,
-    size: Text | None = None,
+    size: Size | None = None,
     unit: str | None = None,
     keep_values: bool = False,
     longest: Text | None = None,
@@ -670,7 +673,7 @@ def contact_compare(
         distance below which the instrument does not resolve heights
     trend : str
         trend that is removed from the heights: 'none', 'mean', 'tilt' or 'parabola'
-    size : str or Quantity
+    size : str or Quantity or tuple
         extent of the heights, where the file does not state it
     unit : str
         unit of the heights, where the file does not state it

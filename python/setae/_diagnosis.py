@@ -9,7 +9,7 @@ from functools import cached_property
 from typing import Any
 
 from . import _setae
-from ._options import Text, text
+from ._options import Size, Text, size_text, text
 from ._quantities import Alert, Quantity, alerts_from, quantity_from
 from ._results import Answer, alerts_html, unknown
 from ._scan import Measured, items
@@ -70,7 +70,7 @@ class Diagnosis(Answer):
         return alerts_html(self.alerts) or "<p>nothing found</p>"
 
 
-def check(measurements: Measured, *, tip_radius: Text | None = None, size: Text | None = None, unit: str | None = None, keep_values: bool = False,
+def check(measurements: Measured, *, tip_radius: Text | None = None, size: Size | None = None, unit: str | None = None, keep_values: bool = False,
           skip_failed: bool = False) -> Diagnosis:
     """Problems of single measurements and differences between them, with the size of the effect and a remedy.
 
@@ -82,5 +82,5 @@ def check(measurements: Measured, *, tip_radius: Text | None = None, size: Text 
     >>> "SPIKES" in [alert.code for alert in check(setae.scan(heights, size="1 um x 1 um", unit="m")).alerts]
     True
     """
-    shared = {"stated_size": text(size, "size"), "stated_unit": text(unit), "keep_values": keep_values}
+    shared = {"stated_size": size_text(size), "stated_unit": text(unit), "keep_values": keep_values}
     return Diagnosis(_setae.diagnosis(items(measurements, shared), text(tip_radius, "tip_radius"), not skip_failed))

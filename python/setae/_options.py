@@ -8,6 +8,7 @@ import os
 import pathlib
 import re
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from numbers import Integral, Real
 from typing import Any, TypeVar, Union
 
@@ -17,8 +18,24 @@ from ._errors import InvalidArgument
 from ._quantities import PintQuantity, Quantity, UncertainNumber, of_other_package
 from ._units import have_one_dimension, kind_of
 
-#: A value with a unit: a text such as "10 ± 2 nm", a quantity of setae or pint, or, without a dimension, a number of uncertainties.
-Text = Union[str, Quantity, PintQuantity, UncertainNumber]
+
+class Length(float):
+    """A length in metres, such as the extents of a scan: a float that is accepted as an argument with a unit.
+
+    >>> text(Length(5e-6))
+    '5e-06 m'
+    """
+
+    @property
+    def unit(self) -> str:
+        return "m"
+
+
+#: A value with a unit: a text such as "10 ± 2 nm", a quantity of setae or pint, a length of a scan, or, without a dimension, a number of
+#: uncertainties.
+Text = Union[str, Quantity, PintQuantity, UncertainNumber, Length]
+#: Extents: "5 um x 5 um", or one value per direction, as ``scan.size`` gives them.
+Size = Union[Text, "tuple[Text, ...]", "list[Text]"]
 #: A file by its path.
 Path = Union[str, "os.PathLike[str]"]
 #: Folder of the mappings that are found by their names.
@@ -31,6 +48,13 @@ EXAMPLES = {"tip_radius": "10 ± 2 nm", "resolution": "0.5 um", "size": "5 um x 
 _NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?\s*([^\d\s]\S*(?: \S+)*|)")
 _SIGNS = re.compile(r"±|\+-|\+/-|\bto\b|(?<=[\w.])\s*\bx\b\s*(?=[\d.])")
 _EXAMPLE = re.compile(r'such as "([^"]*)"')
+#: Options of requests that take a standard error. Other options take the value of a quantity without it.
+UNCERTAIN = {
+    "Analysis": ("longest", "longest_wavelength", "shortest", "shortest_wavelength"),
+    "LoopBodies": ("radius", "lens_height", "layer_thickness"),
+    "LoopSettings": ("machine_stiffness",),
+    "Solids": ("E", "youngs_modulus", "W_int", "work_of_adhesion", "gamma", "surface_energy", "radius"),
+}
 _KINDS = {"True or False": (bool, np.bool_), "a whole number": (Integral,), "a number": (Real,), "a text": (str,)}
 
 
@@ -45,6 +69,8 @@ def text(value: Text | float | None, argument: str = "", example: str = "") -> s
     if isinstance(value, str):
         require_unit(value, argument, example)
         return value
+    if isinstance(value, Length):
+        return f"{float(value)!r} {value.unit}"
     quantity = value if isinstance(value, Quantity) else of_other_package(value)
     if quantity is not None:
         error = quantity.standard_error
@@ -99,6 +125,20 @@ def kind_of_text(given: str) -> str:
     return kind_of(last[3]) if last is not None and all(parts) and last[3] else ""
 
 
+def size_text(size: Size | None) -> str:
+    """Extents as one text.
+
+    >>> size_text((Length(5e-6), "2 um")), size_text("1 mm")
+    ('5e-06 m x 2 um', '1 mm')
+    """
+    if isinstance(size, (tuple, list)):
+        return " x ".join(text(exact(length), "size") for length in size)
+    if getattr(getattr(size, "magnitude", None), "ndim", 0) > 0:  # an array of pint
+        extents: Any = size
+        return size_text([f"{length!r} m" for length in extents.to("m").magnitude.tolist()])
+    return text(exact(size), "size")
+
+
 def texts(value: Sequence[str] | str) -> list[str]:
     """A list of texts from a list or a single text."""
     return [value] if isinstance(value, str) else list(value)
@@ -131,11 +171,12 @@ def fill(request: Any, name: str, value: Any) -> None:
     if isinstance(now, list):
         setattr(request, name, texts(value) if isinstance(value, str) else list(value) if isinstance(value, tuple) else value)
         return
+    value = text(value) if isinstance(value, Length) else value
     quantity = value if isinstance(value, Quantity) else of_other_package(value)
     value = plain_number(value) if isinstance(value, Real) and not isinstance(value, bool) else value
     is_text = isinstance(now, str) or (now is None and takes(request, name, "", now))
     if is_text and (quantity is not None or isinstance(value, (str, int, float))) and not isinstance(value, bool):
-        value = text(value, name, example_of(type(request), name))
+        value = option_text(type(request), name, value if quantity is None else quantity)
         require_word(value, name, getattr(type(request), name).__doc__ or "", now)
     elif quantity is not None:
         value = number_of(quantity, name)
@@ -161,7 +202,19 @@ def example_of(request: type, name: str) -> str:
 
 def texts_of(request: type, **given: Text | None) -> dict[str, str]:
     """Options of a request as texts."""
-    return {name: text(value, name, example_of(request, name)) for name, value in given.items()}
+    return {name: option_text(request, name, value) for name, value in given.items()}
+
+
+def option_text(request: type, name: str, value: Text | float | None) -> str:
+    """An option as a text; of a quantity without its standard error where the option takes none."""
+    takes_error = name in UNCERTAIN.get(request.__name__, ())
+    return text(value if takes_error else exact(value), name, example_of(request, name))
+
+
+def exact(value: Any) -> Any:
+    """A quantity without its standard error; other values as they are."""
+    quantity = value if isinstance(value, Quantity) else of_other_package(value)
+    return value if quantity is None else replace(quantity, standard_error=0.0)
 
 
 def takes(request: Any, name: str, value: Any, before: Any) -> bool:

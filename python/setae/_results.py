@@ -12,6 +12,7 @@ from dataclasses import dataclass, fields
 from functools import cached_property
 from typing import Any, ClassVar
 
+from ._given import shown
 from ._quantities import Alert, Json, Quantity, alerts_from, is_quantity, number, quantity_from, uncertain
 
 #: Parameters of fits whose JSON does not name the rows of the covariance.
@@ -250,6 +251,9 @@ class Answer(Result):
     """
 
     text: str
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "text", shown(self.text))
 
     def json(self) -> str:
         """The bytes that the program prints with ``--json``."""

@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Any
 
 from . import _setae
 from ._columns import Columns
-from ._options import Text, filled, require, text
+from ._errors import InvalidArgument
+from ._options import Size, Text, exact, filled, require, size_text, text
 from ._quantities import Alert, Band, Quantity, alerts_from, number, quantity_from
 from ._results import Answer
 from ._scan import Measured, items
@@ -20,16 +21,16 @@ if TYPE_CHECKING:
 
 
 def shared_options(
-    instrument: str | None, tip_radius: Text | None, resolution: Text | None, trend: str | None, size: Text | None, unit: str | None,
+    instrument: str | None, tip_radius: Text | None, resolution: Text | None, trend: str | None, size: Size | None, unit: str | None,
     keep_values: bool | None = False,
 ) -> dict[str, Any]:
     require("True or False", keep_values=keep_values)
     return {
         "instrument": text(instrument),
         "tip_radius": text(tip_radius, "tip_radius"),
-        "resolution": text(resolution, "resolution"),
+        "resolution": text(exact(resolution), "resolution"),
         "trend": text(trend),
-        "stated_size": text(size, "size"),
+        "stated_size": size_text(size),
         "stated_unit": text(unit),
         "keep_values": bool(keep_values),
     }
@@ -118,7 +119,7 @@ def power_spectrum(
     tip_radius: Text | None = None,
     resolution: Text | None = None,
     trend: str | None = None,
-    size: Text | None = None,
+    size: Size | None = None,
     unit: str | None = None,
     keep_values: bool = False,
     longest: Text | None = None,
@@ -193,7 +194,7 @@ def parameters(
     tip_radius: Text | None = None,
     resolution: Text | None = None,
     trend: str | None = None,
-    size: Text | None = None,
+    size: Size | None = None,
     unit: str | None = None,
     keep_values: bool = False,
     longest: Text | None = None,
@@ -256,6 +257,15 @@ class Surface(Spectrum):
     def __repr__(self) -> str:
         return f"Surface({self.method} of {self.n}: {', '.join(f'{q.symbol} = {q}' for q in self.moments[:4])})"
 
+    def to_surface_topography(self) -> Any:
+        """The measurements as a container of SurfaceTopography in memory, with their instruments."""
+        from SurfaceTopography.Container.SurfaceContainer import InMemorySurfaceContainer
+
+        measurements, shared, *_ = self.arguments
+        if self.method == "given":
+            raise InvalidArgument("a surface from a spectrum has no heights; expected a surface from measurements")
+        return InMemorySurfaceContainer([scan.to_surface_topography() for scan in items(measurements, shared).kept])
+
     def analysed(self) -> _setae.Surface:
         """The surface of the library; it is computed again in another process."""
         if self.handle is not None:
@@ -276,7 +286,7 @@ def surface(
     tip_radius: Text | None = None,
     resolution: Text | None = None,
     trend: str | None = None,
-    size: Text | None = None,
+    size: Size | None = None,
     unit: str | None = None,
     keep_values: bool = False,
     longest: Text | None = None,

@@ -3,14 +3,13 @@
 
 from __future__ import annotations
 
-import os
 import pathlib
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from . import _setae
-from ._options import MAPPINGS, Path, filled, path, require
+from ._options import Path, filled, require
 from ._quantities import Quantity
 from ._results import Answer
 
@@ -137,20 +136,6 @@ class StudyResult(Answer):
         return f"<pre>{html.escape(self.summary())}</pre>"
 
 
-@dataclass(frozen=True)
-class Study:
-    """A study file that was read without an error."""
-
-    file: str
-    title: str
-
-    def run(self, *, output: Path | None = None, cache: Path | None = None, keep: bool = True) -> StudyResult:
-        """Runs the study. Earlier results come from the cache, which the program shares; ``keep=False`` uses no cache."""
-        folder = (path(cache) if cache is not None else "") if keep else None
-        run = _setae.run_study(self.file, "" if output is None else path(output), folder, MAPPINGS)
-        return StudyResult.of(run, self.file)
-
-
 class PatchSurvey(Answer):
     """Contact of random patches, as printed by ``setae lab conform --json``; ``rows``: one entry per kind of patch."""
 
@@ -217,12 +202,3 @@ def conform(
         loops=loops,
     )
     return PatchSurvey(_setae.conform(None if of is None else of.handle, request))
-
-
-def study(file: Path) -> Study:
-    """Reads a study. Errors in the file are raised with the line number.
-
-    :raises FormatError: for an unknown key, a missing or wrong unit, a name that is not declared
-    """
-    name = os.fspath(file)
-    return Study(name, _setae.title_of_study(name, MAPPINGS))

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from . import _setae
-from ._options import Text, filled
+from ._options import Size, Text, filled
 from ._scan import Measured, items
 from ._spectra import Parameters, shared_options
 
@@ -31,7 +31,7 @@ def texture(
     tip_radius: Text | None = None,
     resolution: Text | None = None,
     trend: str | None = None,
-    size: Text | None = None,
+    size: Size | None = None,
     unit: str | None = None,
     keep_values: bool = False,
     skip_failed: bool = False,
@@ -71,7 +71,7 @@ def texture(
         distance below which the instrument does not resolve heights
     trend : str
         trend that is removed from the heights: 'none', 'mean', 'tilt' or 'parabola'
-    size : str or Quantity
+    size : str or Quantity or tuple
         extent of the heights, where the file does not state it
     unit : str
         unit of the heights, where the file does not state it
