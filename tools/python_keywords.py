@@ -68,6 +68,8 @@ def accepts(request: str, name: str, value: Any) -> bool:
         setattr(getattr(_setae, request)(), name, value)
     except TypeError:
         return False
+    except setae.InvalidArgument:
+        return True  # a text that is no quantity
     return True
 
 
@@ -112,6 +114,7 @@ def readable(annotation: ast.expr | None) -> str:
     """A type as a reader calls it: "str or Quantity" for Text."""
     text = "Any" if annotation is None else ast.unparse(annotation)
     text = text.replace(" | None", "").replace("Text", "str or Quantity").replace("Path", "str or path")
+    text = text.replace("Size", "str or Quantity or tuple").replace("Source", "str or path or table")
     return text.replace(" | ", " or ")
 
 
@@ -184,6 +187,7 @@ OWN = {
     "tip_radius": "radius of the tip, with its standard error, such as '10 ± 2 nm'",
     "trend": "trend that is removed from the heights: 'none', 'mean', 'tilt' or 'parabola'",
     "unit": "unit of the heights, where the file does not state it",
+    "units": "units of columns of a table in memory, where neither names nor attributes state them, such as {'force': 'mN'}",
     "window": "window of the spectrum: 'hann' or 'none'; None chooses by the heights",
     "**measurement": "keywords of measurements, as those of `parameters`",
     "**options": "keywords of measurements, as those of `power_spectrum`, and of ScaleRequest",

@@ -20,7 +20,7 @@ MAX_BYTES = 150_000
 
 def picture_of_report(report, picture):
     """The top of a report, its figures drawn, without the bar that scrolls."""
-    page = Browser(shutil.which("chromium"), 1200, 1040)
+    page = Browser(shutil.which("chromium"), 1200, 1022)
     try:
         page.open(report)
         page.run("document.documentElement.style.scrollbarWidth = 'none'")

@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""words.py [--write] [--all]: expressions of tools/words.toml in pages, in texts of the program and in docstrings.
+"""words.py [--write] [--all] [--folders]: expressions of tools/words.toml in pages, in texts of the program and in docstrings.
 
 A file may have as many findings as tools/words_allowed.txt has for it, none where it has no line there: the number can only fall.
 --write    lower the allowances to what was found
 --all      print allowed findings, too, and sentences of more than 40 words, which are only counted otherwise
+--folders  only print the pages and words of every folder of docs; a word is what stands between blanks, in tables and code, too
 """
 
 import argparse
@@ -185,14 +186,32 @@ def check(names, write=False, everything=False):
     return failed
 
 
+def folder_sizes(names):
+    """A line per folder of docs with its pages, words and words per page, and their sum."""
+    sizes = {}
+    for name in names:
+        if name.startswith("docs/") and name.endswith(".md") and os.path.exists(name):
+            folder = str(pathlib.PurePath(name).parent)
+            sizes.setdefault(folder, []).append(len(pathlib.Path(name).read_text(encoding="utf-8").split()))
+    rows = [(folder, len(counts), sum(counts)) for folder, counts in sorted(sizes.items())]
+    rows.append(("all", sum(row[1] for row in rows), sum(row[2] for row in rows)))
+    lines = [f"{folder:<28}{pages:>6}{count:>9}{count / pages:>16.0f}" for folder, pages, count in rows]
+    return "\n".join([f"{'folder':<28}{'pages':>6}{'words':>9}{'words per page':>16}", *lines])
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--write", action="store_true")
     parser.add_argument("--all", action="store_true")
+    parser.add_argument("--folders", action="store_true")
     given = parser.parse_args()
     os.chdir(pathlib.Path(__file__).resolve().parents[1])
     listed = subprocess.run(["git", "ls-files", "--cached", "--others", "--exclude-standard"], capture_output=True, text=True, check=True)
-    return int(check(sorted(set(listed.stdout.splitlines())), given.write, given.all))
+    names = sorted(set(listed.stdout.splitlines()))
+    if given.folders:
+        print(folder_sizes(names))
+        return 0
+    return int(check(names, given.write, given.all))
 
 
 if __name__ == "__main__":

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -10,8 +9,6 @@
 
 namespace setae::validation {
 namespace {
-
-constexpr std::array<const char*, 6> route_names{"E*", "W", "W_ret", "W_pull_off", "W_last_points", "E_loss"};
 
 double median_of(std::vector<double> values) { return values.empty() ? undefined : median(values); }
 
@@ -68,8 +65,8 @@ RecordSummary summary(const std::vector<RecordTrial>& trials, const std::string&
         codes.erase(std::unique(codes.begin(), codes.end()), codes.end());
         for (const auto& code : codes) ++row.warnings[code];
     }
-    for (const char* name : route_names) {
-        RouteSummary route{.name = name};
+    for (const auto name : route_names) {
+        RouteSummary route{.name = std::string(name)};
         std::vector<double> deviations, pulls;
         double covered = 0.0;
         for (const auto& trial : trials)
@@ -102,7 +99,7 @@ std::vector<RecordSummary> summary(const std::vector<RecordTrial>& trials) {
 
 std::string record_table(const std::vector<RecordSummary>& rows) {
     std::string text = "| records | n | refused | cause named | silently wrong |";
-    for (const char* name : route_names) text += fmt::format(" {} |", name);
+    for (const auto name : route_names) text += fmt::format(" {} |", name);
     text += " warnings |\n|";
     for (std::size_t i = 0; i < 6 + route_names.size(); ++i) text += "---|";
     text += "\n";

@@ -82,7 +82,7 @@ constexpr double two_sided = 1.96;
 std::string summary_table(const std::vector<SummaryRow>& rows) {
     std::string text =
         fmt::format("{:<28} {:<10} {:>5} {:>6} {:>9} {:>8} {:>9} {:>9} {:>8}  {}\n", "quantity", "method", "n", "in",
-                    "bias", "±", "scatter", "stated", "worst", "95 % interval holds the planted value in");
+                    "bias", "±", "scatter", "stated", "worst", "95 % interval covers the true value in");
     for (const auto& row : rows) {
         const auto [factor, unit] = printed_unit(row);
         text += fmt::format(
@@ -146,7 +146,7 @@ figures::Figure validation_figure(const std::vector<SummaryRow>& rows) {
         [](const SummaryRow& r) { return 100.0 * (r.bias - two_sided * r.bias_error); },
         [](const SummaryRow& r) { return 100.0 * (r.bias + two_sided * r.bias_error); });
     auto coverage = panel(
-        Chart(rows), "B", "held by 95 % intervals", "%", [](const SummaryRow& r) { return 100.0 * r.coverage; },
+        Chart(rows), "B", "coverage of 95 % intervals", "%", [](const SummaryRow& r) { return 100.0 * r.coverage; },
         [](const SummaryRow& r) { return 100.0 * r.coverage_interval.lower; },
         [](const SummaryRow& r) { return 100.0 * r.coverage_interval.upper; });
     coverage.legend = false;

@@ -96,5 +96,6 @@ void bind_contact(nb::module_& module);
 void bind_laboratory(nb::module_& module);
 void bind_containers(nb::module_& module);
 void bind_studies(nb::module_& module);
+void bind_models(nb::module_& module);
 
 }  // namespace setae::python

@@ -7,7 +7,9 @@
 #include "setae/answers/format_list.hpp"
 #include "setae/answers/json_schemas.hpp"
 #include "setae/core/errors.hpp"
+
 #include "setae/output/field_json.hpp"
+#include "setae/validation/described_outputs.hpp"
 
 namespace setae::python {
 
@@ -48,7 +50,10 @@ void bind_containers(nb::module_& module) {
         "formats", [] { return output::as_text(output::described(answers::FormatList{})); },
         "as printed by `setae formats --json`");
     module.def(
-        "schema", [](const std::string& command) { return output::as_text(answers::JsonSchemas().of(command)); },
+        "schema",
+        [](const std::string& command) {
+            return output::as_text(answers::JsonSchemas(validation::described_outputs).of(command));
+        },
         nb::arg("command"), "as printed by `setae schema COMMAND`");
 }
 

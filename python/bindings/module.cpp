@@ -44,6 +44,7 @@ NB_MODULE(_setae, module) {
     python::bind_laboratory(module);
     python::bind_containers(module);
     python::bind_studies(module);
+    python::bind_models(module);
     module.def("version", &study::version, "release and digest of the build, such as '0.1.0+4f1c09ab'");
     module.def(
         "limit_threads", [](int count) { parallel::limit_threads({count}); }, nanobind::arg("count"),

@@ -45,6 +45,24 @@ constexpr const char* kind_of(const std::vector<Value>&) {
     return std::is_same_v<Value, std::string> ? "a list of texts" : "a list of numbers";
 }
 
+/// Check a value as the command line does. @throws InvalidArgument that names the argument.
+void require_valid_text(const fields::Option& option, std::string_view argument, const std::string& text);
+void require_valid_number(const fields::Option& option, std::string_view argument, double value);
+
+template <class Value>
+void require_valid(const fields::Option& option, std::string_view argument, const Value& value) {
+    if constexpr (std::is_same_v<Value, std::string>) require_valid_text(option, argument, value);
+    else if constexpr (!std::is_same_v<Value, bool>) require_valid_number(option, argument, static_cast<double>(value));
+}
+template <class Value>
+void require_valid(const fields::Option& option, std::string_view argument, const std::optional<Value>& value) {
+    if (value) require_valid(option, argument, *value);
+}
+template <class Value>
+void require_valid(const fields::Option& option, std::string_view argument, const std::vector<Value>& values) {
+    for (const auto& value : values) require_valid(option, argument, value);
+}
+
 /// True for reserved words of Python: an option with this name has another keyword.
 inline bool is_reserved(std::string_view name) {
     return nb::cast<bool>(nb::module_::import_("keyword").attr("iskeyword")(std::string(name)));
@@ -70,15 +88,15 @@ void bind_options(nb::class_<Request>& request, std::span<const fields::Option> 
         };
         for (const auto name : {option.name, option.keyword}) {
             if (name.empty() || is_reserved(name)) continue;
-            const auto set = [place, name](Request& self, nb::object value) {
+            const auto set = [&option, name](Request& self, nb::object value) {
                 std::visit(
                     [&](auto* member) {
-                        if (nb::try_cast(value, *member)) return;
+                        if (nb::try_cast(value, *member)) return require_valid(option, name, *member);
                         const std::string given = nb::type_name(value.type()).c_str();
                         throw nb::type_error(
                             (std::string(name) + ": " + given + "; expected " + kind_of(*member)).c_str());
                     },
-                    place(static_cast<Part*>(&self)));
+                    option.place(static_cast<Part*>(&self)));
             };
             request.def_prop_rw(std::string(name).c_str(), get, set, help.c_str());
         }

@@ -6,10 +6,12 @@
 #include <nlohmann/json.hpp>
 
 #include "request.hpp"
-#include "setae/answers/patch_survey.hpp"
+#include "setae/answers/patch_survey_fields.hpp"
 #include "setae/answers/run_time.hpp"
 #include "setae/bytes/protected_inputs.hpp"
 #include "setae/output/budget.hpp"
+#include "setae/output/field_json.hpp"
+#include "setae/output/hysteresis_fields.hpp"
 #include "setae/output/hysteresis_output.hpp"
 #include "setae/output/json.hpp"
 #include "setae/output/next_measurement_output.hpp"
@@ -70,8 +72,8 @@ void bind_patches(nb::module_& module) {
         [](const Run& study, const Request& request) {
             return unlocked([&](const std::atomic<bool>& cancelled) {
                 const parallel::CancellationScope scope(cancelled);
-                return output::as_text(answers::to_json(study ? answers::patch_survey(study->result, request)
-                                                              : answers::patch_survey(request)));
+                return output::as_text(output::described(study ? answers::patch_survey(study->result, request)
+                                                               : answers::patch_survey(request)));
             });
         },
         nb::arg("study").none(), nb::arg("request"), "as printed by `setae lab conform --json`");
@@ -127,8 +129,9 @@ void bind_studies(nb::module_& module) {
                     if (trials > 0)
                         options = {.runs = trials, .seed = seed, .threads = {threads}, .cancelled = &cancelled};
                     const auto& known = study.result.hysteresis;
-                    return output::as_text(output::to_json(
-                        known && !options ? *known : study::hysteresis_of(study.result, options, {threads})));
+                    const auto found =
+                        known && !options ? *known : study::hysteresis_of(study.result, options, {threads});
+                    return output::as_text(output::described(output::HysteresisEntry{&found}));
                 });
             },
             nb::arg("trials"), nb::arg("seed"), nb::arg("threads"))

@@ -11,6 +11,7 @@ Results are in SI with unit, standard error, band and source. Arguments with a u
 
 from __future__ import annotations
 
+from . import models
 from ._adhesion import WorkOfAdhesion, work_of_adhesion
 from ._contact import Contact, ContactComparison, ContactFront, ContactSweep, PerssonContact, contact, contact_compare, contact_front, contact_sweep, persson
 from ._containers import Container, ContainerReport, Formats, check_container, formats, write_container
@@ -33,15 +34,18 @@ from ._laboratory import (
     replicates,
 )
 from ._loops import Loop, LoopEnergy, LoopFit, MachineStiffness, loop
-from ._quantities import Alert, Answer, Band, Interval, Quantity
+from ._quantities import Alert, Band, Interval, Quantity, quantity
+from ._results import Answer, Result
 from ._scales import FunctionOfScale, autocorrelation, scale_dependent, variable_bandwidth
 from ._schema import schema
 from ._scan import Info, Processing, Scan, Step, channels, info, lengths, read, scan
-from ._setae import limit_threads, steps, version
+from ._setae import steps, version
 from ._spectra import Parameters, PowerSpectrum, Surface, parameters, power_spectrum, surface
-from ._study import Figure, Study, StudyResult, conform, study
+from ._study import Figure, PatchSurvey, StudyResult, conform
+from ._study_building import Study, study
 from ._synthesis import Synthesis, Tip, synthesize, tip
 from ._texture import Texture, texture
+from ._threads import limit_threads
 
 __version__ = version().partition("+")[0]
 
@@ -78,11 +82,13 @@ __all__ = [
     "LoopFit",
     "MachineStiffness",
     "Parameters",
+    "PatchSurvey",
     "PerssonContact",
     "PowerSpectrum",
     "Processing",
     "Quantity",
     "Replicates",
+    "Result",
     "Scan",
     "Step",
     "Study",
@@ -114,9 +120,11 @@ __all__ = [
     "lens",
     "limit_threads",
     "loop",
+    "models",
     "parameters",
     "persson",
     "power_spectrum",
+    "quantity",
     "read",
     "replicates",
     "scale_dependent",

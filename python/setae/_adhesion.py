@@ -7,10 +7,11 @@ import html
 from typing import Any
 
 from . import _setae
-from ._options import Text, filled, text
-from ._quantities import Answer, Quantity
+from ._options import Text, filled, require_known
+from ._quantities import Quantity
+from ._results import Answer
 from ._scan import Measured, items
-from ._spectra import Surface, analysis_of, shared_options
+from ._spectra import ANALYSIS, Surface, analysis_of, shared_options
 
 
 class WorkOfAdhesion(Answer):
@@ -33,6 +34,12 @@ class WorkOfAdhesion(Answer):
     def conforms(self) -> bool:
         """Whether full contact forms spontaneously."""
         return bool(self["conforms"])
+
+    def plot(self, ax: Any = None, **style: Any) -> Any:
+        """Plots the energies that waves up to each wavevector gain and store on axes of matplotlib."""
+        from ._plot import plot_energies
+
+        return plot_energies(self._data["scales"], ax, **style)
 
     def __repr__(self) -> str:
         return f"WorkOfAdhesion(W_app = {self.estimate}{'' if self.conforms else ', ' + str(self['contact'])})"
@@ -88,14 +95,14 @@ def work_of_adhesion(
     """
     solids = filled(
         _setae.Solids(),
-        youngs_modulus=text(E),
-        poisson_ratio=nu,
-        work_of_adhesion=text(W_int),
-        surface_energy=text(gamma),
-        rough_E=text(rough_E),
+        E=E,
+        nu=nu,
+        W_int=W_int,
+        gamma=gamma,
+        rough_E=rough_E,
         rough_nu=rough_nu,
-        radius=text(radius),
-        preload=text(preload),
+        radius=radius,
+        preload=preload,
     )
     solids.require_valid()
     if isinstance(surface, Surface):
@@ -103,5 +110,6 @@ def work_of_adhesion(
             raise TypeError(f"{', '.join(measurement)}: the surface is analysed already; give this argument to setae.surface")
         return WorkOfAdhesion(_setae.adhesion_of_surface(surface.analysed(), solids))
     names = ("instrument", "tip_radius", "resolution", "trend", "size", "unit", "keep_values")
+    require_known(measurement, (*names, *ANALYSIS))
     shared = shared_options(*(measurement.pop(name, None) for name in names))
     return WorkOfAdhesion(_setae.adhesion_of_files(items(surface, shared), analysis_of(**measurement), solids, not skip_failed))

@@ -8,16 +8,17 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from . import _setae
-from ._columns import Columns
+from ._columns import Columns, Named, edge_of
 from ._errors import InvalidArgument
-from ._options import Path, Text, filled, path
-from ._quantities import Answer, Quantity, quantity_from
+from ._options import Path, Size, Text, filled, path, require
+from ._quantities import Quantity, quantity_from
+from ._results import Answer
 from ._scan import Measured, items
 from ._spectra import analysis_of, shared_options
 from ._synthesis import one
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Mapping, Sequence
 
     from ._columns import Array
 
@@ -40,6 +41,28 @@ class Contact(Answer):
     @property
     def converged(self) -> bool:
         return bool(self["status"] == "converged")
+
+    def to_xarray(self) -> Any:
+        """Pressures and gaps as a Dataset of xarray with coordinates in metres."""
+        return maps_dataset(self.pressures, self.gaps, self._data["size"])
+
+    def plot(self, ax: Any = None, *, of: str = "pressure", **style: Any) -> Any:
+        """Plots the map of ``of``, "pressure" or "gap", or the line, on axes of matplotlib; ``style``: keywords of matplotlib."""
+        from ._plot import plot_contact
+
+        return plot_contact(self.pressures, self.gaps, self._data["size"], of, ax, **style)
+
+
+def maps_dataset(pressures: Array, gaps: Array, size: Sequence[float]) -> Any:
+    """Maps of a contact as a Dataset of xarray."""
+    import numpy
+    import xarray
+
+    names = ("x", "y")[: len(size)]
+    shape = pressures.shape if len(size) == 2 else (pressures.size,)
+    steps = {name: (name, numpy.arange(n) * (extent / n), {"units": "m"}) for name, n, extent in zip(names, shape, size)}
+    fields = {"pressure": (names, pressures.reshape(shape), {"units": "Pa"}), "gap": (names, gaps.reshape(shape), {"units": "m"})}
+    return xarray.Dataset(fields, coords=steps)
 
 
 def made_surface(pixels: int | str | None, cell: Text | None, surface: str | None, seed: int) -> Any:
@@ -71,7 +94,7 @@ def contact(
     seed: int = 1,
     trend: str | None = None,
     edges: str = "automatic",
-    size: Text | None = None,
+    size: Size | None = None,
     unit: str | None = None,
     keep_values: bool = False,
 ) -> Contact:
@@ -128,7 +151,7 @@ def contact(
         trend that is removed from the heights: 'none', 'mean', 'tilt' or 'parabola'
     edges : str, default 'automatic'
         edges of a map: 'automatic' (repeated, with a warning where heights do not match), 'periodic' or 'windowed'
-    size : str or Quantity
+    size : str or Quantity or tuple
         extent of the heights, where the file does not state it
     unit : str
         unit of the heights, where the file does not state it
@@ -140,8 +163,9 @@ def contact(
     >>> import numpy, setae
     >>> wave = setae.scan(1e-9 * numpy.cos(2 * numpy.pi * numpy.arange(64) / 64), size="1 um", unit="m", periodic=True)
     >>> setae.contact(wave, contact_modulus="1 MPa", pressure="3.2 kPa")["area_fraction"]
-    1.0
+    1.000
     """
+    require("a text", edges=edges)
     request = filled(
         _setae.HardWallRequest(),
         contact_modulus=contact_modulus,
@@ -153,12 +177,13 @@ def contact(
         layer=layer,
         bonded=bonded,
         frictionless=frictionless,
-        poisson_ratio=nu,
+        nu=nu,
         hardness=hardness,
         tolerance=tolerance,
     )
-    attraction = filled(_setae.InteractionRequest(), work_of_adhesion=W_int, range=range, law=law)
-    solved: Any = _setae.contact(one(measurement, size, unit, keep_values, trend), request, attraction, made_surface(pixels, cell, surface, seed), edges)
+    attraction = filled(_setae.InteractionRequest(), W_int=W_int, range=range, law=law)
+    measured = one(measurement, size, unit, keep_values, trend)
+    solved: Any = _setae.contact(measured[0], request, attraction, made_surface(pixels, cell, surface, seed), edges)
     return Contact(solved.json, solved.pressures, solved.gaps, tuple(map(quantity_from, json.loads(solved.quantities()))))
 
 
@@ -166,7 +191,12 @@ def contact(
 class _ContactLoop(Columns):
     """Steps of approach and retraction."""
 
-    quantities: tuple[Quantity, ...] = field(default=())
+    measured: tuple[Quantity, ...] = field(default=())
+
+    @property
+    def quantities(self) -> tuple[Quantity, ...]:
+        """Works, losses and other quantities of the loop."""
+        return self.measured
 
     @property
     def n(self) -> int:
@@ -176,7 +206,7 @@ class _ContactLoop(Columns):
     @property
     def complete(self) -> bool:
         """True if the loop reached its end and every step converged."""
-        return bool(self.data["status"] == "complete")
+        return bool(self._data["status"] == "complete")
 
     def __repr__(self) -> str:
         return f"{type(self).__name__}({self.n} steps, {', '.join(f'{q.symbol} = {q}' for q in self.quantities)})"
@@ -190,6 +220,16 @@ class ContactSweep(_ContactLoop):
     """
 
     maps: Mapping[str, tuple[Array, Array]] = field(default_factory=dict)
+
+    def map_dataset(self, state: str) -> Any:
+        """Pressures and gaps of a state as a Dataset of xarray with coordinates in metres."""
+        return maps_dataset(*self.maps[state], self._data["size"])
+
+    def plot(self, ax: Any = None, **style: Any) -> Any:
+        """Plots the tension against the mean gap, approach and separation, on axes of matplotlib."""
+        from ._plot import plot_columns
+
+        return plot_columns(self, "mean_gap", ["tension"], ax, **style)
 
 
 def contact_sweep(
@@ -214,7 +254,7 @@ def contact_sweep(
     seed: int = 1,
     trend: str | None = None,
     edges: str = "automatic",
-    size: Text | None = None,
+    size: Size | None = None,
     unit: str | None = None,
     keep_values: bool = False,
 ) -> ContactSweep:
@@ -265,7 +305,7 @@ def contact_sweep(
         trend that is removed from the heights: 'none', 'mean', 'tilt' or 'parabola'
     edges : str, default 'automatic'
         edges of a map: 'automatic' (repeated, with a warning where heights do not match), 'periodic' or 'windowed'
-    size : str or Quantity
+    size : str or Quantity or tuple
         extent of the heights, where the file does not state it
     unit : str
         unit of the heights, where the file does not state it
@@ -278,10 +318,12 @@ def contact_sweep(
     >>> sweep.complete, sweep.units["tension"]
     (True, 'Pa')
     """
+    require("a text", edges=edges)
+    require("True or False", maps=maps)
     request = filled(
         _setae.SweepRequest(),
         contact_modulus=contact_modulus,
-        work_of_adhesion=W_int,
+        W_int=W_int,
         range=range,
         law=law,
         stage_stiffness=stage_stiffness,
@@ -292,9 +334,10 @@ def contact_sweep(
         layer=layer,
         bonded=bonded,
         frictionless=frictionless,
-        poisson_ratio=nu,
+        nu=nu,
     )
-    swept: Any = _setae.contact_sweep(one(measurement, size, unit, keep_values, trend), request, made_surface(pixels, cell, surface, seed), edges)
+    measured = one(measurement, size, unit, keep_values, trend)
+    swept: Any = _setae.contact_sweep(measured[0], request, made_surface(pixels, cell, surface, seed), edges)
     return ContactSweep(swept.columns, swept.units, swept.json, tuple(map(quantity_from, json.loads(swept.quantities()))), swept.maps)
 
 
@@ -306,13 +349,24 @@ class ContactFront(_ContactLoop):
     writes a table for :func:`contact_line`.
     """
 
-    edge: Mapping[str, Array] = field(default_factory=dict)
+    edge: Named = field(default_factory=lambda: edge_of({}))
     handle: Any = None
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {**super().__getstate__(), "handle": None}
+
+    def plot(self, ax: Any = None, **style: Any) -> Any:
+        """Plots the force against the displacement on axes of matplotlib."""
+        from ._plot import plot_columns
+
+        return plot_columns(self, "displacement", ["force"], ax, **style)
 
     def save_edge(self, file: Path) -> None:
         """Writes the edge as a table."""
         if not self.edge:
             raise InvalidArgument("no edge was kept; expected the argument duration")
+        if self.handle is None:
+            raise InvalidArgument("the edge was computed in another process; expected save_edge() there")
         self.handle.save_edge(path(file))
 
 
@@ -338,7 +392,7 @@ def contact_front(
     seed: int = 1,
     trend: str | None = None,
     edges: str = "automatic",
-    size: Text | None = None,
+    size: Size | None = None,
     unit: str | None = None,
     keep_values: bool = False,
 ) -> ContactFront:
@@ -389,7 +443,7 @@ def contact_front(
         trend that is removed from the heights: 'none', 'mean', 'tilt' or 'parabola'
     edges : str, default 'automatic'
         edges of a map: 'automatic' (repeated, with a warning where heights do not match), 'periodic' or 'windowed'
-    size : str or Quantity
+    size : str or Quantity or tuple
         extent of the heights, where the file does not state it
     unit : str
         unit of the heights, where the file does not state it
@@ -403,11 +457,13 @@ def contact_front(
     >>> front.complete, front.units["force"]
     (True, 'N')
     """
+    require("a text", edges=edges)
+    require("a whole number", realisations=realisations)
     request = filled(
         _setae.FrontRequest(),
         radius=radius,
         contact_modulus=contact_modulus,
-        work_of_adhesion=W_int,
+        W_int=W_int,
         to_force=to_force,
         to_displacement=to_displacement,
         stage_stiffness=stage_stiffness,
@@ -418,15 +474,27 @@ def contact_front(
         steps=steps,
         duration=duration,
     )
-    found: Any = _setae.contact_front(one(measurement, size, unit, keep_values, trend), request, made_surface(pixels, cell, surface, seed), edges, realisations)
-    return ContactFront(found.columns, found.units, found.json, tuple(map(quantity_from, json.loads(found.quantities()))), found.edge, found)
+    measured = one(measurement, size, unit, keep_values, trend)
+    found: Any = _setae.contact_front(measured[0], request, made_surface(pixels, cell, surface, seed), edges, realisations)
+    return ContactFront(found.columns, found.units, found.json, tuple(map(quantity_from, json.loads(found.quantities()))), edge_of(found.edge), found)
 
 
 class PerssonContact(Columns):
     """Contact by Persson's theory: against pressure or, for one pressure, against q with only the waves up to q."""
 
+    @property
+    def n(self) -> int:
+        """Number of pressures, or of wavevectors for one pressure."""
+        return len(next(iter(self.columns.values())))
+
+    def plot(self, ax: Any = None, *, of: str = "area_fraction", **style: Any) -> Any:
+        """Plots a column against pressure, or against the wavevector, on logarithmic axes of matplotlib."""
+        from ._plot import plot_columns
+
+        return plot_columns(self, next(iter(self.columns)), [of], ax, scale="log", **style)
+
     def __repr__(self) -> str:
-        return f"PerssonContact({', '.join(self.columns)})"
+        return f"PerssonContact({self.n} rows of {', '.join(self.columns)})"
 
 
 def persson(
@@ -444,7 +512,7 @@ def persson(
     tip_radius: Text | None = None,
     resolution: Text | None = None,
     trend: str | None = None,
-    size: Text | None = None,
+    size: Size | None = None,
     unit: str | None = None,
     keep_values: bool = False,
     longest: Text | None = None,
@@ -483,7 +551,7 @@ def persson(
         distance below which the instrument does not resolve heights
     trend : str
         trend that is removed from the heights: 'none', 'mean', 'tilt' or 'parabola'
-    size : str or Quantity
+    size : str or Quantity or tuple
         extent of the heights, where the file does not state it
     unit : str
         unit of the heights, where the file does not state it
@@ -504,11 +572,11 @@ def persson(
         _setae.PerssonRequest(),
         contact_modulus=contact_modulus,
         pressure=pressure,
-        work_of_adhesion=W_int,
+        W_int=W_int,
         layer=layer,
         bonded=bonded,
         frictionless=frictionless,
-        poisson_ratio=nu,
+        nu=nu,
         energy_factor=energy_factor,
     )
     shared = shared_options(instrument, tip_radius, resolution, trend, size, unit, keep_values)
@@ -527,7 +595,13 @@ class ContactComparison(Columns):
     @property
     def n(self) -> int:
         """Number of surfaces in every mean."""
-        return int(self.data["surfaces"])
+        return int(self._data["surfaces"])
+
+    def plot(self, ax: Any = None, *, of: str = "area_fraction", **style: Any) -> Any:
+        """Plots solved contacts and Persson's theory against pressure on logarithmic axes of matplotlib."""
+        from ._plot import plot_columns
+
+        return plot_columns(self, "pressure", [of, f"{of}_persson"], ax, scale="log", **style)
 
     def __repr__(self) -> str:
         return f"ContactComparison({len(self['pressure'])} pressures, {self.n} surfaces)"
@@ -552,7 +626,7 @@ def contact_compare(
     tip_radius: Text | None = None,
     resolution: Text | None = None,
     trend: str | None = None,
-    size: Text | None = None,
+    size: Size | None = None,
     unit: str | None = None,
     keep_values: bool = False,
     longest: Text | None = None,
@@ -599,7 +673,7 @@ def contact_compare(
         distance below which the instrument does not resolve heights
     trend : str
         trend that is removed from the heights: 'none', 'mean', 'tilt' or 'parabola'
-    size : str or Quantity
+    size : str or Quantity or tuple
         extent of the heights, where the file does not state it
     unit : str
         unit of the heights, where the file does not state it
@@ -629,7 +703,7 @@ def contact_compare(
         layer=layer,
         bonded=bonded,
         frictionless=frictionless,
-        poisson_ratio=nu,
+        nu=nu,
         energy_factor=energy_factor,
     )
     request = filled(

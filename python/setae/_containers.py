@@ -4,11 +4,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Union
+from typing import Any, Union
 
 from . import _setae
+from ._given import Given, is_path, plain_name, saved
 from ._options import Path, Text, filled, path, text
-from ._quantities import Answer
+from ._results import Answer
+from ._scan import Measured, scan
 
 #: One value for all files, or a value per file by its name.
 Stated = Union[Text, int, Mapping[str, Union[Text, int]], None]
@@ -21,22 +23,33 @@ class Container(Answer):
 class ContainerReport(Answer):
     """Content and problems of containers, as printed by ``setae container check --json``."""
 
+    tables = ("containers",)
+
 
 class Formats(Answer):
     """All supported formats: "formats" of topographies, "force_curves", "micrographs"."""
 
+    tables = ("formats",)
 
-def stated(values: Stated) -> list[str]:
+
+def stated(values: Stated, argument: str = "") -> list[str]:
     if values is None:
         return []
     if isinstance(values, Mapping):
-        return [f"{file}={text(value)}" for file, value in values.items()]
-    return [text(values)]
+        return [f"{file}={text(value, argument)}" for file, value in values.items()]
+    return [text(values, argument)]
+
+
+def heights_of(measurement: Measured) -> Given:
+    """The heights of a scan, or of other content in memory, as a file; a traced curve with the errors that it has."""
+    measured = scan(measurement)
+    ending = ".nc" if measured.positions is None else ".csv"
+    return saved(measured.save, plain_name(str(measured.file)) + ending)
 
 
 def write_container(
     output: Path,
-    files: Sequence[Path] = (),
+    files: Sequence[Measured] = (),
     *,
     taken_over: Sequence[Path] = (),
     name: str | None = None,
@@ -49,7 +62,9 @@ def write_container(
     keep_values: bool = False,
     skip_failed: bool = False,
 ) -> Container:
-    """Writes a container for contact.engineering. Measured files become one surface; containers keep their surfaces.
+    """Writes a container for contact.engineering. Measured files and scans become one surface; containers keep their surfaces.
+
+    Scans and other heights in memory are written after all steps.
 
     Missing size, unit, channel and detrend are given for all files, or by file: ``unit={"scan.npy": "nm"}``.
 
@@ -77,14 +92,15 @@ def write_container(
     skip_failed : bool, default False
         measurements that cannot be analysed are left out with a warning
     """
+    measured: list[Any] = [file if is_path(file) else heights_of(file) for file in files]
     request = filled(
         _setae.ContainerRequest(),
         output=path(output),
-        files=[path(file) for file in files],
+        files=[path(file) for file in measured],
         taken_over=[path(file) for file in taken_over],
         name=name,
         description=description,
-        sizes=stated(size),
+        sizes=stated(size, "size"),
         units=stated(unit),
         channels=stated(channel),
         trends=stated(detrend),

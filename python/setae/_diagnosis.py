@@ -3,12 +3,15 @@
 
 from __future__ import annotations
 
-import html
+from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
 
 from . import _setae
-from ._options import Text, text
-from ._quantities import Alert, Answer, Quantity, alerts_from, quantity_from
+from ._options import Size, Text, size_text, text
+from ._quantities import Alert, Quantity, alerts_from, quantity_from
+from ._results import Answer, alerts_html, unknown
 from ._scan import Measured, items
 
 
@@ -24,9 +27,33 @@ class Finding:
 
 
 class Diagnosis(Answer):
-    """Problems of measurements, as printed by ``setae check --json``; empty if there are none."""
+    """Problems of measurements by their code, as printed by ``setae check --json``; empty if there are none."""
+
+    def __getitem__(self, code: str) -> tuple[Finding, ...]:
+        found = tuple(finding for finding in self.findings if finding.alert.code == code)
+        if not found:
+            raise KeyError(unknown(code, list(self)))
+        return found
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(dict.fromkeys(entry["code"] for entry in self._data))
 
     @property
+    def quantities(self) -> tuple[Quantity, ...]:
+        """Effects of all problems."""
+        return tuple(effect for finding in self.findings for effect in finding.effects)
+
+    def to_dict(self) -> dict[str, Any]:
+        """The JSON of the problems by their code."""
+        return {code: [entry for entry in self.data if entry["code"] == code] for code in self}
+
+    def to_pandas(self) -> Any:
+        """As a DataFrame of pandas: one row per problem."""
+        import pandas
+
+        return pandas.DataFrame([{name: entry[name] for name in ("code", "subject", "message", "action")} for entry in self._data])
+
+    @cached_property
     def findings(self) -> tuple[Finding, ...]:
         return tuple(
             Finding(alert, tuple(map(quantity_from, entry["effects"]))) for alert, entry in zip(self.alerts, self._data)
@@ -40,10 +67,10 @@ class Diagnosis(Answer):
         return "\n".join(map(str, self.findings)) or "nothing found"
 
     def _repr_html_(self) -> str:
-        return "<ul>" + "".join(f"<li>{html.escape(str(finding))}</li>" for finding in self.findings) + "</ul>"
+        return alerts_html(self.alerts) or "<p>nothing found</p>"
 
 
-def check(measurements: Measured, *, tip_radius: Text | None = None, size: Text | None = None, unit: str | None = None, keep_values: bool = False,
+def check(measurements: Measured, *, tip_radius: Text | None = None, size: Size | None = None, unit: str | None = None, keep_values: bool = False,
           skip_failed: bool = False) -> Diagnosis:
     """Problems of single measurements and differences between them, with the size of the effect and a remedy.
 
@@ -55,5 +82,5 @@ def check(measurements: Measured, *, tip_radius: Text | None = None, size: Text 
     >>> "SPIKES" in [alert.code for alert in check(setae.scan(heights, size="1 um x 1 um", unit="m")).alerts]
     True
     """
-    shared = {"stated_size": text(size), "stated_unit": text(unit), "keep_values": keep_values}
-    return Diagnosis(_setae.diagnosis(items(measurements, shared), text(tip_radius), not skip_failed))
+    shared = {"stated_size": size_text(size), "stated_unit": text(unit), "keep_values": keep_values}
+    return Diagnosis(_setae.diagnosis(items(measurements, shared), text(tip_radius, "tip_radius"), not skip_failed))

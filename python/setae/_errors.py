@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from ._given import shown
+
 
 class Error(Exception):
     """Base class of all exceptions of setae. The message states in one line what happened, where, the value, the expected value and the remedy.
@@ -17,11 +19,22 @@ class Error(Exception):
     True None True
     """
 
-    file: str | None = None
+    _file: str | None = None
     line: int | None = None
     offset: int | None = None
     got: str | None = None
     expected: str | None = None
+
+    def __init__(self, *arguments: object) -> None:
+        super().__init__(*(shown(argument) if isinstance(argument, str) else argument for argument in arguments))
+
+    @property
+    def file(self) -> str | None:
+        return self._file
+
+    @file.setter
+    def file(self, file: str | None) -> None:
+        self._file = None if file is None else shown(file)
 
 
 class InvalidArgument(Error, ValueError):

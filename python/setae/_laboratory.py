@@ -3,22 +3,35 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import base64
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Union
 
 from . import _setae
-from ._columns import Columns
-from ._loops import bodies_of, checked_bodies, files_of
+from ._columns import Columns, Named, edge_of
+from ._errors import InvalidArgument
+from ._given import Given, Source, as_file, saved
+from ._loops import Loop, bodies_of, checked_bodies, curve_file, files_of, loop_files
 from ._options import Path, Text, filled, named, path, text
-from ._quantities import Alert, Answer, Quantity, quantity_from
+from ._quantities import Alert, Quantity, quantity_from
+from ._results import Answer, alerts_html, rows_html
+from ._scan import Scan
 
 #: One file or several.
 Paths = Union[Path, Sequence[Path]]
+#: One file or several, or one table in memory or several.
+Sources = Any
 
 
 def paths(files: Paths) -> list[str]:
     return [path(file) for file in files] if isinstance(files, (list, tuple)) else [path(files)]  # type: ignore[arg-type]
+
+
+def sources(files: Sources, name: str) -> list[str | Given]:
+    """Paths, and tables in memory as files that exist as long as the list."""
+    several = isinstance(files, (list, tuple))
+    return [as_file(file, f"{name} {number}" if several else name) for number, file in enumerate(files if several else [files], 1)]
 
 
 class Lens(Answer):
@@ -31,9 +44,11 @@ class Lens(Answer):
         return found
 
 
-def lens(file: Path, *, x: str | None = None, z: str | None = None, start: Text | None = None, stop: Text | None = None,
+def lens(file: Source, *, x: str | None = None, z: str | None = None, start: Text | None = None, stop: Text | None = None,
          pixel: Text | None = None) -> Lens:
     """Radius and asphericity of a lens from a table of two lengths, a profilometer trace, or a picture of its side.
+
+    The table may be in memory: a DataFrame, or a dictionary of arrays, with units as for :func:`loop`; or a line of :func:`scan`.
 
     Parameters
     ----------
@@ -48,7 +63,16 @@ def lens(file: Path, *, x: str | None = None, z: str | None = None, start: Text 
     pixel : str or Quantity
         size of a pixel in pictures that do not state it, such as "2.05 um"
     """
-    return Lens(_setae.lens(path(file), filled(_setae.LensRequest(), x=x, z=z, start=start, stop=stop, pixel=pixel)))
+    profile = as_file(line_of(file) if isinstance(file, Scan) else file, "lens")
+    return Lens(_setae.lens(path(profile), filled(_setae.LensRequest(), x=x, z=z, start=start, stop=stop, pixel=pixel)))
+
+
+def line_of(scan: Scan) -> dict[str, Any]:
+    """Positions and heights of a line."""
+    if scan.heights.ndim != 1:
+        raise InvalidArgument("a map; expected a line, such as scan.heights[:, 0] with size or x")
+    coordinate = scan.to_xarray()
+    return {"x [m]": coordinate.x.data, "z [m]": coordinate.data}
 
 
 class Camera(Answer):
@@ -63,7 +87,7 @@ class Camera(Answer):
 
 def camera(pictures: Paths, pitch: Text) -> Camera:
     """Pixel size and distortion from pictures of a ruling. ``pitch`` is the distance of its lines, "10 um" or "10 ± 0.02 um"."""
-    return Camera(_setae.camera_scale(paths(pictures), text(pitch)))
+    return Camera(_setae.camera_scale(paths(pictures), text(pitch, "pitch")))
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -81,6 +105,9 @@ class Recording(Columns):
         return ()
 
     def save(self, file: Path) -> None:
+        """Writes the results as a table."""
+        if self.handle is None:
+            raise InvalidArgument("the recording was analysed in another process; expected save() there")
         self.handle.save(path(file))
 
 
@@ -90,10 +117,16 @@ class ContactRadii(Recording):
     @property
     def n(self) -> int:
         """Number of frames with a contact radius."""
-        return int(self.data["summary"]["measured"])
+        return int(self._data["summary"]["measured"])
 
     def __repr__(self) -> str:
         return f"ContactRadii({len(self['time'])} frames, {self.n} measured)"
+
+    def plot(self, ax: Any = None, **style: Any) -> Any:
+        """Plots the contact radius against time on axes of matplotlib."""
+        from ._plot import plot_columns
+
+        return plot_columns(self, "time", ["contact_radius"], ax, **style)
 
 
 def contact_radii(
@@ -167,7 +200,7 @@ class ContactLine(Recording):
     ``save("edge.csv")`` writes a table for :func:`contact_line`.
     """
 
-    edge: dict[str, Any] = field(default_factory=dict, repr=False)
+    edge: Named = field(default_factory=lambda: edge_of({}), repr=False)
 
     @property
     def n(self) -> int:
@@ -177,15 +210,28 @@ class ContactLine(Recording):
     @property
     def roughness_exponent(self) -> Quantity | None:
         """ζ of ⟨|r_n|²⟩ ∝ n^−(1 + 2ζ); None for too few frames or places."""
-        roughness = self.data["roughness"]
-        return None if roughness is None else quantity_from(roughness["exponent"])
+        roughness = self._data["roughness"]
+        return None if roughness is None else quantity_from(roughness["exponent"], self._shared)
 
     def __repr__(self) -> str:
         return f"ContactLine({self.n} frames, {self.data['angles']} places each)"
 
+    def plot(self, ax: Any = None, **style: Any) -> Any:
+        """Plots the mean radius of the edge against time on axes of matplotlib."""
+        from ._plot import plot_columns
+
+        return plot_columns(self, "time", ["mean_radius"], ax, **style)
+
+
+def recorded_edge(frames: Sources) -> Sources:
+    """The recorded edge of a result, with its header as far as it is known; other frames as they are."""
+    if getattr(frames, "handle", None) is not None and hasattr(frames, "edge"):
+        return saved(getattr(frames, "save_edge", None) or frames.save, "edge.csv")
+    return getattr(frames, "edge", frames)
+
 
 def contact_line(
-    frames: Paths,
+    frames: Sources,
     *,
     angles: int | None = None,
     smallest_void: float = 16.0,
@@ -195,13 +241,14 @@ def contact_line(
     largest_mode: int = 0,
     radius: Text | None = None,
     contact_modulus: Text | None = None,
-    displacement: Path | None = None,
+    displacement: Source | None = None,
     **recording: Any,
 ) -> ContactLine:
     """Roughness and motion of the edge of a contact: roughness exponent, speeds, jumps, arrests, voids inside.
 
     Frames are a recording as for :func:`contact_radii`, whose keywords are accepted too, or a table, of ``save()`` or a simulation, with columns
-    "time", "radius_1" … "radius_N". With radius and contact_modulus the result has "release_rate", the energy release rate of the edge.
+    "time", "radius_1" … "radius_N"; or in memory the result of :func:`contact_line` or :func:`contact_front`, or such a table. With radius and
+    contact_modulus the result has "release_rate", the energy release rate of the edge.
 
     Parameters
     ----------
@@ -221,16 +268,18 @@ def contact_line(
         radius of the sphere, for the energy release rate, such as "1 mm"
     contact_modulus : str or Quantity
         contact modulus E* of both bodies, for the energy release rate, such as "1 MPa"
-    displacement : str or path
+    displacement : str or path or table
         table of time and displacement of the sphere, for the energy release rate; default: the displacement in the table of the edge
     **recording
         keywords of recordings, as those of `contact_radii`
     """
+    recorded = sources(recorded_edge(frames), "edge.csv")
+    moved = None if displacement is None else as_file(displacement, "displacement")
     request = filled(
         _setae.LineRequest(),
-        sphere_radius=radius,
+        radius=radius,
         contact_modulus=contact_modulus,
-        displacement=None if displacement is None else path(displacement),
+        displacement=None if moved is None else path(moved),
         angles=angles,
         smallest_void=smallest_void,
         ring_width=ring_width,
@@ -239,13 +288,15 @@ def contact_line(
         largest_mode=largest_mode,
         **recording,
     )
-    found: Any = _setae.contact_line(paths(frames), request)
-    return ContactLine(found.columns, found.units, found.json, found, found.edge)
+    found: Any = _setae.contact_line(list(map(path, recorded)), request)
+    return ContactLine(found.columns, found.units, found.json, found, edge_of(found.edge))
 
 
 @dataclass(frozen=True, repr=False)
 class Contour(Answer):
     """The contour in a micrograph, as printed by ``setae contour --json``; ``profiles`` are texts of profile files, the longest first."""
+
+    tables = ("segments",)
 
     profiles: tuple[str, ...] = field(default=(), compare=False)
     overlay: bytes = field(default=b"", compare=False)  #: the picture with the edge drawn in, PNG
@@ -257,6 +308,10 @@ class Contour(Answer):
 
     def _repr_png_(self) -> bytes:
         return self.overlay
+
+    def _repr_html_(self) -> str:
+        picture = base64.b64encode(self.overlay).decode()
+        return f"<img src='data:image/png;base64,{picture}'>{rows_html(self._data['segments'])}{alerts_html(self.alerts)}"
 
 
 def contour(
@@ -305,10 +360,18 @@ def contour(
 class ForceCurves(Answer):
     """Fits of a force curve ("segments", "summary"), or of every curve of a file ("curves"), as printed by ``setae jkr fit --json``."""
 
+    tables = ("curves", "segments")
+
+    @property
+    def quantities(self) -> tuple[Quantity, ...]:
+        """Results of one curve; none for a file of many."""
+        return self._entry("summary").quantities if "summary" in self._data else ()
+
 
 def force_curves(
-    file: Path,
+    file: Source | Loop,
     *,
+    units: Mapping[str, str] | None = None,
     radius: Text | None = None,
     tip: str = "paraboloid",
     half_angle: float = 0.0,
@@ -326,8 +389,12 @@ def force_curves(
 ) -> ForceCurves:
     """Fits of force curves (force and displacement). The contact begins where the force leaves the baseline.
 
+    A curve may be a table in memory with columns of force and displacement, as for :func:`loop`.
+
     Parameters
     ----------
+    units : Mapping[str, str]
+        units of columns of a table in memory, where neither names nor attributes state them, such as {'force': 'mN'}
     radius : str or Quantity
         radius of the sphere; fits of loops include a given ±, such as "7.5 um"; default: as the file states
     tip : str, default 'paraboloid'
@@ -365,19 +432,22 @@ def force_curves(
         tip=tip,
         half_angle=half_angle,
         model=model,
-        range=fit_range,
+        fit_range=fit_range,
         contact_point=contact_point,
         keep_baseline_slope=keep_baseline_slope,
     )
-    return ForceCurves(_setae.fit_force_curves(path(file), filled(_setae.LoopFiles(), **files), checked_bodies(bodies), request))
+    curve = curve_file(file, "curve", units)
+    return ForceCurves(_setae.fit_force_curves(path(curve), loop_files(files), checked_bodies(bodies), request))
 
 
 class Replicates(Answer):
     """Means over surfaces, lenses, spots and repeats, as printed by ``setae jkr summary --json``."""
 
+    tables = ("surfaces",)
+
 
 def replicates(
-    files: Paths,
+    files: Sources,
     *,
     quantity: str = "W",
     group_by: Sequence[str] = (),
@@ -394,7 +464,8 @@ def replicates(
 ) -> Replicates:
     """Means of tables with one row per fit: y = mean of the surface + b(lens) + b(spot) + b(repeat) + error of the fit.
 
-    Quantities are "W", "E*", "E_loss", "F_po" or a column. Exclusions are texts such as "file=a.csv;reason=dust on the lens".
+    Tables are files, or in memory, such as DataFrames. Quantities are "W", "E*", "E_loss", "F_po" or a column. Exclusions
+    are texts such as "file=a.csv;reason=dust on the lens".
 
     Parameters
     ----------
@@ -423,9 +494,10 @@ def replicates(
     each_surface : bool, default False
         separate variances for each surface, not pooled
     """
+    tables = sources(files, "fits")
     request = filled(
         _setae.ReplicateRequest(),
-        files=paths(files),
+        files=list(map(path, tables)),
         quantity=quantity,
         value=value,
         error=error,

@@ -10,13 +10,15 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from . import _setae
-from ._options import MAPPINGS, Path, Text, filled, path, text, texts
-from ._quantities import Alert, Answer, Quantity, alerts_from
+from ._columns import Named
+from ._given import Given, Source, as_file, shown
+from ._options import MAPPINGS, Text, filled, path, texts, texts_of
+from ._quantities import Alert, Quantity, alerts_from
+from ._results import Answer
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
-    from ._columns import Array
     from ._generated import LoopSettings
 
 
@@ -41,6 +43,13 @@ class LoopFit(Answer):
         loop = self["loop"]
         return None if loop is None else loop["energy"]
 
+    @property
+    def quantities(self) -> tuple[Quantity, ...]:
+        """E* and W of loading, pull-off force and energy loss, then the quantities at the top level."""
+        pull_off = self["pull_off"]
+        own = (self.E_star, self.W, None if pull_off is None else pull_off["force"], self.loss)
+        return (*(quantity for quantity in own if quantity is not None), *super().quantities)
+
     def __repr__(self) -> str:
         loss = "" if self.loss is None else f", E_loss = {self.loss}"
         return f"LoopFit(E* = {self.E_star}, W = {self.W}{loss})"
@@ -59,18 +68,24 @@ class MachineStiffness(Answer):
 class LoopEnergy(Answer):
     """Energy budget of a loop, as printed by ``setae jkr energy --json``."""
 
+    @property
+    def quantities(self) -> tuple[Quantity, ...]:
+        """Energy of the closed loop and loss per area."""
+        loop, ledger = self._entry("loop"), self._entry("ledger")
+        return (*(loop.quantities if loop else ()), *(ledger.quantities if ledger else ()))
+
 
 @dataclass(frozen=True, eq=False)
 class Loop:
     """A loop in SI, and the properties of its bodies."""
 
-    file: str
+    file: str | Given
     files: tuple[tuple[str, Any], ...] = field(default=(), repr=False)
     bodies: tuple[tuple[str, Any], ...] = field(default=(), repr=False)
 
     @cached_property
     def _opened(self) -> _setae.Loop:
-        return _setae.open_loop(self.file, filled(_setae.LoopFiles(), **dict(self.files)))
+        return _setae.open_loop(path(self.file), loop_files(dict(self.files)))
 
     def __getstate__(self) -> dict[str, Any]:
         return {"file": self.file, "files": self.files, "bodies": self.bodies}
@@ -79,9 +94,9 @@ class Loop:
         self.__dict__.update(state)
 
     @property
-    def columns(self) -> dict[str, Array]:
+    def columns(self) -> Named:
         """"force" [N], "displacement" [m], "contact_radius" [m], "time" [s], if the file contains them."""
-        return self._opened.columns
+        return Named(self._opened.columns, self.units)
 
     @property
     def units(self) -> dict[str, str]:
@@ -93,7 +108,7 @@ class Loop:
 
     @property
     def alerts(self) -> tuple[Alert, ...]:
-        return alerts_from(json.loads(self._opened.alerts))
+        return alerts_from(json.loads(shown(self._opened.alerts)))
 
     def __getitem__(self, name: str) -> Any:
         return self.columns[name]
@@ -173,8 +188,8 @@ class Loop:
             "models": texts(models),
             "branch": branch,
             "errors": errors,
-            "contact_point": text(model_contact_point),
-            "cohesive_stress": text(cohesive_stress),
+            "model_contact_point": model_contact_point,
+            "cohesive_stress": cohesive_stress,
             "profile": profile,
             "crack_speed": crack_speed,
             "exponent": exponent,
@@ -189,19 +204,46 @@ class Loop:
         """Stiffness from a loop on a rigid body: slope of force against the position of the stage."""
         return MachineStiffness(_setae.machine_stiffness(self._opened))
 
-    def plot(self, ax: Any = None) -> Any:
-        """Force against displacement, or contact radius, on axes of matplotlib."""
+    def to_pandas(self) -> Any:
+        """As a DataFrame of pandas; units and metadata are in ``attrs``. :func:`loop` takes it."""
+        import pandas
+
+        frame = pandas.DataFrame(dict(self.columns))
+        frame.attrs.update({"units": dict(self.units), **self._header})
+        return frame
+
+    def to_xarray(self) -> Any:
+        """As a Dataset of xarray along the samples; metadata are in ``attrs``. :func:`loop` takes it."""
+        import xarray
+
+        columns = {name: ("sample", values, {"units": self.units[name]}) for name, values in self.columns.items()}
+        return xarray.Dataset(columns, attrs=self._header)
+
+    @property
+    def _header(self) -> dict[str, str]:
+        """Metadata that a table of the loop can contain: not those of the file itself."""
+        own = ("file", "format", "header", "mapping", "version")
+        return {key: value for key, value in self.metadata.items() if key not in own}
+
+    def plot(self, ax: Any = None, **style: Any) -> Any:
+        """Plots force against displacement, or contact radius, on axes of matplotlib; ``style``: keywords of matplotlib."""
         from ._plot import plot_loop
 
-        return plot_loop(self, ax)
+        return plot_loop(self, ax, **style)
 
 
-def files_of(*, frame_rate: float | None = None, fringes: bool = False, curve_number: int | None = None,
+def curve_file(source: Source | Loop, name: str, units: Mapping[str, str] | None) -> str | Given:
+    """A path, or the table of a loop or a table in memory as a file."""
+    return as_file(source.to_xarray() if isinstance(source, Loop) else source, name, units)
+
+
+def files_of(*, camera: Source | None = None, frame_rate: float | None = None, fringes: bool = False, curve_number: int | None = None,
              columns: Mapping[str, str] | None = None, **texts: Text | None) -> dict[str, Any]:
     """Attributes of LoopFiles; arguments that are not given keep their defaults."""
-    names = ("mapping", "camera", "camera_mapping", "clock_offset", "pixel", "spring_constant", "sensitivity")
+    names = ("mapping", "camera_mapping", "clock_offset", "pixel", "spring_constant", "sensitivity")
     return {
-        **{name: text(texts.get(name)) for name in names},
+        **texts_of(_setae.LoopFiles, **{name: texts.get(name) for name in names}),
+        "camera": "" if camera is None else as_file(camera, "camera"),
         "mapping_folder": MAPPINGS,
         "frame_rate": frame_rate,
         "fringes": fringes,
@@ -210,15 +252,17 @@ def files_of(*, frame_rate: float | None = None, fringes: bool = False, curve_nu
     }
 
 
+def loop_files(given: Mapping[str, Any]) -> _setae.LoopFiles:
+    """The request of the library for :func:`files_of`, which keeps tables in memory."""
+    return filled(_setae.LoopFiles(), **{**given, "camera": path(given["camera"])})
+
+
 def bodies_of(*, radius: Text | None = None, lens_height: Text | None = None, layer_thickness: Text | None = None, nu: float | None = None,
               counter_E: Text | None = None, counter_nu: float | None = None) -> dict[str, Any]:
     """Attributes of LoopBodies."""
     return {
-        "radius": text(radius),
-        "lens_height": text(lens_height),
-        "layer_thickness": text(layer_thickness),
+        **texts_of(_setae.LoopBodies, radius=radius, lens_height=lens_height, layer_thickness=layer_thickness, counter_E=counter_E),
         "nu": nu,
-        "counter_E": text(counter_E),
         "counter_nu": counter_nu,
     }
 
@@ -231,8 +275,9 @@ def checked_bodies(given: Mapping[str, Any]) -> _setae.LoopBodies:
 
 
 def loop(
-    file: Path,
+    file: Source | Loop,
     *,
+    units: Mapping[str, str] | None = None,
     radius: Text | None = None,
     nu: float | None = None,
     counter_E: Text | None = None,
@@ -240,7 +285,7 @@ def loop(
     lens_height: Text | None = None,
     layer_thickness: Text | None = None,
     mapping: str | None = None,
-    camera: Path | None = None,
+    camera: Source | None = None,
     camera_mapping: str | None = None,
     clock_offset: Text | None = None,
     pixel: Text | None = None,
@@ -251,10 +296,16 @@ def loop(
     curve_number: int | None = None,
     columns: Mapping[str, str] | None = None,
 ) -> Loop:
-    """A loop from a table with units in the header, a loop file, a workbook or a force curve.
+    """A loop from a table with units in the header, a loop file, a workbook, a force curve, or a table in memory.
+
+    A table in memory is a DataFrame of pandas, a Dataset of xarray, a dictionary of arrays, also of pint, or a structured array. Its units
+    are in names of columns ("force [mN]"), in ``attrs["units"]``, in arrays of pint, or in ``units``. The camera's table may be in memory,
+    too, such as the result of :func:`contact_radii`.
 
     Parameters
     ----------
+    units : Mapping[str, str]
+        units of columns of a table in memory, where neither names nor attributes state them, such as {'force': 'mN'}
     radius : str or Quantity
         radius of the sphere; fits of loops include a given ±, such as "7.5 um"; default: as the file states
     nu : float
@@ -269,7 +320,7 @@ def loop(
         thickness of a soft layer on a rigid base; fits are corrected for the finite thickness, such as "0.5 mm"
     mapping : str
         mapping (TOML) that names the columns of a foreign table: a file or a known name, such as "eoh"
-    camera : str or path
+    camera : str or path or table
         camera record with a separate clock: a table of time and contact_radius, a TIFF stack, an AVI or a folder of pictures
     camera_mapping : str
         mapping (TOML) of the camera's table
@@ -293,7 +344,7 @@ def loop(
     """
     files = files_of(
         mapping=mapping,
-        camera="" if camera is None else path(camera),
+        camera=camera,
         camera_mapping=camera_mapping,
         clock_offset=clock_offset,
         pixel=pixel,
@@ -307,6 +358,6 @@ def loop(
     bodies = bodies_of(radius=radius, lens_height=lens_height, layer_thickness=layer_thickness, nu=nu, counter_E=counter_E,
                        counter_nu=counter_nu)
     checked_bodies(bodies)
-    opened = Loop(path(file), tuple(files.items()), tuple(bodies.items()))
+    opened = Loop(curve_file(file, "loop", units), tuple(files.items()), tuple(bodies.items()))
     opened._opened  # noqa: B018
     return opened

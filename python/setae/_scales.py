@@ -87,7 +87,7 @@ def scale_dependent(
         keywords of measurements, as those of `power_spectrum`, and of ScaleRequest
     """
     lengths: list[Any] = [distance] if not isinstance(distance, (list, tuple)) else list(distance)
-    asked = {"order": order, "distance": ",".join(map(text, lengths)), "statistic": statistic, "along": along}
+    asked = {"order": order, "distance": ",".join(text(length, "distance") for length in lengths), "statistic": statistic, "along": along}
     return function_of_scale("sdrp", measurements, asked, options)
 
 
@@ -113,7 +113,7 @@ def autocorrelation(
     >>> bool(numpy.isclose(A.value.max(), (3e-9) ** 2))
     True
     """
-    return function_of_scale("acf", measurements, {"area": area, "slope": slope, "longest": text(longest)}, options)
+    return function_of_scale("acf", measurements, {"area": area, "slope": slope, "longest": text(longest, "longest")}, options)
 
 
 def variable_bandwidth(measurements: Measured, *, area: bool = False, **options: Any) -> FunctionOfScale:

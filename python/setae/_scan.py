@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import dataclasses
+import html
 import json
 import pathlib
 from dataclasses import dataclass, field
@@ -11,25 +12,19 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, Union, cast
 
 from . import _setae
-from ._options import Path, Text, named, path, text
-from ._quantities import Alert, Answer, Json, Quantity, alerts_from, quantity_from
+from ._given import Given, is_path, shown
+from ._options import Length, Path, Size, Text, exact, named, path, require, size_text, text
+from ._quantities import Alert, Json, Quantity, alerts_from, quantity_from
+from ._results import Answer, alerts_html
 
 if TYPE_CHECKING:
     from ._columns import Array
 
 
-def lengths(size: Text | tuple[Text, ...]) -> list[float]:
-    """Lengths in metres.
-
-    >>> lengths("2 um x 1 m")
-    [2e-06, 1.0]
-    """
-    parts = size if isinstance(size, tuple) else (size,)
-    return [length for part in parts for length in _setae.lengths(text(part))]
-
-
 class Info(Answer):
     """Content of files, as printed by ``setae info --json``."""
+
+    tables = ("channels",)
 
     @property
     def channels(self) -> tuple[Json, ...]:
@@ -69,8 +64,17 @@ class Processing(Answer):
     def alerts(self) -> tuple[Alert, ...]:
         return tuple(alert for step in self.steps for alert in step.alerts)
 
+    @property
+    def quantities(self) -> tuple[Quantity, ...]:
+        """Numbers of all steps."""
+        return tuple(number for step in self.steps for number in step.numbers)
+
     def __repr__(self) -> str:
-        return "\n".join(map(str, self.steps))
+        return "\n".join(map(str, self.steps)) or "no steps"
+
+    def _repr_html_(self) -> str:
+        steps = "".join(f"<li>{html.escape(str(step))}</li>" for step in self.steps)
+        return (f"<ol>{steps}</ol>" if steps else "<p>no steps</p>") + alerts_html(self.alerts)
 
 
 @dataclass(frozen=True, eq=False)
@@ -81,7 +85,7 @@ class Scan:
     Every processing method returns a new scan with one more step.
     """
 
-    file: str
+    file: str | Given
     channel: int | str | None = None
     steps: tuple[str, ...] = ()
     pipeline: str = ""
@@ -100,11 +104,11 @@ class Scan:
         if self.source is None:
             return None
         array, size, periodic = self.source
-        return _setae.Heights(array, size, periodic, self.file)
+        return _setae.Heights(array, size, periodic, str(self.file))
 
     @cached_property
     def _item(self) -> _setae.Item:
-        item = _setae.Item(self.file, self._given)
+        item = _setae.Item(path(self.file), self._given)
         item.set_file(self.stated_size, self.stated_unit, self.layout, named(self.channel), self.keep_values)
         item.set_processing(self.pipeline, list(self.steps))
         item.set_instrument(self.instrument, self.tip_radius, self.resolution, self.trend)
@@ -138,14 +142,14 @@ class Scan:
         return cast("Array | None", self._heights.positions)
 
     @property
-    def size(self) -> tuple[float, ...]:
-        """Extent along x, for maps also along y [m]: points times pixel size."""
-        return tuple(self._heights.size)
+    def size(self) -> tuple[Length, ...]:
+        """Extent along x, for maps also along y [m]: points times pixel size. It is accepted as ``size=…`` of other scans."""
+        return tuple(map(Length, self._heights.size))
 
     @property
-    def pixel_size(self) -> tuple[float, ...]:
+    def pixel_size(self) -> tuple[Length, ...]:
         """Extent over number of points [m]."""
-        return tuple(extent / points for extent, points in zip(self.size, self.heights.shape))
+        return tuple(Length(extent / points) for extent, points in zip(self.size, self.heights.shape))
 
     @property
     def periodic(self) -> bool:
@@ -168,7 +172,7 @@ class Scan:
     @property
     def alerts(self) -> tuple[Alert, ...]:
         """Warnings about reading the heights: values taken as undefined, points averaged."""
-        return alerts_from(json.loads(self._heights.alerts))
+        return alerts_from(json.loads(shown(self._heights.alerts)))
 
     @property
     def processing(self) -> Processing:
@@ -217,55 +221,67 @@ class Scan:
     ) -> Scan:
         """The scan with metadata that its file does not contain: "stylus", "afm", "tem" or "optical"; radius of the tip with its ±."""
         given: dict[str, Any] = {
-            name: text(value)
+            name: text(value, name)
             for name, value in (("instrument", instrument), ("tip_radius", tip_radius), ("resolution", resolution), ("trend", trend))
             if value is not None
         }
         return dataclasses.replace(self, **given)
 
-    def plot(self, ax: Any = None) -> Any:
-        """Plots the heights on axes of matplotlib."""
+    def plot(self, ax: Any = None, **style: Any) -> Any:
+        """Plots the heights on axes of matplotlib, a map with y upwards as the program draws it; ``style``: keywords of matplotlib."""
         from ._plot import plot_scan
 
-        return plot_scan(self, ax)
+        return plot_scan(self, ax, **style)
 
     def save(self, file: Path) -> None:
         """Writes the heights after all steps. The ending gives the format: .x3p, .sdf, .gwy, .nc, .npy, .txt or .csv."""
         _setae.write_heights(self._heights, path(file))
 
     def to_xarray(self) -> Any:
-        """As a DataArray of xarray with coordinates in metres."""
+        """As a DataArray of xarray with coordinates in metres, which :func:`scan` takes with its metadata.
+
+        The attribute "period" of the coordinates of a periodic map is the extent at which the map repeats itself.
+        """
         import numpy
         import xarray
 
+        stated = {"instrument": self.instrument, "tip_radius": self.tip_radius, "resolution": self.resolution, "trend": self.trend}
+        attributes = {"units": "m", "unit": "m", **{name: value for name, value in stated.items() if value}}
         if self.positions is not None:
-            return xarray.DataArray(self.heights, dims="x", coords={"x": self.positions}, name="heights", attrs={"unit": "m"})
+            positions = ("x", self.positions, {"units": "m"})
+            return xarray.DataArray(self.heights, dims="x", coords={"x": positions}, name="heights", attrs=attributes)
         names = ("x", "y")[: self.heights.ndim]
-        coordinates = {n: numpy.arange(points) * step for n, points, step in zip(names, self.heights.shape, self.pixel_size)}
-        return xarray.DataArray(self.heights, dims=names, coords=coordinates, name="heights", attrs={"unit": "m"})
+        coordinates = {}
+        for name, points, step, extent in zip(names, self.heights.shape, self.pixel_size, self.size):
+            about = {"units": "m", **({"period": float(extent)} if self.periodic else {})}
+            coordinates[name] = (name, numpy.arange(points) * float(step), about)
+        return xarray.DataArray(self.heights, dims=names, coords=coordinates, name="heights", attrs=attributes)
 
     def to_surface_topography(self) -> Any:
-        """As a topography of SurfaceTopography, in metres."""
+        """As a topography of SurfaceTopography in metres, with radius of the tip and resolution."""
         import SurfaceTopography
 
+        from ._arrays import info_of
+
+        about = {"unit": "m", "info": info_of(self.tip_radius, self.resolution)}
         if self.positions is not None:
-            return SurfaceTopography.NonuniformLineScan(self.positions, self.heights, unit="m")
+            return SurfaceTopography.NonuniformLineScan(self.positions, self.heights, **about)
         if self.heights.ndim == 1:
-            return SurfaceTopography.UniformLineScan(self.heights, self.size[0], periodic=self.periodic, unit="m")
-        return SurfaceTopography.Topography(self.heights, self.size, periodic=self.periodic, unit="m")
+            return SurfaceTopography.UniformLineScan(self.heights, float(self.size[0]), periodic=self.periodic, **about)
+        return SurfaceTopography.Topography(self.heights, tuple(map(float, self.size)), periodic=self.periodic, **about)
 
     def _repr_html_(self) -> str:
         shape = " × ".join(map(str, self.heights.shape))
         extent = " × ".join(_setae.format_uncertain(length, float("nan"), "m") for length in self.size)
-        steps = "".join(f"<li>{step}</li>" for step in self.processing.steps) if self.steps or self.pipeline else ""
-        return f"<b>{self.name or self.file}</b>: {shape} points, {extent}" + (f"<ol>{steps}</ol>" if steps else "")
+        steps = self.processing._repr_html_() if self.steps or self.pipeline else ""
+        return f"<b>{html.escape(self.name or str(self.file))}</b>: {shape} points, {extent}{steps}"
 
 
 def read(
     file: Path,
     *,
     channel: int | str | None = None,
-    size: Text | None = None,
+    size: Size | None = None,
     unit: str | None = None,
     layout: str | None = None,
     keep_values: bool = False,
@@ -282,14 +298,15 @@ def read(
     :raises FileError: for a path that cannot be read
     :raises FormatError: for content of an unknown format, or damaged content
     """
+    require("True or False", keep_values=keep_values)
     scan = Scan(
         path(file),
         channel,
         instrument=text(instrument),
-        tip_radius=text(tip_radius),
-        resolution=text(resolution),
+        tip_radius=text(tip_radius, "tip_radius"),
+        resolution=text(exact(resolution), "resolution"),
         trend=text(trend),
-        stated_size=text(size),
+        stated_size=size_text(size),
         stated_unit=text(unit),
         layout=text(layout),
         keep_values=keep_values,
@@ -304,33 +321,93 @@ def channels(file: Path, **stated: Any) -> tuple[Scan, ...]:
     return tuple(dataclasses.replace(first, channel=index) for index in _setae.channels(first._item, True))
 
 
-def info(*paths: Path, heights: bool | None = None, size: Text | None = None, unit: str | None = None, layout: str | None = None,
+def info(*paths: Path, heights: bool | None = None, size: Size | None = None, unit: str | None = None, layout: str | None = None,
          channel: int | str | None = None, keep_values: bool = False) -> Info:
     """Content of files or folders. heights: read (True), not read (False), or read from files up to 64 MB (None)."""
+    require("True or False", heights=heights, keep_values=keep_values)
     item = _setae.Item("")
-    item.set_file(text(size), text(unit), text(layout), named(channel), keep_values)
+    item.set_file(size_text(size), text(unit), text(layout), named(channel), keep_values)
     return Info(_setae.contents([path(entry) for entry in paths], item, heights))
 
 
-def scan(heights: Any, size: Text | tuple[Text, ...] | None = None, unit: str | None = None, *, periodic: bool = False, name: str = "array",
-         instrument: str | None = None, tip_radius: Text | None = None, resolution: Text | None = None,
-         trend: str | None = None) -> Scan:
-    """Heights from an array with size and unit, a DataArray of xarray with coordinates, or a topography of SurfaceTopography.
+def lengths(size: Size) -> list[float]:
+    """Lengths in metres.
 
-    An array of float64 in metres that is C-contiguous is not copied: ``scan(array, …).heights is array``. Other arrays are converted.
+    >>> lengths("2 um x 1 m")
+    [2e-06, 1.0]
+    """
+    parts = size if isinstance(size, (tuple, list)) else (size,)
+    return [length for part in parts for length in _setae.lengths(size_text(part))]
+
+
+def scan(heights: Any, size: Size | None = None, unit: str | None = None, *, x: Any = None, periodic: bool = False,
+         name: str | None = None, instrument: str | None = None, tip_radius: Text | None = None, resolution: Text | None = None,
+         trend: str | None = None) -> Scan:
+    """Heights from arrays, tables and objects of other packages.
+
+    An array of float64 in metres that is C-contiguous is not copied: ``scan(array, …).heights is array``. Other arrays are converted. Heights
+    at positions ``x`` are a line: on a grid for equal steps, otherwise a traced curve, as in a file with two columns.
+
+    Parameters
+    ----------
+    heights : array, table, or object of another package
+        an array with the first index x, an array of pint, a DataArray of xarray with coordinates, a topography of SurfaceTopography, a table
+        of positions and heights with units (DataFrame, dictionary of arrays), or a result of setae: a scan, a simulated surface, a contour
+    size : str or Quantity, or one value per direction
+        extent of an array, such as "5 um x 5 um" or ``other.size``; needed for arrays without x
+    unit : str
+        unit of an array, such as "nm"; with x also "mm, um" of positions and heights
+    x : array
+        positions of the heights along a line
+    periodic : bool, default False
+        the heights repeat themselves beyond their edges
+    name : str
+        name in results and messages; default: "array"
+    instrument : str
+        kind of the instrument: 'stylus', 'afm', 'tem' or 'optical'
+    tip_radius : str or Quantity
+        radius of the tip, with its standard error, such as '10 ± 2 nm'
+    resolution : str or Quantity
+        distance below which the instrument does not resolve heights
+    trend : str
+        trend that is removed from the heights: 'none', 'mean', 'tilt' or 'parabola'
 
     >>> import numpy
     >>> wave = scan(3e-9 * numpy.cos(2 * numpy.pi * 8 * numpy.arange(512) / 512), size="2 um", unit="m")
     >>> wave.size, wave.heights.shape
     ((2e-06,), (512,))
+    >>> scan([0.0, 2.0, 1.0], x=[0.0, 1.0, 4.0], unit="um, nm").positions
+    array([0.e+00, 1.e-06, 4.e-06])
     """
-    from ._arrays import as_heights
+    require("True or False", periodic=periodic)
+    require("a text", name=name)
+    stated = {"instrument": text(instrument), "tip_radius": text(tip_radius, "tip_radius"),
+              "resolution": text(exact(resolution), "resolution"), "trend": text(trend)}
+    given = {key: value for key, value in stated.items() if value}
+    own = own_scan(heights)
+    if own is not None:
+        made = dataclasses.replace(own, **cast(Any, given))
+    else:
+        from ._arrays import in_memory
 
-    array, extent, is_periodic = as_heights(heights, size, unit, periodic)
-    made = Scan(name, instrument=text(instrument), tip_radius=text(tip_radius), resolution=text(resolution), trend=text(trend),
-                source=(array, extent, is_periodic))
+        found = in_memory(heights, size, unit, x, periodic, name or "array")
+        about: dict[str, Any] = {**found.stated, **given}
+        if found.table is None:
+            made = Scan(name or "array", source=found.grid, **about)
+        else:
+            made = Scan(found.table, stated_size=size_text(size), stated_unit=found.unit, keep_values=True, **about)
     made._item  # noqa: B018  raises an error for wrong arguments
     return made
+
+
+def own_scan(value: Any) -> Scan | None:
+    """The scan of a result of setae: of a scan, a simulated surface, or the longest profile of a contour; None for other values."""
+    if isinstance(value, Scan):
+        return value
+    if isinstance(value, Answer) and isinstance(getattr(value, "scan", None), Scan):
+        return cast("Scan", value.scan)
+    profiles = getattr(value, "profiles", ()) if isinstance(value, Answer) else ()
+    return Scan(Given("profile", profiles[0].encode())) if profiles else None
 
 
 def scan_of(heights: _setae.Heights, name: str) -> Scan:
@@ -342,21 +419,54 @@ def scan_of(heights: _setae.Heights, name: str) -> Scan:
 Measured = Union[Scan, Path, Any]
 
 
-def items(measurements: Measured, shared: dict[str, Any]) -> list[_setae.Item]:
+class Items(list[_setae.Item]):
+    """Measurements for the library. Their content in memory has files as long as the list."""
+
+    kept: list[Scan]
+
+
+def items(measurements: Measured, shared: dict[str, Any]) -> Items:
     """Measurements of one surface. Options of all measurements apply where a measurement has none of its own."""
-    single = isinstance(measurements, (Scan, str, pathlib.PurePath)) or not hasattr(measurements, "__iter__") or is_array(measurements)
-    listed: list[Any] = [measurements] if single else list(cast(Any, measurements))
-    found = []
-    for number_of, entry in enumerate(listed):
-        if isinstance(entry, Scan):
-            made = entry
-        elif isinstance(entry, (str, pathlib.PurePath)):
-            made = Scan(path(entry), stated_size=shared.get("stated_size", ""), stated_unit=shared.get("stated_unit", ""))
-        else:
-            made = scan(entry, name=f"array {number_of}")
+    listed: list[Any] = [measurements] if is_one(measurements) else list(cast(Any, measurements))
+    found = Items()
+    found.kept = [measurement(entry, number_of, shared) for number_of, entry in enumerate(listed)]
+    for place, made in enumerate(found.kept):
         own: dict[str, Any] = {key: value for key, value in shared.items() if value and not getattr(made, key)}
-        found.append(dataclasses.replace(made, **own)._item if own else made._item)
+        found.kept[place] = dataclasses.replace(made, **own) if own else made
+        found.append(found.kept[place]._item)
     return found
+
+
+def measurement(entry: Measured, number_of: int, shared: dict[str, Any]) -> Scan:
+    """One measurement: a file, or content in memory, which may be the table of a spectrum."""
+    from ._tables import is_table, table_of
+
+    if is_path(entry):
+        file = entry if isinstance(entry, Given) else path(cast(Any, entry))
+        return Scan(file, stated_size=shared.get("stated_size", ""), stated_unit=shared.get("stated_unit", ""))
+    has_heights = "heights" in getattr(entry, "data_vars", ())
+    if is_table(entry) and not has_heights:
+        table = table_of(entry)
+        units = dict(zip(table.columns, units_of_columns(shared.get("stated_unit", ""))))
+        return Scan(Given("table", table_of(table, {**units, **table.units}).text()), keep_values=True)
+    return scan(entry, name=f"array {number_of}")
+
+
+def units_of_columns(unit: str) -> list[str]:
+    """Units of two columns, such as those of a spectrum.
+
+    >>> units_of_columns("frequency 1/um, one-sided nm3"), units_of_columns("nm")
+    (['1/um', 'nm3'], [])
+    """
+    return [part.split()[-1] for part in unit.split(",") if part.strip()] if "," in unit else []
+
+
+def is_one(value: Any) -> bool:
+    """True for a single measurement, False for a list or a container of measurements."""
+    from ._tables import is_table
+
+    is_sequence = hasattr(value, "__iter__") or (hasattr(value, "__len__") and hasattr(value, "__getitem__"))
+    return not is_sequence or is_path(value) or is_array(value) or is_table(value) or isinstance(value, (Scan, Answer))
 
 
 def is_array(value: Any) -> bool:

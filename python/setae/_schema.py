@@ -7,6 +7,7 @@ import json
 from typing import Any
 
 from . import _setae
+from ._options import require
 
 
 def schema(command: str) -> dict[str, Any]:
@@ -16,5 +17,6 @@ def schema(command: str) -> dict[str, Any]:
     >>> setae.schema("psd")["properties"]["wavevector"]["unit"]
     '1/m'
     """
+    require("a text", command=command)
     found: dict[str, Any] = json.loads(_setae.schema(command))
     return found

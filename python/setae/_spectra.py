@@ -3,15 +3,17 @@
 
 from __future__ import annotations
 
-import html
 import json
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from . import _setae
 from ._columns import Columns
-from ._options import Text, filled, text
-from ._quantities import Alert, Answer, Band, Quantity, alerts_from, number, quantity_from
+from ._errors import InvalidArgument
+from ._options import Size, Text, exact, filled, require, size_text, text
+from ._quantities import Alert, Band, Quantity, alerts_from, number, quantity_from
+from ._results import Answer
 from ._scan import Measured, items
 
 if TYPE_CHECKING:
@@ -19,18 +21,23 @@ if TYPE_CHECKING:
 
 
 def shared_options(
-    instrument: str | None, tip_radius: Text | None, resolution: Text | None, trend: str | None, size: Text | None, unit: str | None,
+    instrument: str | None, tip_radius: Text | None, resolution: Text | None, trend: str | None, size: Size | None, unit: str | None,
     keep_values: bool | None = False,
 ) -> dict[str, Any]:
+    require("True or False", keep_values=keep_values)
     return {
         "instrument": text(instrument),
-        "tip_radius": text(tip_radius),
-        "resolution": text(resolution),
+        "tip_radius": text(tip_radius, "tip_radius"),
+        "resolution": text(exact(resolution), "resolution"),
         "trend": text(trend),
-        "stated_size": text(size),
+        "stated_size": size_text(size),
         "stated_unit": text(unit),
         "keep_values": bool(keep_values),
     }
+
+
+#: Keywords of the analysis of measurements.
+ANALYSIS = ("longest", "shortest", "window", "contours", "conversion", "memory", "bootstrap_resamples")
 
 
 def analysis_of(
@@ -43,7 +50,7 @@ def analysis_of(
     bootstrap_resamples: int | None = None,
 ) -> _setae.Analysis:
     texts = {"longest": longest, "shortest": shortest, "window": window, "contours": contours, "conversion": conversion}
-    given = {name: text(value) for name, value in texts.items() if value is not None}
+    given = {name: text(value, name) for name, value in texts.items() if value is not None}
     analysis = filled(_setae.Analysis(), memory=memory, bootstrap_resamples=bootstrap_resamples, **given)
     analysis.require_valid()
     return analysis
@@ -85,21 +92,17 @@ class PowerSpectrum(Spectrum):
     @property
     def band(self) -> Band:
         """Wavevectors of the combined spectrum."""
-        band = self.data["band"]
+        band = self._data["band"]
         return Band(number(band["lower"]), number(band["upper"]))
 
     @property
     def fit(self) -> dict[str, Quantity]:
         """Parameters of the self-affine fit, by name; empty without a fit."""
-        fit = self.data.get("fit")
-        return {entry["quantity"]: quantity_from(entry) for entry in fit["parameters"]} if fit else {}
+        fit = self._data.get("fit")
+        return {entry["quantity"]: quantity_from(entry, self._shared) for entry in fit["parameters"]} if fit else {}
 
     def __repr__(self) -> str:
         return f"PowerSpectrum({len(self.q)} of {', '.join(self.columns)}, {self.n} measurements)"
-
-    def _repr_html_(self) -> str:
-        warnings = "".join(f"<li>{html.escape(str(alert))}</li>" for alert in self.alerts)
-        return f"<b>{html.escape(repr(self))}</b><ul>{warnings}</ul>"
 
 
 def power_spectrum(
@@ -116,7 +119,7 @@ def power_spectrum(
     tip_radius: Text | None = None,
     resolution: Text | None = None,
     trend: str | None = None,
-    size: Text | None = None,
+    size: Size | None = None,
     unit: str | None = None,
     keep_values: bool = False,
     longest: Text | None = None,
@@ -144,6 +147,7 @@ def power_spectrum(
     >>> bool(numpy.isclose(psd.C1D.max(), (3e-9) ** 2 * 2e-6 / 4))
     True
     """
+    require("True or False", isotropic=isotropic, abel=abel, binned=binned, fit=fit, rolloff=rolloff, short_cutoff=short_cutoff)
     shared = shared_options(instrument, tip_radius, resolution, trend, size, unit, keep_values)
     spectrum = _setae.power_spectrum(
         items(measurements, shared),
@@ -161,25 +165,26 @@ def power_spectrum(
 
 
 class Parameters(Answer):
-    """Parameters from heights and from the spectrum by name, as printed by ``setae params --json``; of several, the first measurement."""
+    """Parameters from heights and from the spectrum by name or symbol, as printed by ``setae params --json``.
 
-    def __getitem__(self, name: str) -> Any:
-        for entry in self._data:
-            if entry["quantity"] == name:
-                return quantity_from(entry)
-        raise KeyError(name)
+    ``parameters["Sq"]`` is ``parameters["rms_height"]``; of several measurements, the first. ``to_pandas()`` has a row for each.
+    """
 
-    def __iter__(self) -> Any:
-        return iter(dict.fromkeys(entry["quantity"] for entry in self._data))
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._by_name)
 
     @property
     def headline(self) -> dict[str, Quantity]:
         """The parameters to quote: rms height, slope, curvature and true area of the waves inside the reliable band."""
-        return {entry["quantity"]: quantity_from(entry) for entry in self._data if entry["headline"]}
+        return {entry["quantity"]: quantity_from(entry, self._shared) for entry in self._data if entry["headline"]}
 
     def of(self, file: str) -> dict[str, Quantity]:
         """The parameters of one measurement, or those called "combined"."""
-        return {entry["quantity"]: quantity_from(entry) for entry in self._data if entry["file"] == file}
+        return {entry["quantity"]: quantity_from(entry, self._shared) for entry in self._data if entry["file"] == file}
+
+    def to_dict(self) -> dict[str, Any]:
+        """The JSON of each parameter by its name."""
+        return {entry["quantity"]: entry for entry in reversed(self.data)}
 
 
 def parameters(
@@ -189,7 +194,7 @@ def parameters(
     tip_radius: Text | None = None,
     resolution: Text | None = None,
     trend: str | None = None,
-    size: Text | None = None,
+    size: Size | None = None,
     unit: str | None = None,
     keep_values: bool = False,
     longest: Text | None = None,
@@ -227,32 +232,39 @@ class Surface(Spectrum):
     def __getstate__(self) -> dict[str, Any]:
         return {**super().__getstate__(), "handle": None}
 
+    @property
+    def quantities(self) -> tuple[Quantity, ...]:
+        """Moments of the spectrum with their standard errors."""
+        return self.moments
+
     def __getitem__(self, name: str) -> Any:
-        for quantity in self.moments:
-            if quantity.quantity == name:
-                return quantity
-        return self.columns[name]
+        return self._by_name[name] if name in self._by_name else super().__getitem__(name)
 
     @property
     def method(self) -> str:
         """Origin of the spectrum: "likelihood", "average" or "given"."""
-        return str(self.data["spectrum_method"])
+        return str(self._data["spectrum_method"])
 
     @property
     def n(self) -> int:
-        return int(self.data["n_measurements"])
+        return int(self._data["n_measurements"])
 
     @property
     def alerts(self) -> tuple[Alert, ...]:
-        data = self.data
+        data = self._data
         return tuple(alert for m in data["measurements"] for alert in alerts_from(m.get("alerts", ()))) + alerts_from(data["alerts"])
 
     def __repr__(self) -> str:
         return f"Surface({self.method} of {self.n}: {', '.join(f'{q.symbol} = {q}' for q in self.moments[:4])})"
 
-    def _repr_html_(self) -> str:
-        rows = "".join(f"<tr><td>{html.escape(q.quantity.replace('_', ' '))}</td><td>{q._repr_html_()}</td></tr>" for q in self.moments)
-        return f"<table>{rows}</table>"
+    def to_surface_topography(self) -> Any:
+        """The measurements as a container of SurfaceTopography in memory, with their instruments."""
+        from SurfaceTopography.Container.SurfaceContainer import InMemorySurfaceContainer
+
+        measurements, shared, *_ = self.arguments
+        if self.method == "given":
+            raise InvalidArgument("a surface from a spectrum has no heights; expected a surface from measurements")
+        return InMemorySurfaceContainer([scan.to_surface_topography() for scan in items(measurements, shared).kept])
 
     def analysed(self) -> _setae.Surface:
         """The surface of the library; it is computed again in another process."""
@@ -274,7 +286,7 @@ def surface(
     tip_radius: Text | None = None,
     resolution: Text | None = None,
     trend: str | None = None,
-    size: Text | None = None,
+    size: Size | None = None,
     unit: str | None = None,
     keep_values: bool = False,
     longest: Text | None = None,
@@ -292,7 +304,7 @@ def surface(
         :func:`power_spectrum`.
     """
     shared = shared_options(instrument, tip_radius, resolution, trend, size, unit, keep_values)
-    options = (text(longest), text(shortest), text(window), text(contours), text(conversion), memory, bootstrap_resamples)
+    options = (text(longest, "longest"), text(shortest, "shortest"), text(window), text(contours), text(conversion), memory, bootstrap_resamples)
     arguments = (measurements, shared, options, text(spectrum), not skip_failed)
     found = computed(*arguments)
     moments = tuple(map(quantity_from, json.loads(found.quantities())))

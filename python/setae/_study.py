@@ -3,15 +3,15 @@
 
 from __future__ import annotations
 
-import os
 import pathlib
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from . import _setae
-from ._options import MAPPINGS, Path, filled, path
-from ._quantities import Answer, Quantity
+from ._options import Path, filled, require
+from ._quantities import Quantity
+from ._results import Answer
 
 
 @dataclass(frozen=True)
@@ -94,21 +94,25 @@ class StudyResult(Answer):
 
     def summary(self, width: int = 100) -> str:
         """Every table as text, the verdict first."""
+        require("a whole number", width=width)
         return self.handle.summary(width)
 
     def budget(self, width: int = 100) -> str:
         """Contributions of the inputs to each standard error, as text."""
+        require("a whole number", width=width)
         return self.handle.budget(width)
 
     def next_measurements(self, target: str = "W_int") -> Answer:
         """Standard error of ``target`` after one further measurement, as printed by ``setae study --next --json``."""
+        require("a text", target=target)
         return Answer(self.handle.next_measurements(target))
 
     def predict(self, *, trials: int = 0, seed: int = 1, threads: int = 0) -> Answer:
         """W_ret, pull-off force and loss of every pair, with the retraction models, as printed by ``setae predict --json``."""
+        require("a whole number", trials=trials, seed=seed, threads=threads)
         return Answer(self.handle.predict(trials, seed, threads))
 
-    def conform(self, **patches: Any) -> Answer:
+    def conform(self, **patches: Any) -> PatchSurvey:
         """Random patches with the spectra and U_el/(A W) of the pairs of the study; ``patches``: arguments of :func:`conform`."""
         return conform(self, **patches)
 
@@ -132,18 +136,10 @@ class StudyResult(Answer):
         return f"<pre>{html.escape(self.summary())}</pre>"
 
 
-@dataclass(frozen=True)
-class Study:
-    """A study file that was read without an error."""
+class PatchSurvey(Answer):
+    """Contact of random patches, as printed by ``setae lab conform --json``; ``rows``: one entry per kind of patch."""
 
-    file: str
-    title: str
-
-    def run(self, *, output: Path | None = None, cache: Path | None = None, keep: bool = True) -> StudyResult:
-        """Runs the study. Earlier results come from the cache, which the program shares; ``keep=False`` uses no cache."""
-        folder = (path(cache) if cache is not None else "") if keep else None
-        run = _setae.run_study(self.file, "" if output is None else path(output), folder, MAPPINGS)
-        return StudyResult.of(run, self.file)
+    tables = ("rows",)
 
 
 def conform(
@@ -159,7 +155,7 @@ def conform(
     seeds: int | None = None,
     seed: int | None = None,
     loops: bool = False,
-) -> Answer:
+) -> PatchSurvey:
     """Contact of random patches with adhesion, as ``setae lab conform --json``: full contact or partial contact.
 
     With a study, the patches have the spectra and U_el/(A W) of its pairs. Without a study, energy_shares gives U_el/(A W).
@@ -205,13 +201,4 @@ def conform(
         seed=seed,
         loops=loops,
     )
-    return Answer(_setae.conform(None if of is None else of.handle, request))
-
-
-def study(file: Path) -> Study:
-    """Reads a study. Errors in the file are raised with the line number.
-
-    :raises FormatError: for an unknown key, a missing or wrong unit, a name that is not declared
-    """
-    name = os.fspath(file)
-    return Study(name, _setae.title_of_study(name, MAPPINGS))
+    return PatchSurvey(_setae.conform(None if of is None else of.handle, request))

@@ -7,9 +7,11 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from . import _setae
-from ._options import Path, Text, filled, path, text
-from ._quantities import Answer, Quantity
-from ._scan import Measured, Scan, items, scan_of
+from ._given import Source, as_file
+from ._options import Path, Size, Text, filled, path, size_text, text
+from ._quantities import Quantity
+from ._results import Answer
+from ._scan import Items, Measured, Scan, items, scan_of
 
 
 @dataclass(frozen=True, repr=False)
@@ -18,10 +20,14 @@ class Synthesis(Answer):
 
     scan: Scan = field(compare=False)
 
+    def plot(self, ax: Any = None, **style: Any) -> Any:
+        """Plots the heights on axes of matplotlib."""
+        return self.scan.plot(ax, **style)
+
 
 def synthesize(
     *,
-    size: Text,
+    size: Size,
     pixels: int | str = 1024,
     hurst: float | None = None,
     rolloff: Text | None = None,
@@ -30,7 +36,7 @@ def synthesize(
     rms_height: Text | None = None,
     rms_slope: float | None = None,
     plateau: Text | None = None,
-    spectrum: Path | None = None,
+    spectrum: Source | None = None,
     unit: str | None = None,
     window_of: Text | None = None,
     line: bool = False,
@@ -50,7 +56,7 @@ def synthesize(
 
     Parameters
     ----------
-    size : str or Quantity
+    size : str or Quantity or tuple
         extent of the surface along x and y, or one length for both, such as "5 um x 2 um"
     pixels : int or str, default 1024
         points along x and y, 1024x512, or one number for both
@@ -68,7 +74,7 @@ def synthesize(
         rms slope of the spectrum, such as "0.3"
     plateau : str or Quantity
         C_iso at wavelengths longer than the roll-off, such as "5e-27 m4"
-    spectrum : str or path
+    spectrum : str or path or table
         table of q and C_iso [m4] or C1D [m3] instead of a self-affine spectrum
     unit : str
         units of the columns of a spectrum's table whose header has none, such as "frequency 1/um, one-sided nm3"
@@ -97,19 +103,20 @@ def synthesize(
     >>> made.scan.heights.shape, round(float(made.scan.heights.std()), 12)
     ((128, 128), 2e-08)
     """
+    table = None if spectrum is None else as_file(spectrum, "spectrum")
     request = filled(
         _setae.SynthesisRequest(),
-        size=text(size),
+        size=size_text(size),
         pixels=str(pixels),
         hurst=hurst,
         rolloff=rolloff,
         short_cutoff=short_cutoff,
         long_cutoff=long_cutoff,
         rms_height=rms_height,
-        rms_slope=text(rms_slope),
+        rms_slope=rms_slope,
         plateau=plateau,
-        spectrum=None if spectrum is None else path(spectrum),
-        spectrum_unit=unit,
+        spectrum=None if table is None else path(table),
+        unit=unit,
         window_of=window_of,
         line=line,
         exact_rms=exact_rms,
@@ -140,8 +147,12 @@ class Tip(Answer):
         """Radius of a parabola through the apex, an upper bound."""
         return self.quantities[0]
 
+    def plot(self, ax: Any = None, **style: Any) -> Any:
+        """Plots the tip on axes of matplotlib."""
+        return self.scan.plot(ax, **style)
 
-def tip(measurement: Measured, *, points: int = 21, threshold: Text | None = None, rounds: int = 100, size: Text | None = None,
+
+def tip(measurement: Measured, *, points: int = 21, threshold: Text | None = None, rounds: int = 100, size: Size | None = None,
         unit: str | None = None, keep_values: bool = False) -> Tip:
     """The bluntest tip that could have made a map: t(v) ≥ min_u [i(x) + t(u) − i(x + u − v)] for every x [Villarrubia 1997].
 
@@ -155,7 +166,7 @@ def tip(measurement: Measured, *, points: int = 21, threshold: Text | None = Non
         height by which the map must demand a sharper tip, about twice the noise, such as "0.2 nm"; default: 0
     rounds : int, default 100
         largest number of passes over the map
-    size : str or Quantity
+    size : str or Quantity or tuple
         extent of the heights, where the file does not state it
     unit : str
         unit of the heights, where the file does not state it
@@ -163,13 +174,14 @@ def tip(measurement: Measured, *, points: int = 21, threshold: Text | None = Non
         heights are taken as they are: no value counts as a mark of missing data
     """
     request = filled(_setae.BlindTipRequest(), points=points, threshold=threshold, rounds=rounds)
-    found = _setae.blind_tip(one(measurement, size, unit, keep_values), request)
+    measured = one(measurement, size, unit, keep_values)
+    found = _setae.blind_tip(measured[0], request)
     return Tip(found.json, scan_of(found.tip, "tip"), scan_of(found.surface, "surface"))
 
 
-def one(measurement: Measured, size: Text | None, unit: str | None, keep_values: bool, trend: str | None = None) -> Any:
-    """The single measurement of a call."""
-    found = items(measurement, {"stated_size": text(size), "stated_unit": text(unit), "keep_values": keep_values, "trend": text(trend)})
+def one(measurement: Measured, size: Size | None, unit: str | None, keep_values: bool, trend: str | None = None) -> Items:
+    """The single measurement of a call, in a list that keeps it."""
+    found = items(measurement, {"stated_size": size_text(size), "stated_unit": text(unit), "keep_values": keep_values, "trend": text(trend)})
     if len(found) != 1:
         raise TypeError(f"{len(found)} measurements; expected one")
-    return found[0]
+    return found

@@ -3,22 +3,14 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from . import _setae
-from ._options import Text, filled
+from ._options import Size, Text, filled
 from ._scan import Measured, items
 from ._spectra import Parameters, shared_options
 
 
 class Texture(Parameters):
     """Parameters of a standard by symbol or by name, ``texture(…)["Sq"]``, as printed by ``setae params --standard --json``."""
-
-    def __getitem__(self, name: str) -> Any:
-        for entry in self._data:
-            if entry["symbol"] == name:
-                return super().__getitem__(entry["quantity"])
-        return super().__getitem__(name)
 
 
 def texture(
@@ -39,7 +31,7 @@ def texture(
     tip_radius: Text | None = None,
     resolution: Text | None = None,
     trend: str | None = None,
-    size: Text | None = None,
+    size: Size | None = None,
     unit: str | None = None,
     keep_values: bool = False,
     skip_failed: bool = False,
@@ -79,7 +71,7 @@ def texture(
         distance below which the instrument does not resolve heights
     trend : str
         trend that is removed from the heights: 'none', 'mean', 'tilt' or 'parabola'
-    size : str or Quantity
+    size : str or Quantity or tuple
         extent of the heights, where the file does not state it
     unit : str
         unit of the heights, where the file does not state it

@@ -234,6 +234,23 @@ def test_plots():
     assert len(line.plot().lines[0].get_xdata()) == N
 
 
+def test_labels_of_log_axes_do_not_overlap():
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("agg")
+    import matplotlib.pyplot as plt
+
+    for points in (12, 24, N):  # from less than one decade of wavevectors to more
+        ax = setae.power_spectrum(scan_of(rough()[:points, :points])).plot(ax=plt.figure(figsize=(3.4, 2.8)).subplots())
+        ax.figure.canvas.draw()
+        for axis in (ax.xaxis, ax.yaxis):
+            low, high = axis.get_view_interval()
+            ticks = [*axis.get_major_ticks(), *axis.get_minor_ticks()]
+            shown = [tick.label1 for tick in ticks if low <= tick.get_loc() <= high and tick.label1.get_text()]
+            boxes = [label.get_window_extent() for label in shown]
+            assert len(shown) >= 2
+            assert not any(a.overlaps(b) for i, a in enumerate(boxes) for b in boxes[:i])
+
+
 def test_channels_have_numbers_and_names(tmp_path):
     rng = np.random.default_rng(3)
     first, second = rng.normal(size=(6, 5)), rng.normal(size=(6, 5))

@@ -19,6 +19,7 @@ import setae
 from conftest import ROOT
 
 MODULES = [module.name for module in pkgutil.iter_modules(setae.__path__) if module.name not in ("_setae", "__main__")]
+GUIDES = ["python", "python-arrays", "study-from-python"]
 NOTEBOOKS = sorted((ROOT / "docs/notebooks").glob("*.py"))
 
 
@@ -44,25 +45,35 @@ def test_notebooks_run(notebook, tmp_path):
         assert (tmp_path / "mine/figure_4.csv").read_text().startswith("#")
 
 
+@pytest.mark.parametrize("notebook", NOTEBOOKS, ids=lambda path: path.stem)
+def test_the_licence_of_a_notebook_is_no_cell(notebook):
+    """jupytext takes lines before the first cell as metadata if the file begins with them."""
+    head = notebook.read_text().split("# %%")[0].splitlines()
+    assert head[0] == head[-1] == "# ---" and "#   SPDX-License-Identifier: GPL-3.0-or-later" in head
+
+
 def blocks(page: pathlib.Path) -> str:
     return "\n".join(re.findall(r"^```python\n(.*?)^```", page.read_text(), re.S | re.M))
 
 
-def test_the_guide_runs(data, tmp_path):
+@pytest.mark.parametrize("guide", GUIDES)
+def test_the_guide_runs(guide, data, tmp_path):
     """Runs the blocks one after the other in the folder of the tutorial files."""
     shutil.copytree(data, tmp_path / "mine")
-    source = blocks(ROOT / "docs/guides/python.md")
-    assert "setae.work_of_adhesion" in source
+    source = blocks(ROOT / f"docs/guides/{guide}.md")
+    assert "import setae" in source
     subprocess.run([sys.executable, "-c", source], cwd=tmp_path, check=True, stdout=subprocess.DEVNULL, env={**os.environ, "MPLBACKEND": "svg"})
 
 
 def test_types(tmp_path):
     """mypy --strict for the package, the notebooks and the guide."""
     pytest.importorskip("mypy")
-    (tmp_path / "guide.py").write_text(blocks(ROOT / "docs/guides/python.md"))
+    guides = [tmp_path / f"{guide.replace('-', '_')}.py" for guide in GUIDES]
+    for guide, written in zip(GUIDES, guides):
+        written.write_text(blocks(ROOT / f"docs/guides/{guide}.md"))
     package = pathlib.Path(setae.__file__).parent
     command = [sys.executable, "-m", "mypy", "--strict", "--ignore-missing-imports", "--cache-dir", tmp_path / "cache", package]
-    done = subprocess.run([*command, tmp_path / "guide.py", *NOTEBOOKS], capture_output=True, text=True, cwd=ROOT)
+    done = subprocess.run([*command, *guides, *NOTEBOOKS], capture_output=True, text=True, cwd=ROOT)
     assert done.returncode == 0, done.stdout
 
 

@@ -35,7 +35,7 @@ void write_measurement(const std::string& path) {
     formats::format_to_write(path).write(path, map);
 }
 
-TEST(Pipeline, OnTheCommandLineGivesTheLibrarysBytes) {
+TEST(Pipeline, OnTheCommandLineGivesTheBytesOfTheLibrary) {
     const auto folder = fs::temp_directory_path() / "setae_front_ends_pipeline";
     fs::remove_all(folder);
     fs::create_directories(folder);

@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::size_t max_written = 4096;
 
-/// An EMD told by bytes: layout, packing, type, number of sides, sides, step; then the units and what is left as
-/// metadata.
+/// An EMD file described by bytes: layout, packing, type, number of sides, sides, step; then the units and what is left
+/// as metadata.
 ///
 /// Not the file's own bytes, which fuzz_hdf5_bytes damages: HDF5 1.10.8 crashes on them, and what is looked for here
 /// are faults of the reader above it.

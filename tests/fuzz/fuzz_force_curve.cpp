@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files of force curves. A text that begins with a record separator tells the members of an archive, each a name, a
+// Files of force curves. A text that begins with a record separator lists the members of an archive, each a name, a
 // unit separator and its content: a damaged archive as a whole would stop at its checksums.
 #include <cmath>
 #include <cstdlib>

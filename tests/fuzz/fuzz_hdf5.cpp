@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Formats of topographies that are HDF5, each told by bytes what it holds.
+// Formats of topographies that are HDF5, with their content given by bytes.
 #include <algorithm>
 #include <cmath>
 #include <string>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One target a format of topographies: the environment's SETAE_FORMAT names it, "any" is whatever detection finds.
-// Formats that are HDF5 (hdf5, datx, jpk-hdf5, nc of version 4, mat of version 7.3) are told by fuzz_hdf5 what to hold,
+// Formats that are HDF5 (hdf5, datx, jpk-hdf5, nc of version 4, mat of version 7.3) are tested by fuzz_hdf5,
 // and damaged by fuzz_hdf5_bytes.
 #include <cstdio>
 #include <cstdlib>

@@ -102,7 +102,7 @@ std::vector<Sample> texts() {
     return list;
 }
 
-/// Members of an archive, as fuzz_force_curve.cpp is told them.
+/// Members of an archive in the layout of fuzz_force_curve.cpp.
 std::string told_members(const std::string& content) {
     const auto archive = setae::bytes::Archive(setae::bytes::memory_source("corpus", content));
     std::string told;

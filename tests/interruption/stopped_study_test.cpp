@@ -118,7 +118,7 @@ TEST_F(StoppedStudy, KilledAtAnyMomentEndsWithTheSameBytes) {
         std::this_thread::sleep_for(std::chrono::duration<double>(moment));
         kill(process, SIGKILL);
         const int killed = status_of(process);
-        // what says that all is there is there last
+        // the file that marks completeness is written last
         if (fs::exists(out() + "/report.html")) {
             EXPECT_EQ(content_of(out()), content) << "complete after " << moment << " s, but it is not";
         }
@@ -133,7 +133,7 @@ TEST_F(StoppedStudy, KilledAtAnyMomentEndsWithTheSameBytes) {
     }
 }
 
-TEST_F(StoppedStudy, InterruptedLeavesWholeFilesAndGoesOn) {
+TEST_F(StoppedStudy, InterruptedLeavesCompleteFilesAndCanContinue) {
     const auto [content, duration] = undisturbed();
     const pid_t process = start("cache");
     std::this_thread::sleep_for(std::chrono::duration<double>(0.4 * duration));

@@ -66,7 +66,7 @@ void expect_same(HardWall problem, SolveOptions options = {}) {
     EXPECT_EQ(shared.area.corrected_fraction, whole.area.corrected_fraction);
 }
 
-TEST(HardWallOfProcesses, HasTheBytesOfOne) {
+TEST(HardWallOnRanks, HasTheBytesOfOneProcess) {
     for (const Grid& grid :
          {Grid{256, 128, 1.0, 0.5}, Grid{192, 100, 1.0, 1.0}, Grid{75, 90, 1.0, 1.0}, Grid{81, 77, 1.0, 1.0}}) {
         expect_same({.grid = grid, .body = {1.0, {}}, .heights = heights(grid, 0.01), .control = MeanPressure{0.01}});
@@ -74,7 +74,7 @@ TEST(HardWallOfProcesses, HasTheBytesOfOne) {
     }
 }
 
-TEST(HardWallOfProcesses, HasThemOfLayersAndHardBodies) {
+TEST(HardWallOnRanks, HasTheBytesOfOneProcessForLayersAndHardness) {
     const Grid grid{128, 64, 1.0, 0.5};
     expect_same({.grid = grid,
                  .body = {1.0, Layer{.thickness = 0.2, .poisson_ratio = 0.4}},
@@ -87,7 +87,7 @@ TEST(HardWallOfProcesses, HasThemOfLayersAndHardBodies) {
                  .hardness = 0.15});
 }
 
-TEST(HardWallOfProcesses, BeginsWhereItIsTold) {
+TEST(HardWallOnRanks, StartsFromGivenPressures) {
     const Grid grid{128, 64, 1.0, 0.5};
     const HardWall lighter{
         .grid = grid, .body = {1.0, {}}, .heights = heights(grid, 0.01), .control = MeanPressure{0.01}};
@@ -100,7 +100,7 @@ TEST(HardWallOfProcesses, BeginsWhereItIsTold) {
     EXPECT_TRUE(same(shared.pressures, whole.pressures, grid));
 }
 
-TEST(HardWallOfProcesses, RefusesTogether) {
+TEST(HardWallOnRanks, RefusesOnAllRanksTogether) {
     const Grid grid{64, 48, 1.0, 1.0};
     const Array2D whole = heights(grid, 0.01);
     HardWall problem{.grid = grid, .body = {1.0, {}}, .heights = own(whole, grid), .control = MeanPressure{0.01}};
@@ -120,7 +120,7 @@ TEST(HardWallOfProcesses, RefusesTogether) {
     }
 }
 
-TEST(AdhesiveCellOfProcesses, GoesThroughTheLoopOfOne) {
+TEST(AdhesiveCellOnRanks, HasTheLoopOfOneProcess) {
     const Grid grid{64, 64, 1.0, 1.0};
     const Array2D map = heights(grid, 0.004);
     const Interaction law{.work_of_adhesion = 1e-3, .range = 0.006};

@@ -44,7 +44,7 @@ TEST(RandomSurfaceSlab, HasTheBytesOfOneProcess) {
     }
 }
 
-TEST(RandomSurfaceSlab, HasThemWithEveryOption) {
+TEST(RandomSurfaceSlab, HasTheBytesOfOneProcessWithEveryOption) {
     const SurfaceGrid grid{96, 81, 1e-6, 1e-6};
     EXPECT_EQ(compare(grid, {.amplitudes = Amplitudes::exact, .anisotropy = {2.0, 0.3}, .threads = {2}}).different, 0);
     EXPECT_EQ(compare(grid, {.key = {1, 0}, .exact_rms_height = 2e-9, .threads = {1}}).different, 0);
@@ -57,7 +57,7 @@ TEST(RandomSurfaceSlab, FailsOnAllRanksTogether) {
                  InvalidArgument);
 }
 
-TEST(DistributedTransform, EndsOnAllRanksWhereOneFails) {
+TEST(DistributedTransform, EndsOnAllRanksIfOneFails) {
     const auto load = [](Index m, fourier::Complex* modes) {
         if (m == 0) throw UndefinedDataError("line 0 cannot be made");
         std::fill_n(modes, 8, fourier::Complex{});

@@ -5,32 +5,13 @@
 #include <filesystem>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/output/json.hpp"
 #include "setae/platform/terminal.hpp"
 #include "setae/validation/report.hpp"
 
 namespace setae::cli {
-namespace {
-
-output::Json json_of(const validation::SummaryRow& row) {
-    return {{"quantity", row.quantity},
-            {"method", row.method},
-            {"unit", row.measure == validation::Deviation::relative ? "1" : row.unit},
-            {"count", row.count},
-            {"bias", row.bias},
-            {"bias_standard_error", row.bias_error},
-            {"scatter", row.scatter},
-            {"stated", row.stated},
-            {"worst", row.worst},
-            {"coverage", row.coverage},
-            {"coverage_interval", {row.coverage_interval.lower, row.coverage_interval.upper}}};
-}
-
-}  // namespace
 
 void add_options(Options& options, RepeatedRecipe& repeated) {
     options.add("recipe", repeated.recipe, "TOML file of the recipe").of_inputs();
@@ -46,12 +27,6 @@ void require_recipe(const RepeatedRecipe& repeated) {
 std::function<void(int)> progress_of(int runs) {
     if (!platform::is_terminal(platform::Stream::errors)) return {};
     return [runs](int done) { fmt::print(stderr, "\r{} of {} runs{}", done, runs, done == runs ? "\n" : ""); };
-}
-
-output::Json json_of(const std::vector<validation::SummaryRow>& rows) {
-    output::Json list = output::Json::array();
-    for (const auto& row : rows) list.push_back(json_of(row));
-    return list;
 }
 
 void write_closure(const std::vector<validation::SummaryRow>& rows, const std::string& name,

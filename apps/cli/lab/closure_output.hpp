@@ -9,7 +9,6 @@
 
 #include "program/command.hpp"
 #include "setae/fields/option.hpp"
-#include "setae/output/json.hpp"
 #include "setae/validation/summary.hpp"
 
 namespace setae::cli {
@@ -31,8 +30,6 @@ void require_recipe(const RepeatedRecipe& repeated);
 
 /// "n of N runs" on standard error if it is a terminal, else nothing.
 [[nodiscard]] std::function<void(int)> progress_of(int runs);
-
-[[nodiscard]] output::Json json_of(const std::vector<validation::SummaryRow>& rows);
 
 /// NAME.txt, NAME.csv and the figure as NAME.svg, .png and .pdf in a folder.
 /// @throws FileError.

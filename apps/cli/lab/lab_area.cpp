@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/figures/figure.hpp"
+#include "setae/output/field_json.hpp"
 #include "setae/roughness/true_area.hpp"
 #include "setae/tables/table_file.hpp"
 #include "setae/validation/true_area_of_maps.hpp"
@@ -58,21 +56,9 @@ ExitCode run(const AreaArguments& arguments) {
     std::filesystem::create_directories(arguments.output, ignored);
     const auto path = [&](const char* name) { return (std::filesystem::path(arguments.output) / name).string(); };
     tables::write_csv(path("area.csv"), validation::area_table(areas));
-    double largest = 0.0;
-    for (const auto& row : rows) largest = std::max(largest, std::abs(row.deviation));
+    const validation::AreaOutput found{arguments.points, arguments.seed, arguments.output, rows};
     if (arguments.common.json) {
-        output::Json json{{"points", {arguments.points, arguments.points}},
-                          {"seed", arguments.seed},
-                          {"maps_each", maps_each},
-                          {"folder", arguments.output},
-                          {"largest_deviation", largest}};
-        for (const auto& row : rows)
-            json["areas"].push_back({{"H", row.hurst_exponent},
-                                     {"rms_slope", row.rms_slope},
-                                     {"excess_area", row.excess_area},
-                                     {"deviation", row.deviation},
-                                     {"deviation_standard_error", row.standard_error}});
-        print_json(json);
+        print_json(output::described(found));
     } else {
         std::string text =
             fmt::format("{:>4} {:>6}  {:>12} {:>12}  deviation [%]\n", "H", "h'", "excess area", "Eq. 9");
@@ -81,7 +67,8 @@ ExitCode run(const AreaArguments& arguments) {
                                 row.rms_slope, row.excess_area, roughness::gaussian_area_ratio(row.rms_slope) - 1.0,
                                 100.0 * row.deviation, 100.0 * row.standard_error);
         print(text + fmt::format("{0} x {0} points, {1} maps each, seed {2}: within {3:.2g} % of Eq. 9; {4}\n",
-                                 arguments.points, maps_each, arguments.seed, 100.0 * largest, arguments.output));
+                                 arguments.points, maps_each, arguments.seed, 100.0 * found.largest_deviation(),
+                                 arguments.output));
     }
     const auto figure = validation::area_figure(rows);
     // the numbers are written even if the figure cannot be drawn

@@ -3,12 +3,12 @@
 #include <memory>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "lab/closure_output.hpp"
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
+#include "setae/output/field_json.hpp"
 #include "setae/validation/causes.hpp"
 #include "setae/validation/report.hpp"
 
@@ -41,10 +41,8 @@ ExitCode run(const RepeatedRecipe& arguments) {
                                                                              .progress = progress_of(arguments.runs)}));
     write_closure(rows, "causes", arguments.output);
     if (arguments.common.json)
-        print_json({{"recipe", arguments.recipe},
-                    {"runs", arguments.runs},
-                    {"first_seed", arguments.seed},
-                    {"rows", json_of(rows)}});
+        print_json(
+            output::described(validation::RecipeSummary{arguments.recipe, arguments.runs, arguments.seed, rows}));
     else print(validation::bias_table(rows) + fmt::format("\n{} runs from seed {}\n", arguments.runs, arguments.seed));
     return ExitCode::done;
 }

@@ -7,13 +7,13 @@
 #include <string_view>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "lab/closure_output.hpp"
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
 #include "setae/bytes/whole_file.hpp"
+#include "setae/output/field_json.hpp"
 #include "setae/validation/report.hpp"
 #include "setae/validation/validation.hpp"
 
@@ -79,10 +79,8 @@ ExitCode run(const ClosureArguments& arguments) {
     bytes::write_whole_file((std::filesystem::path(arguments.output) / "comparisons.csv").string(),
                             validation::comparisons_csv(found.comparisons));
     if (arguments.common.json)
-        print_json({{"recipe", arguments.recipe},
-                    {"runs", arguments.runs},
-                    {"first_seed", arguments.seed},
-                    {"rows", json_of(rows)}});
+        print_json(
+            output::described(validation::RecipeSummary{arguments.recipe, arguments.runs, arguments.seed, rows}));
     else
         print(validation::summary_table(rows) +
               fmt::format("\n{} runs from seed {}; every comparison in {}/comparisons.csv\n", arguments.runs,

@@ -3,7 +3,6 @@
 #include <memory>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "program/command.hpp"
 #include "program/command_line.hpp"
@@ -11,10 +10,11 @@
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
 #include "program/terminal.hpp"
-#include "setae/answers/patch_survey.hpp"
+#include "setae/answers/patch_survey_fields.hpp"
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/layout.hpp"
 #include "setae/file_figures/patch_figure.hpp"
+#include "setae/output/field_json.hpp"
 #include "setae/parallel/cancellation.hpp"
 #include "setae/platform/terminal.hpp"
 #include "study/interruption.hpp"
@@ -78,7 +78,7 @@ ExitCode write(const answers::PatchSurveyAnswer& answer, const ConformArguments&
 ExitCode show(const answers::PatchSurveyAnswer& answer, const ConformArguments& arguments) {
     for (const auto& skipped : answer.skipped) print_message(skipped);
     if (arguments.common.json) {
-        print_json(answers::to_json(answer));
+        print_json(output::described(answer));
     } else {
         const auto width = output_size().width;
         print(wrapped(answers::sentence(answer), width) + "\n\n" +

@@ -4,13 +4,13 @@
 #include <memory>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "lab/closure_output.hpp"
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
 #include "setae/bytes/whole_file.hpp"
+#include "setae/output/field_json.hpp"
 #include "setae/validation/contour_summary.hpp"
 
 namespace setae::cli::lab_contours_command {
@@ -49,40 +49,6 @@ constexpr std::array asked{
         "pictures", "folder for every picture with curve and trace drawn in, and points of the curve"),
 };
 
-output::Json json_of(const validation::OverRuns& number) {
-    return {{"count", number.count},
-            {"mean", output::number(number.mean)},
-            {"standard_error", output::number(number.standard_error)},
-            {"worst", output::number(number.worst)},
-            {"worst_run", number.worst_run}};
-}
-
-output::Json json_of(const validation::ContourRow& row) {
-    output::Json json{{"kind", row.kind},
-                      {"judged", row.judged},
-                      {"runs", row.runs},
-                      {"refused", row.refused},
-                      {"vacuum_mistaken", row.vacuum_mistaken},
-                      {"completeness", json_of(row.completeness)},
-                      {"rms_error_px", json_of(row.rms_error)},
-                      {"largest_error_px", json_of(row.largest_error)},
-                      {"offset_px", json_of(row.offset)},
-                      {"within_two_errors", json_of(row.within_two_errors)},
-                      {"rms_height_ratio", json_of(row.rms_height_ratio)},
-                      {"floor_ratio", json_of(row.floor_ratio)},
-                      {"overhangs", row.overhangs},
-                      {"overhangs_found", row.overhangs_found},
-                      {"overhangs_false", row.overhangs_false},
-                      {"overhang_depth_ratio", json_of(row.overhang_depth_ratio)},
-                      {"spectrum_ratio", output::Json::array()}};
-    for (std::size_t band = 0; band < row.spectrum_ratio.size(); ++band) {
-        auto ratio = json_of(row.spectrum_ratio[band]);
-        ratio["longest_wave_px"] = validation::spectrum_band_ends[band];
-        json["spectrum_ratio"].push_back(ratio);
-    }
-    return json;
-}
-
 ExitCode run(const Arguments& arguments) {
     auto options = arguments.options;
     options.threads = arguments.common.workers();
@@ -93,13 +59,8 @@ ExitCode run(const Arguments& arguments) {
     const auto rows = validation::contour_summary(trials);
     if (!arguments.output.empty()) bytes::write_whole_file(arguments.output, validation::contour_trials_csv(trials));
     if (arguments.common.json) {
-        output::Json json{{"runs", options.runs}, {"first_seed", options.first_seed}, {"size", options.size}};
-        for (const auto& row : rows) json["rows"].push_back(json_of(row));
-        json["verdicts"] = output::Json::array();
-        for (const auto& v : validation::contour_verdicts(rows))
-            json["verdicts"].push_back(
-                {{"kind", v.kind}, {"criterion", v.criterion}, {"passed", v.passed}, {"found", v.found}});
-        print_json(json);
+        print_json(output::described(validation::ContoursOutput{options.runs, options.first_seed, options.size, rows,
+                                                                validation::contour_verdicts(rows)}));
     } else {
         print(validation::contour_table(rows) + fmt::format("{} runs from seed {}, pictures of {}² pixels\n",
                                                             options.runs, options.first_seed, options.size));

@@ -4,7 +4,6 @@
 #include <memory>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "program/command.hpp"
 #include "program/messages.hpp"
@@ -12,6 +11,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/core/uncertain_text.hpp"
 #include "setae/core/units.hpp"
+#include "setae/output/field_json.hpp"
 #include "setae/simulation/projection_bias.hpp"
 #include "synthesize/synthesis_options.hpp"
 
@@ -64,22 +64,7 @@ ExitCode run(const FoilArguments& arguments) {
                                                    .threads = arguments.common.workers()});
     const auto alerts = simulation::projection_alerts(bias, "silhouette");
     if (arguments.common.json) {
-        const auto factor = [](double value, double standard_error) -> output::Json {
-            return {{"value", value}, {"standard_error", standard_error}};
-        };
-        output::Json json{{"foil_thickness", bias.thickness},
-                          {"correlation_length", bias.correlation_length},
-                          {"surfaces", arguments.surfaces},
-                          {"seed", plan.options.key.seed},
-                          {"rms_height", factor(bias.rms_height.value, bias.rms_height.standard_error)},
-                          {"rms_slope", factor(bias.rms_slope.value, bias.rms_slope.standard_error)},
-                          {"alerts", output::to_json(alerts)}};
-        for (Index b = 0; b < bias.wavevector.size(); ++b) {
-            auto bin = factor(bias.C1D[b], bias.C1D_standard_error[b]);
-            bin["wavevector"] = bias.wavevector[b];
-            json["C1D"].push_back(std::move(bin));
-        }
-        print_json(json);
+        print_json(output::described(simulation::FoilOutput{bias, arguments.surfaces, plan.options.key.seed, alerts}));
         return ExitCode::done;
     }
     std::string text = fmt::format("rms height  {}\nrms slope   {}\nq [1/m]     C1D\n", with_error(bias.rms_height),

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <array>
-#include <cmath>
 #include <filesystem>
 #include <memory>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "lab/closure_output.hpp"
 #include "program/command.hpp"
@@ -15,6 +13,7 @@
 #include "program/terminal.hpp"
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/output/field_json.hpp"
 #include "setae/validation/law_recovery.hpp"
 #include "setae/validation/loop_coverage.hpp"
 #include "setae/validation/report.hpp"
@@ -60,23 +59,6 @@ constexpr std::array asked{
     fields::option<&Coverage::signal_to_noise>("snr", "signal-to-noise ratios").default_shown(),
 };
 
-output::Json mechanism_json(const validation::ModelSummary& row) {
-    output::Json json{
-        {"planted", row.planted},
-        {"runs", row.runs},
-        {"found", row.found},
-        {"possible", row.possible},
-        {"excluded", row.excluded},
-        {"rms_residual_surface_left_out", {{"value", output::number(row.surface_left_out)}, {"unit", "J/m2"}}}};
-    const bool fitted = std::isfinite(row.parameter);
-    if (fitted) {
-        const Estimate found{.value = row.parameter, .standard_error = row.parameter_standard_error};
-        json["work_per_true_area"] = output::to_json(output::quantity("work_per_true_area", "W_x", found, "J/m2"));
-        json["work_per_true_area_planted"] = {{"value", row.true_parameter}, {"unit", "J/m2"}};
-    }
-    return json;
-}
-
 /// Simulates loops of a recipe with known retraction models and analyses them.
 ExitCode recover_mechanisms(const Arguments& arguments) {
     if (arguments.recipe.empty())
@@ -99,12 +81,8 @@ ExitCode recover_mechanisms(const Arguments& arguments) {
     bytes::write_whole_file((folder / "mechanisms.csv").string(),
                             tables::as_csv(validation::model_recovery_table(found.recoveries)));
     if (arguments.common.json) {
-        auto list = output::Json::array();
-        for (const auto& row : rows) list.push_back(mechanism_json(row));
-        print_json({{"recipe", arguments.recipe},
-                    {"runs", arguments.options.runs},
-                    {"first_seed", arguments.options.first_seed},
-                    {"mechanisms", std::move(list)}});
+        print_json(output::described(validation::MechanismsOutput{arguments.recipe, arguments.options.runs,
+                                                                  arguments.options.first_seed, rows}));
     } else {
         print(
             tables::as_text_within(table, output_size().width) +
@@ -128,10 +106,7 @@ ExitCode fit_simulated_loops(const Arguments& arguments) {
     bytes::write_whole_file((std::filesystem::path(arguments.output) / "comparisons.csv").string(),
                             validation::comparisons_csv(comparisons));
     if (arguments.common.json)
-        print_json({{"runs", options.runs},
-                    {"first_seed", options.first_seed},
-                    {"samples", options.samples},
-                    {"rows", json_of(rows)}});
+        print_json(output::described(validation::LoopsOutput{options.runs, options.first_seed, options.samples, rows}));
     else
         print(validation::summary_table(rows) +
               fmt::format("\n{} runs from seed {}, {} samples per branch; every comparison in {}/comparisons.csv\n",

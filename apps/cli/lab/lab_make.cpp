@@ -5,12 +5,12 @@
 #include <optional>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/output/field_json.hpp"
 #include "setae/simulation/data_set.hpp"
 
 namespace setae::cli::lab_make_command {
@@ -46,7 +46,7 @@ ExitCode run_make(const MakeArguments& arguments) {
     const auto recipe = simulation::read_recipe(arguments.file, arguments.seed);
     const auto files = simulation::make(recipe, arguments.output, arguments.common.workers());
     if (arguments.common.json)
-        print_json({{"recipe", arguments.file}, {"seed", recipe.seed}, {"folder", arguments.output}, {"files", files}});
+        print_json(output::described(simulation::MakeOutput{arguments.file, recipe.seed, arguments.output, files}));
     else
         print(fmt::format("{}: {} files, seed {}; analyse them with: setae study {}/study.toml\n", arguments.output,
                           files.size(), recipe.seed, arguments.output));

@@ -4,7 +4,6 @@
 #include <memory>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "lab/closure_output.hpp"
 #include "program/command.hpp"
@@ -12,6 +11,7 @@
 #include "program/print_json.hpp"
 #include "program/terminal.hpp"
 #include "setae/bytes/whole_file.hpp"
+#include "setae/output/field_json.hpp"
 #include "setae/validation/next_trials.hpp"
 
 namespace setae::cli::lab_next_command {
@@ -35,18 +35,6 @@ struct NextArguments : RepeatedRecipe {
     std::vector<std::string> measured;
 };
 
-output::Json json_of(const validation::NextSummary& row) {
-    return {{"measured", row.measured},
-            {"runs", row.n},
-            {"standard_error", row.stated},
-            {"standard_error_promised", row.promised},
-            {"standard_error_found", row.stated_later},
-            {"deviation", row.off},
-            {"deviation_later", row.off_later},
-            {"ratio", row.ratio},
-            {"ratio_standard_error", row.ratio_error}};
-}
-
 ExitCode run(const NextArguments& arguments) {
     require_recipe(arguments);
     const auto found = validation::next_trials(arguments.recipe, {.runs = arguments.runs,
@@ -65,14 +53,8 @@ ExitCode run(const NextArguments& arguments) {
     bytes::write_whole_file((folder / "trials.csv").string(),
                             tables::as_csv(validation::next_trials_table(found.trials)));
     if (arguments.common.json) {
-        output::Json list = output::Json::array();
-        for (const auto& row : rows) list.push_back(json_of(row));
-        print_json({{"recipe", arguments.recipe},
-                    {"runs", arguments.runs},
-                    {"first_seed", arguments.seed},
-                    {"target", arguments.target},
-                    {"unit", "J/m2"},
-                    {"rows", std::move(list)}});
+        print_json(output::described(
+            validation::NextOutput{arguments.recipe, arguments.runs, arguments.seed, arguments.target, rows}));
     } else {
         print(tables::as_text_within(table, output_size().width) +
               fmt::format("\n{} runs from seed {}; every one in {}\n", arguments.runs, arguments.seed,

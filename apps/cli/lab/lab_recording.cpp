@@ -3,7 +3,6 @@
 #include <memory>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "program/command.hpp"
 #include "program/messages.hpp"
@@ -11,7 +10,7 @@
 #include "setae/contact_line/line_table.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
-#include "setae/output/json.hpp"
+#include "setae/output/field_json.hpp"
 #include "setae/simulation/recording.hpp"
 #include "setae/tables/table_file.hpp"
 
@@ -61,11 +60,8 @@ ExitCode run(const Arguments& arguments) {
     const auto edge = contact_line::line_of(tables::read_table(arguments.edge));
     const auto shape = simulation::write_recording(arguments.output, edge, options);
     if (arguments.common.json)
-        print_json({{"file", arguments.output},
-                    {"frames", shape.frames},
-                    {"size", {shape.width, shape.height}},
-                    {"pixel_size", {{"value", options.pixel_size}, {"unit", "m"}}},
-                    {"frame_rate", {{"value", options.frame_rate}, {"unit", "1/s"}}}});
+        print_json(output::described(
+            simulation::RecordingOutput{arguments.output, shape, options.pixel_size, options.frame_rate}));
     else print(fmt::format("{}: {} frames of {} x {} px\n", arguments.output, shape.frames, shape.width, shape.height));
     return ExitCode::done;
 }

@@ -5,13 +5,13 @@
 #include <memory>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "lab/closure_output.hpp"
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
 #include "setae/bytes/whole_file.hpp"
+#include "setae/output/field_json.hpp"
 #include "setae/validation/record_trials.hpp"
 
 namespace setae::cli::lab_records_command {
@@ -45,20 +45,6 @@ constexpr std::array asked{
         .default_shown(),
 };
 
-output::Json json_of(const validation::RecordSummary& row) {
-    output::Json json{{"kinds", row.kinds},       {"records", row.count},         {"refused", row.refused},
-                      {"cause_named", row.named}, {"silently_wrong", row.silent}, {"warnings", row.warnings}};
-    json["routes"] = output::Json::array();
-    for (const auto& route : row.routes)
-        if (route.count > 0)
-            json["routes"].push_back({{"quantity", route.name},
-                                      {"n", route.count},
-                                      {"bias", route.bias},
-                                      {"bias_in_standard_errors", route.bias_in_errors},
-                                      {"coverage", route.coverage}});
-    return json;
-}
-
 ExitCode print_kinds() {
     std::string text;
     for (const auto& kind : validation::record_kinds()) text += fmt::format("{:<28} {}\n", kind.name, kind.meaning);
@@ -81,10 +67,7 @@ ExitCode run(const Arguments& arguments) {
     bytes::write_whole_file((folder / "records.md").string(), table);
     bytes::write_whole_file((folder / "records.csv").string(), validation::record_csv(trials));
     if (arguments.common.json) {
-        output::Json json{{"runs", options.runs}, {"first_seed", options.first_seed}, {"pairs", options.pairs}};
-        json["rows"] = output::Json::array();
-        for (const auto& row : rows) json["rows"].push_back(json_of(row));
-        print_json(json);
+        print_json(output::described(validation::RecordsOutput{options.runs, options.first_seed, options.pairs, rows}));
     } else {
         print(table + fmt::format("\n{} records of each from seed {}; every result in {}\n", options.runs,
                                   options.first_seed, (folder / "records.csv").string()));

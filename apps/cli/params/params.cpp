@@ -6,7 +6,6 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "params/parameter_text.hpp"
 #include "params/texture_options.hpp"
@@ -21,6 +20,7 @@
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/file_figures/parameter_figure.hpp"
+#include "setae/output/field_json.hpp"
 #include "setae/output/quantity_table.hpp"
 
 namespace setae::cli::params_command {
@@ -41,6 +41,9 @@ constexpr const char* explanation =
     "h''_rms^2    = (2/(3 pi)) int q^4 C1D dq, of half the Laplacian, exact for isotropic surfaces\n"
     "A_true/A_app = 1 + sqrt(pi)/2 h' exp(1/h'^2) erfc(1/h') (Eq. 9)\n"
     "U_el/(A E*)  = (1/8) int q C1D dq (Eq. 8)\n"
+    "\n"
+    "The modes of one measurement are summed. Each mode represents an interval of wavevectors, so that the waves of a\n"
+    "measurement of length L begin at 2 L. The waves of an average of several measurements begin at L.\n"
     "\n"
     "--standard gives the parameters of ISO 25178-2 or ISO 21920-2. docs/reference/parameters.md contains their formulas.\n"
     "Equation numbers: Dalvi et al., PNAS 116 (2019) 25484 [D19].\n"
@@ -92,7 +95,8 @@ ExitCode run_standard(const Arguments& arguments) {
     for (const auto& failure : answer.failures) print_message(failure);
     if (answer.list.empty()) return ExitCode::nothing_done;
     const auto others = show_reading_warnings(answer.alerts);
-    if (arguments.common.json || arguments.texture.format == "json") print_json(answers::to_json(answer));
+    if (arguments.common.json || arguments.texture.format == "json")
+        print_json(output::described(answers::texture_entries(answer)));
     else print(parameter_text(answer.list, arguments.texture.format, output_size().width));
     show(others);
     return answer.failures.empty() ? ExitCode::done : ExitCode::some_failed;
@@ -131,7 +135,7 @@ ExitCode run(const Arguments& arguments) {
     if (!arguments.output.empty())
         write_figure(file_figures::parameter_figure(surface, arguments.figure.look()), arguments.output,
                      arguments.common.json);
-    if (arguments.common.json) print_json(answers::to_json(parameters));
+    if (arguments.common.json) print_json(output::described(answers::parameter_entries(parameters)));
     show(others);
     return code;
 }

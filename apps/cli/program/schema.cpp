@@ -13,6 +13,7 @@
 #include "program/print_json.hpp"
 #include "setae/answers/json_schemas.hpp"
 #include "setae/bytes/whole_file.hpp"
+#include "setae/validation/described_outputs.hpp"
 
 namespace setae::cli::schema_command {
 namespace {
@@ -37,7 +38,7 @@ void write_all(const answers::JsonSchemas& schemas, const std::filesystem::path&
 }
 
 ExitCode run(const Arguments& arguments) {
-    const answers::JsonSchemas schemas;
+    const answers::JsonSchemas schemas(validation::described_outputs);
     if (!arguments.documentation.empty()) {
         const std::filesystem::path folder = arguments.documentation;
         write_page((folder / "json.md").string(), answers::json_page(schemas));

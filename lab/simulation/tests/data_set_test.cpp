@@ -68,7 +68,7 @@ KnownSurface self_affine(const spectra::SelfAffine& model, double skewness = 0.0
 constexpr spectra::SelfAffine model{
     .plateau = 1e-29, .rolloff_wavevector = 6e6, .hurst_exponent = 0.8, .short_wavevector = 1.5e10};
 
-TEST(TrueSurfaceValues, OfGaussianHeightsIsTheClosedForm) {
+TEST(TrueSurfaceValues, ForGaussianHeightsMatchTheClosedForm) {
     const TrueSurfaceValues truth = true_surface_values(self_affine(model));
     EXPECT_NEAR(truth.parameters.rms_height / spectra::rms_height(model), 1.0, 1e-6);
     EXPECT_NEAR(truth.parameters.rms_slope / spectra::rms_slope(model), 1.0, 1e-6);
@@ -81,7 +81,7 @@ TEST(TrueSurfaceValues, OfGaussianHeightsIsTheClosedForm) {
         EXPECT_NEAR(truth.C1D.density[i] / exact[i], 1.0, 2e-3) << truth.C1D.wavevector[i];
 }
 
-TEST(TrueSurfaceValues, OfHardlySkewedHeightsIsThatOfGaussianOnes) {
+TEST(TrueSurfaceValues, TendToGaussianValuesForSmallSkewness) {
     const TrueSurfaceValues gaussian = true_surface_values(self_affine(model)),
                             skewed = true_surface_values(self_affine(model, 1e-3));
     EXPECT_NEAR(skewed.parameters.rms_slope / gaussian.parameters.rms_slope, 1.0, 1e-5);
@@ -91,7 +91,7 @@ TEST(TrueSurfaceValues, OfHardlySkewedHeightsIsThatOfGaussianOnes) {
                 1e-3);
 }
 
-TEST(TrueSurfaceValues, OfLogNormalHeightsStretchesSlopesByItsVariance) {
+TEST(TrueSurfaceValues, HaveTheSlopeOfLogNormalHeightsInClosedForm) {
     // g = (exp(σz − σ²/2) − 1)/√(e^σ² − 1): ⟨g'²⟩ = σ² e^σ²/(e^σ² − 1); a skewness of 0.6 has σ = 0.195550204
     constexpr double sigma2 = 0.195550204 * 0.195550204;
     const double stretch = sigma2 * std::exp(sigma2) / std::expm1(sigma2);
@@ -99,7 +99,7 @@ TEST(TrueSurfaceValues, OfLogNormalHeightsStretchesSlopesByItsVariance) {
     EXPECT_NEAR(std::pow(skewed / spectra::rms_slope(model), 2), stretch, 1e-5);
 }
 
-TEST(KnownLoops, FollowBalanceSevenAndLoseWhatIsAsked) {
+TEST(KnownLoops, HaveFullContactBalanceWorkAndTheRequestedLoss) {
     const Recipe recipe = recipe_of(small_recipe, "planted");
     const auto loops = known_loops(recipe);
     ASSERT_EQ(loops.size(), 4u);
@@ -115,7 +115,7 @@ TEST(KnownLoops, FollowBalanceSevenAndLoseWhatIsAsked) {
 }
 
 // Where little is stored both are alike; a stiff body touches in part, gains more than (7) and opens less
-TEST(KnownLoops, TouchInPartWhereARecipeSaysSo) {
+TEST(KnownLoops, HavePartialContactWhereTheRecipeRequestsIt) {
     Recipe recipe = recipe_of(small_recipe, "partial");
     recipe.loops->reference_work.reset();
     recipe.surfaces.resize(1);
@@ -142,7 +142,7 @@ TEST(KnownLoops, TouchInPartWhereARecipeSaysSo) {
 }
 
 // Surfaces alike and elastomers alike, so that the whole difference is what was drawn.
-TEST(KnownLoops, ScatterByPairSurfaceAndElastomerAsAsked) {
+TEST(KnownLoops, ScatterByPairSurfaceAndElastomerAsRequested) {
     Recipe recipe = recipe_of(small_recipe, "scattered");
     recipe.loops->reference_work.reset();
     const auto surface = recipe.surfaces[0];
@@ -178,7 +178,7 @@ TEST(KnownLoops, ScatterByPairSurfaceAndElastomerAsAsked) {
     EXPECT_GT((departures({.pair = deviation}) - pairs).abs().minCoeff(), 0.0);
 }
 
-TEST(KnownLoops, WhichWouldNotConformAreRefusedByName) {
+TEST(KnownLoops, RefusePairsWithoutFullContactByName) {
     Recipe recipe = recipe_of(small_recipe, "stiff");
     recipe.elastomers[0].youngs_modulus.value = 1e9;
     try {
@@ -189,7 +189,7 @@ TEST(KnownLoops, WhichWouldNotConformAreRefusedByName) {
     }
 }
 
-TEST(MakeDataSet, GivesTheSameBytesForAnyNumberOfThreadsAndOthersForAnotherSeed) {
+TEST(MakeDataSet, DependsOnTheSeedButNotOnTheNumberOfThreads) {
     Recipe recipe = recipe_of(small_recipe, "recipe");
     recipe.loops.reset();
     const fs::path one = scratch("one"), three = scratch("three"), other = scratch("other");
@@ -206,7 +206,7 @@ TEST(MakeDataSet, GivesTheSameBytesForAnyNumberOfThreadsAndOthersForAnotherSeed)
     EXPECT_NEAR(map.size[0], 100e-9, 1e-15);
 }
 
-TEST(ReadRecipe, NamesWhatContradictsItself) {
+TEST(ReadRecipe, NamesContradictionsInTheError) {
     const auto message = [](const std::string& from, const std::string& to) {
         std::string text = small_recipe;
         text.replace(text.find(from), from.size(), to);

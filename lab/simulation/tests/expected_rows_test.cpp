@@ -41,7 +41,7 @@ Array1D expected(const spectra::SelfAffine& model, const spectral_fit::ScanShape
     return ((kernel.response.matrix() * C_iso.matrix()).array() + kernel.flat_response * C_iso[0]) / step;
 }
 
-TEST(RowsOfAMap, HaveTheExpectedPeriodogramWithARollOffBeyondTheMap) {
+TEST(MapRows, HaveTheExpectedPeriodogramWithARolloffBeyondTheMap) {
     const Index pixels = 32;
     const double step = length / static_cast<double>(pixels);
     const auto model = model_with(4.0 * length, step);
@@ -58,7 +58,7 @@ TEST(RowsOfAMap, HaveTheExpectedPeriodogramWithARollOffBeyondTheMap) {
     }
 }
 
-TEST(ScansWithoutTip, HaveTheExpectedPeriodogramWithARollOffBeyondTheScan) {
+TEST(ScansWithoutTip, HaveTheExpectedPeriodogramWithARolloffBeyondTheScan) {
     const Index points = 128;
     const double step = length / static_cast<double>(points);
     for (const double rolloff : {0.1 * length, 50.0 * length}) {

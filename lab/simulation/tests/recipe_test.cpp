@@ -72,7 +72,7 @@ std::string refusal(const std::string& from, const std::string& to) {
     return "";
 }
 
-TEST(RangesOfARecipe, AreDrawnFromTheSeedWithinTheirEnds) {
+TEST(RecipeRanges, AreDrawnFromTheSeedWithinTheirLimits) {
     const std::string text = head + surface("A");
     const Recipe first = recipe_of(text), again = recipe_of(text), other = recipe_of(text, 4);
     EXPECT_EQ(other.seed, 4u);
@@ -92,7 +92,7 @@ TEST(RangesOfARecipe, AreDrawnFromTheSeedWithinTheirEnds) {
     }
 }
 
-TEST(RangesOfARecipe, ScatterUniformlyInTheLogarithm) {
+TEST(RecipeRanges, AreDrawnUniformlyInTheLogarithm) {
     double sum = 0.0, squares = 0.0;
     constexpr int seeds = 300;
     for (std::uint64_t seed = 0; seed < seeds; ++seed) {
@@ -106,7 +106,7 @@ TEST(RangesOfARecipe, ScatterUniformlyInTheLogarithm) {
     EXPECT_NEAR(squares / seeds, 1.0 / 3.0, 3.0 * std::sqrt(4.0 / 45.0 / seeds));
 }
 
-TEST(RangesOfARecipe, DoNotDependOnOtherSurfaces) {
+TEST(RecipeRanges, DoNotDependOnOtherSurfaces) {
     const Recipe alone = recipe_of(head + surface("B")), both = recipe_of(head + surface("A") + surface("B"));
     ASSERT_EQ(both.surfaces.size(), 2u);
     for (const char* key : {"hurst_exponent", "rolloff_wavelength", "rms_slope", "skewness"}) {
@@ -116,7 +116,7 @@ TEST(RangesOfARecipe, DoNotDependOnOtherSurfaces) {
     EXPECT_EQ(alone.work_of_adhesion, both.work_of_adhesion);
 }
 
-TEST(RangesOfARecipe, ThatAreNoneAreRefused) {
+TEST(RecipeRanges, AreRefusedWhereInvalid) {
     EXPECT_NE(refusal("rms_slope = [0.3, 1.5]", "rms_slope = [1.5, 0.3]").find("0 < from <= to"), std::string::npos);
     EXPECT_NE(refusal("rms_slope = [0.3, 1.5]", "rms_slope = [0, 0.3]").find("0 < from <= to"), std::string::npos);
     EXPECT_NE(refusal("rms_slope = [0.3, 1.5]", "rms_slope = [0.3]").find("[from, to]"), std::string::npos);
@@ -124,7 +124,7 @@ TEST(RangesOfARecipe, ThatAreNoneAreRefused) {
     EXPECT_EQ(refusal("rms_slope = [0.3, 1.5]", "rms_slope = [0.3, 0.3]"), "");
 }
 
-TEST(SpectraOfARecipe, HaveTheSlopeAskedForWhateverTheModel) {
+TEST(RecipeSpectra, HaveTheRequestedSlopeForEveryModel) {
     for (const char* model :
          {"model = \"soft_cutoff\"", "model = \"bump\", bump_wavelength = \"50 nm\", bump_excess = 2.0",
           "model = \"two_slopes\", crossover_wavelength = \"50 nm\", short_hurst_exponent = 0.6"}) {
@@ -137,7 +137,7 @@ TEST(SpectraOfARecipe, HaveTheSlopeAskedForWhateverTheModel) {
     }
 }
 
-TEST(ProtocolsOfARecipe, NameWhatContradictsItself) {
+TEST(RecipeProtocols, NameContradictionsInTheError) {
     EXPECT_NE(refusal("step = [\"0.2 um\", \"0.1 um\"]", "step = [\"0.2 um\", \"0.1 um\", \"1 um\"]")
                   .find("3 values for 2 measurements"),
               std::string::npos);
@@ -159,7 +159,7 @@ TEST(ProtocolsOfARecipe, NameWhatContradictsItself) {
               std::string::npos);
 }
 
-TEST(ProtocolsOfARecipe, TakeOneValueForAllOrOneEach) {
+TEST(RecipeProtocols, TakeOneValueForAllScansOrOnePerScan) {
     const Recipe recipe = recipe_of(head + surface("A"));
     EXPECT_EQ(recipe.surfaces[0].stylus->step(1), 0.1e-6);
     EXPECT_EQ(recipe.surfaces[0].afm->pixels_of(0), 32);
@@ -169,7 +169,7 @@ TEST(ProtocolsOfARecipe, TakeOneValueForAllOrOneEach) {
     EXPECT_EQ(recipe_of(text).surfaces[0].stylus->tip_radius, 0.0);
 }
 
-TEST(ReadRecipe, TakesTheScatterOfWorks) {
+TEST(ReadRecipe, ReadsTheScatterOfWorks) {
     const auto scatter =
         recipe_of(head + surface("A") + "[loops]\nwork_scatter = { pair = \"0.5 mJ/m2\", elastomer = \"1 mJ/m2\" }\n")
             .loops->work_scatter;
@@ -184,7 +184,7 @@ TEST(ReadRecipe, TakesTheScatterOfWorks) {
     }
 }
 
-TEST(KnownLoops, LeaveOutWhatDoesNotConformOnRequest) {
+TEST(KnownLoops, SkipPairsWithoutFullContactOnRequest) {
     const std::string stiff =
         "[elastomers.stiff]\nyoungs_modulus = \"1 GPa\"\nsurface_energy = \"25 mJ/m2\"\nsphere_radius = \"1 mm\"\n";
     const auto loops = [&](const std::string& choice) {
@@ -200,7 +200,7 @@ TEST(KnownLoops, LeaveOutWhatDoesNotConformOnRequest) {
     EXPECT_THROW((void)loops("nonconforming = \"skip\"\nspeed = \"-1 nm/s\""), InvalidArgument);
 }
 
-TEST(RecipesOfClosure, MakeMostPairsConformWhateverTheSeed) {
+TEST(ClosureRecipes, GiveFullContactForMostPairsForEverySeed) {
     for (const char* name :
          {"standard", "soft_cutoff", "two_slopes", "bump", "non_gaussian", "anisotropic", "no_rolloff"})
         for (const std::uint64_t seed : {1u, 2u}) {
@@ -210,8 +210,8 @@ TEST(RecipesOfClosure, MakeMostPairsConformWhateverTheSeed) {
         }
 }
 
-// Three of twelve pairs are for the study to predict; all of them conform, so that there is a truth to compare with.
-TEST(RecipesOfClosure, LeavePairsOfMiscalibratedInstrumentsToBePredicted) {
+// Three of twelve pairs are predicted by the study. All are in full contact, so that a true value exists.
+TEST(ClosureRecipes, LeaveThreePairsUnmeasuredForPrediction) {
     for (const std::uint64_t seed : {1u, 2u, 3u, 4u, 5u, 6u}) {
         const auto loops = known_loops(read_recipe("examples/closure/calibrated.toml", seed));
         EXPECT_EQ(loops.size(), 12u) << seed;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a recipe tells with a ±: drawn once a scope, written into the data, told to the study by name.
+// Inputs with standard error in a recipe: drawn once per scope, written into the data, stated in the study by name.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -93,7 +93,7 @@ std::string refusal(const std::string& from, const std::string& to) {
     return "";
 }
 
-/// Deviations from what is told, in its standard errors, by scope.
+/// Deviations from stated values in units of their standard errors, by scope.
 std::map<std::string, double> deviations(const Recipe& recipe) {
     std::map<std::string, double> found;
     const auto add = [&](const std::string& scope, const StatedQuantity& q) {
@@ -107,7 +107,7 @@ std::map<std::string, double> deviations(const Recipe& recipe) {
 
 // Deviations of 200 seeds: mean 0 ± 1/√n, variance 1 ± √((β − 1)/n) with kurtosis β = 3 of normal, 9/5 of uniform
 // numbers, and correlations 0 ± 1/√n between any two scopes.
-TEST(StatedInputs, AreDrawnIndependentlyOnceAScope) {
+TEST(StatedInputs, AreDrawnIndependentlyOncePerScope) {
     constexpr int seeds = 200;
     std::map<std::string, std::vector<double>> all;
     for (std::uint64_t seed = 1; seed <= seeds; ++seed)
@@ -136,13 +136,13 @@ TEST(StatedInputs, AreDrawnIndependentlyOnceAScope) {
     EXPECT_NEAR(far, 0.0455 * pairs, 3.0 * std::sqrt(0.0455 * pairs));
 }
 
-TEST(StatedInputs, AreOneForAllThatShareAScope) {
+TEST(StatedInputs, AreEqualWithinAScope) {
     const Recipe recipe = recipe_of(calibrated);
     const auto &first = recipe.elastomers[0], &second = recipe.elastomers[1], &third = recipe.elastomers[2];
     EXPECT_EQ(first.sphere_radius.value, second.sphere_radius.value);
     EXPECT_EQ(first.surface_energy.value, second.surface_energy.value);
     EXPECT_NE(first.surface_energy.value, 25e-3);
-    EXPECT_EQ(third.surface_energy.value, 24e-3);  // of no batch: true as it is told
+    EXPECT_EQ(third.surface_energy.value, 24e-3);  // of no batch: equal to the stated value
     EXPECT_EQ(second.youngs_modulus.value, 1e6);
     EXPECT_TRUE(third.sphere_radius.value > 1.5e-3 && third.sphere_radius.value < 1.6e-3);
     EXPECT_NE(*recipe.surfaces[0].afm->shared_tip_radius, 10e-9);
@@ -167,7 +167,7 @@ TEST(StatedInputs, DoNotDependOnOtherScopes) {
     EXPECT_EQ(more.elastomers[3].sphere_radius.value, recipe_of(calibrated).elastomers[2].sphere_radius.value);
 }
 
-/// Two data sets of one recipe, of which one is written by instruments that state the truth.
+/// Two data sets of one recipe; the second is written by instruments without calibration error.
 struct Twins {
     Recipe recipe = recipe_of(calibrated);
     fs::path stated = scratch("stated"), exact = scratch("exact");
@@ -200,7 +200,7 @@ Array1D column(const fs::path& file, Index index) {
 }
 
 // what is written has its last decimal rounded: 5e-5 nm of heights, 5e-6 µN, 5e-5 nm, 5e-6 µm of loops
-TEST(Calibrations, DivideWhatInstrumentsState) {
+TEST(Calibrations, DivideTheStatedValuesOfInstruments) {
     const auto& [recipe, stated, exact] = twins();
     const auto& c = recipe.calibrations;
     const auto compare = [&](const char* file, Index index, const StatedQuantity& factor, double rounding) {
@@ -226,7 +226,7 @@ TEST(Calibrations, DivideWhatInstrumentsState) {
     EXPECT_LT(std::abs(c.afm.height->value - 1.05), 0.1);
 }
 
-TEST(Calibrations, AreToldByTheirNamesAndEveryNameIsMentioned) {
+TEST(Calibrations, AreWrittenToTheStudyAndEveryNameIsUsed) {
     const auto study = bytes::read_file((twins().stated / "study.toml").string());
     const auto holds = [&](const std::string& text) { return study.find(text) != std::string::npos; };
     for (const char* line :
@@ -247,7 +247,7 @@ TEST(Calibrations, AreToldByTheirNamesAndEveryNameIsMentioned) {
         EXPECT_TRUE(holds(" = \"" + quantity.input + "\"")) << quantity.input;
 }
 
-TEST(Calibrations, OfAScaleAreThoseOfHeightsAndLengths) {
+TEST(Calibrations, OfAScaleApplyToHeightsAndLengths) {
     auto text = replaced(calibrated, ", tem = \"1 ± 0.03\" }", " }");
     text = replaced(text, ", tem = \"1 ± 0.01\" }", " }\nscale = { tem = \"1 ± 0.02\" }");
     const Recipe recipe = recipe_of(text);
@@ -257,7 +257,7 @@ TEST(Calibrations, OfAScaleAreThoseOfHeightsAndLengths) {
     EXPECT_EQ(named_inputs(recipe).size(), named_inputs(recipe_of(calibrated)).size() - 1);
 }
 
-TEST(Calibrations, OfInstrumentsOutOfUseAreNotTold) {
+TEST(Calibrations, OfUnusedInstrumentsAreNotWritten) {
     auto text = replaced(calibrated, "tem = { lengths = [\"20 nm\"] }", "");
     text.erase(text.find("[loops]"));
     for (const auto& quantity : named_inputs(recipe_of(text))) {
@@ -266,8 +266,8 @@ TEST(Calibrations, OfInstrumentsOutOfUseAreNotTold) {
     }
 }
 
-// The same data; the study cannot know what is one thing.
-TEST(Calibrations, AreToldAnewAtEveryPlaceWithoutNames) {
+// The same data; the study does not name common inputs.
+TEST(Calibrations, WithoutNamesAreWrittenAtEveryPlace) {
     const Recipe recipe = recipe_of(std::string("name_inputs = false\n") + calibrated);
     EXPECT_EQ(recipe.calibrations.force->value, twins().recipe.calibrations.force->value);
     EXPECT_EQ(recipe.elastomers[0].sphere_radius.value, twins().recipe.elastomers[0].sphere_radius.value);
@@ -291,7 +291,7 @@ TEST(Calibrations, AreToldAnewAtEveryPlaceWithoutNames) {
               bytes::read_file((twins().stated / "loops/A_E07.csv").string()));
 }
 
-TEST(UnmeasuredPairs, ArePlantedAndToldApart) {
+TEST(UnmeasuredPairs, AreSimulatedWithoutFilesAndMarked) {
     const auto& [recipe, stated, exact] = twins();
     EXPECT_FALSE(fs::exists(stated / "loops/B_E10.csv"));
     EXPECT_TRUE(fs::exists(stated / "loops/A_E10.csv"));
@@ -309,7 +309,7 @@ TEST(UnmeasuredPairs, ArePlantedAndToldApart) {
 }
 
 // What came before calibrations is written as it was, byte by byte: factors of 1 change no record.
-TEST(RecipesWithoutStatedInputs, AreWrittenAsBefore) {
+TEST(RecipesWithoutStatedInputs, GiveUnchangedFiles) {
     std::string plain = calibrated;
     plain.erase(plain.find("shared_tips"), plain.find("[rough_solid]") - plain.find("shared_tips"));
     plain.erase(plain.find("[elastomers.E07]"), plain.find("[elastomers.E19]") - plain.find("[elastomers.E07]"));
@@ -345,7 +345,7 @@ TEST(RecipesWithoutStatedInputs, AreWrittenAsBefore) {
     }
 }
 
-TEST(StatedInputs, ThatContradictThemselvesAreRefused) {
+TEST(StatedInputs, AreRefusedWhereContradictory) {
     const auto expect = [](const std::string& from, const std::string& to, const std::vector<std::string>& words) {
         const auto message = refusal(from, to);
         for (const auto& word : words) EXPECT_NE(message.find(word), std::string::npos) << message;
@@ -373,7 +373,7 @@ TEST(StatedInputs, ThatContradictThemselvesAreRefused) {
            {"no loop on 'E10'", "tell_modulus"});
 }
 
-TEST(SharedTips, OfProtocolsThatTellDifferentRadiiAreRefused) {
+TEST(SharedTips, AreRefusedForProtocolsWithDifferentRadii) {
     auto text = replaced(calibrated, "[surfaces.A]\nprotocol = \"p\"",
                          "[protocols.q]\nafm = { sizes = [\"100 nm\"], tip_radius = \"8 ± 1 nm\" }\n"
                          "[surfaces.A]\nprotocol = \"q\"");

@@ -56,7 +56,7 @@ imaging::ContourTrace column_sums(const imaging::FramePixels& pixels) {
     return trace_of(Array1D::LinSpaced(y.size(), 0.0, static_cast<double>(y.size() - 1)), y);
 }
 
-TEST(CurveDistance, IsThatOfTheNearestSegmentHoweverFar) {
+TEST(CurveDistance, IsTheDistanceToTheNearestSegment) {
     const auto curve = contour(4).truth.curve;
     const CurveIndex index(curve);
     for (std::uint64_t i = 0; i < 40; ++i) {
@@ -74,7 +74,7 @@ TEST(CurveDistance, IsThatOfTheNearestSegmentHoweverFar) {
     }
 }
 
-TEST(ContourComparison, OfTheCurveItselfFindsNoError) {
+TEST(ContourComparison, FindsNoErrorInTheTrueCurve) {
     const auto rendered = contour();
     const auto trial = compared(moved(rendered, [](Index) { return 0.0; }), rendered);
     EXPECT_LT(trial.rms_error, 0.02);  // straight between every fourth point, 1 px: radius of curvature above 5 px
@@ -85,7 +85,7 @@ TEST(ContourComparison, OfTheCurveItselfFindsNoError) {
     EXPECT_EQ(trial.overhangs_false, 0);
 }
 
-TEST(ContourComparison, TellsAnOffsetWithItsSign) {
+TEST(ContourComparison, MeasuresAnOffsetWithItsSign) {
     const auto rendered = contour();
     const auto trial = compared(moved(rendered, [](Index) { return 0.4; }), rendered);
     EXPECT_NEAR(trial.offset, 0.4, 0.01);
@@ -94,7 +94,7 @@ TEST(ContourComparison, TellsAnOffsetWithItsSign) {
     EXPECT_EQ(compared(moved(rendered, [](Index) { return -0.7; }), rendered).within_two_errors, 0.0);
 }
 
-TEST(ContourComparison, TellsATraceThatTakesTheSampleForVacuum) {
+TEST(ContourComparison, DetectsATraceWithSampleAndVacuumExchanged) {
     const auto rendered = contour();
     auto trace = moved(rendered, [](Index) { return 0.0; });
     EXPECT_FALSE(compared(trace, rendered).vacuum_mistaken);
@@ -104,7 +104,7 @@ TEST(ContourComparison, TellsATraceThatTakesTheSampleForVacuum) {
     EXPECT_NEAR(trial.rms_height_ratio, 1.0, 1e-3);
 }
 
-TEST(ContourComparison, FindsScatterAndItsDensity) {
+TEST(ContourComparison, MeasuresScatterAndItsDensity) {
     const auto rendered = contour();
     const auto noise = numerics::normal_numbers({5, 0}, 0, rendered.truth.curve.x.size());
     auto trace = moved(rendered, [&](Index i) { return 0.3 * noise[i]; });
@@ -117,7 +117,7 @@ TEST(ContourComparison, FindsScatterAndItsDensity) {
     EXPECT_TRUE(std::isnan(trial.spectrum_ratio[4]));  // below the curve's shortest waves
 }
 
-TEST(ContourComparison, FindsOverhangsAndMissesThoseCutOff) {
+TEST(ContourComparison, CountsOverhangsFoundAndMissed) {
     const auto rendered = contour(5, 6.0);
     const auto whole = compared(moved(rendered, [](Index) { return 0.0; }), rendered);
     EXPECT_EQ(whole.overhangs, 10);
@@ -139,7 +139,7 @@ TEST(ContourComparison, FindsOverhangsAndMissesThoseCutOff) {
     EXPECT_GT(cut.largest_error, 3.0);
 }
 
-TEST(ContourComparison, CountsAMissingStretch) {
+TEST(ContourComparison, CountsAMissingStretchAsIncomplete) {
     const auto rendered = contour();
     auto trace = moved(rendered, [](Index) { return 0.0; });
     auto& segment = trace.segments.front();
@@ -156,7 +156,7 @@ ContourTrialOptions small_trials() {
     return {.runs = 2, .size = 240, .kinds = {"clean", "SNR 2 + overhangs"}, .tracer = column_sums, .threads = {1}};
 }
 
-TEST(ContourTrials, OfColumnSumsFindTheEdgeOfCleanPictures) {
+TEST(ContourTrials, WithColumnSumsFindTheEdgeInCleanPictures) {
     const auto trials = contour_trials(small_trials());
     ASSERT_EQ(trials.size(), 4u);
     for (int run = 0; run < 2; ++run) {
@@ -180,7 +180,7 @@ TEST(ContourTrials, AreTheSameForAnyNumberOfThreads) {
     EXPECT_EQ(contour_trials_csv(contour_trials(options)), one);
 }
 
-TEST(ContourTrials, WritePicturesWhereAsked) {
+TEST(ContourTrials, WritePicturesOnRequest) {
     const auto folder = std::filesystem::temp_directory_path() / "setae_contour_pictures";
     std::filesystem::remove_all(folder);
     auto options = small_trials();
@@ -194,7 +194,7 @@ TEST(ContourTrials, WritePicturesWhereAsked) {
     std::filesystem::remove_all(folder);
 }
 
-TEST(ContourTrials, KeepWhatTheTracerRefuses) {
+TEST(ContourTrials, CountPicturesThatTheTracerRefuses) {
     auto options = small_trials();
     options.tracer = [](const imaging::FramePixels&) -> imaging::ContourTrace { throw UndefinedDataError("no edge"); };
     const auto rows = contour_summary(contour_trials(options));
@@ -203,7 +203,7 @@ TEST(ContourTrials, KeepWhatTheTracerRefuses) {
     EXPECT_FALSE(contour_verdicts(rows).front().passed);
 }
 
-TEST(ContourTrials, NeedRunsKindsAndATracer) {
+TEST(ContourTrials, RequireRunsKindsAndATracer) {
     auto options = small_trials();
     options.runs = 0;
     EXPECT_THROW((void)contour_trials(options), InvalidArgument);
@@ -215,7 +215,7 @@ TEST(ContourTrials, NeedRunsKindsAndATracer) {
     EXPECT_THROW((void)contour_trials(options), InvalidArgument);
 }
 
-TEST(ContourSummary, JudgesByTheWorstRunAndTheMeanSpectrum) {
+TEST(ContourSummary, VerdictsUseTheWorstRunAndTheMeanSpectrum) {
     ContourTrial good{.run = 0,
                       .kind = "a",
                       .segments = 1,

@@ -22,7 +22,7 @@ simulation::Recipe recipe() {
     return recipe;
 }
 
-TEST(ModelRecovery, NamesWhatRecipesCanPlant) {
+TEST(ModelRecovery, ListsTheModelsThatRecipesCanSimulate) {
     EXPECT_EQ(simulated_models().size(), 12U);
     const auto named = simulated_models({"crack_tip_pinning", "opening_work"});
     ASSERT_EQ(named.size(), 2U);
@@ -32,7 +32,7 @@ TEST(ModelRecovery, NamesWhatRecipesCanPlant) {
     EXPECT_THROW((void)simulated_models({"opening"}), InvalidArgument);
 }
 
-TEST(ModelRecovery, PlantsTheSpeedOfAnEdge) {
+TEST(ModelRecovery, SetsTheSpeedOfTheCrackTip) {
     using hysteresis::Tip;
     const auto made = with_model(recipe(), {Law::opening_work, Tip::speed});
     ASSERT_TRUE(made.elastomers[0].body.edge && made.elastomers[2].body.edge);
@@ -46,7 +46,7 @@ TEST(ModelRecovery, PlantsTheSpeedOfAnEdge) {
     EXPECT_FALSE(with_model(stated_value, {Law::pinning, Tip::reference}).elastomers[1].body.edge);
 }
 
-TEST(ModelRecovery, PlantsALawAlone) {
+TEST(ModelRecovery, SetsOneRetractionModelOnly) {
     auto stated_value = recipe();
     stated_value.elastomers[1].tip_factor = 1.7;
     const auto opening = with_model(stated_value, {Law::opening_work, hysteresis::Tip::none});
@@ -59,7 +59,7 @@ TEST(ModelRecovery, PlantsALawAlone) {
     EXPECT_DOUBLE_EQ(tip.elastomers[2].tip_factor, 1.3);
 }
 
-TEST(ModelRecovery, RefusesWhatNoRecipeHas) {
+TEST(ModelRecovery, RefusesModelsTheRecipeLacksDataFor) {
     auto smooth = recipe();
     smooth.loops->reference_work.reset();
     EXPECT_THROW((void)with_model(smooth, {Law::reversible, hysteresis::Tip::reference}), InvalidArgument);
@@ -67,7 +67,7 @@ TEST(ModelRecovery, RefusesWhatNoRecipeHas) {
     EXPECT_THROW((void)with_model(smooth, {Law::reversible, hysteresis::Tip::none}), InvalidArgument);
 }
 
-TEST(ModelRecovery, CountsWhatBecameOfALaw) {
+TEST(ModelRecovery, CountsOutcomesPerModel) {
     std::vector<ModelRecovery> list(4);
     for (auto& one : list) one.planted = "pinning";
     list[0].found = "pinning";

@@ -20,7 +20,7 @@ bool is_honest(const SummaryRow& row) {
     return row.method == "a(F) both" || row.method == "F-delta" || row.method == "joint";
 }
 
-TEST(LoopCoverage, OfTheRoutesThatAllowForBothErrorsIsNinetyFivePerCent) {
+TEST(LoopCoverage, OfRoutesWithBothErrorsIsNinetyFivePerCent) {
     // 40 draws at 95 %: fewer than 32 hits has a probability of 2e-4
     for (const SummaryRow& row : summary(branch_coverage(options()))) {
         EXPECT_EQ(row.count, runs) << row.quantity << ' ' << row.method;
@@ -32,7 +32,7 @@ TEST(LoopCoverage, OfTheRoutesThatAllowForBothErrorsIsNinetyFivePerCent) {
     }
 }
 
-TEST(LoopCoverage, ShowsTheBiasOfLeastSquaresInTheRadiusAlone) {
+TEST(LoopCoverage, ShowsTheBiasOfLeastSquaresInTheRadiusOnly) {
     int seen = 0;
     for (const SummaryRow& row : summary(branch_coverage(options()))) {
         if (row.quantity != "W loading at SNR 30" || row.method != "a(F)") continue;
@@ -42,11 +42,11 @@ TEST(LoopCoverage, ShowsTheBiasOfLeastSquaresInTheRadiusAlone) {
     EXPECT_EQ(seen, 1);
 }
 
-TEST(LoopCoverage, OfWholeRecordsIsHonestToo) {
+TEST(LoopCoverage, OfWholeRecordsIsAtLeastEightyPerCent) {
     for (const SummaryRow& row : summary(record_coverage(options()))) EXPECT_GE(row.coverage, 0.80) << row.quantity;
 }
 
-TEST(LoopCoverage, NeedsRunsAndSamples) {
+TEST(LoopCoverage, RequiresRunsAndSamples) {
     auto none = options();
     none.runs = 0;
     EXPECT_THROW((void)branch_coverage(none), InvalidArgument);

@@ -48,7 +48,7 @@ force_noise = "0.1 uN"
     return simulation::read_recipe(path.string());
 }
 
-TEST(RecipeWith, AnInputKnownBetterIsHalfAsFarOff) {
+TEST(RecipeWith, ABetterKnownInputHalvesItsDeviation) {
     const auto before = recipe();
     const auto after = recipe_with(before, {.kind = Kind::input, .name = "force_calibration"});
     const auto &was = *before.calibrations.force, &is = *after.calibrations.force;
@@ -58,13 +58,13 @@ TEST(RecipeWith, AnInputKnownBetterIsHalfAsFarOff) {
     EXPECT_NE(is.value, is.stated_value.value);
 }
 
-TEST(RecipeWith, ATipOfAllSurfacesIsThatOfTheirProtocols) {
+TEST(RecipeWith, ASharedTipChangesEveryProtocol) {
     const auto after = recipe_with(recipe(), {.kind = Kind::input, .name = "afm_tip"});
     EXPECT_DOUBLE_EQ(after.surfaces.front().afm->shared_tip_radius.value(), after.afm_tip->value);
     EXPECT_DOUBLE_EQ(after.afm_tip->stated_value.standard_error, 0.5e-9);
 }
 
-TEST(RecipeWith, AnInputWithoutANameIsFoundByItsPlace) {
+TEST(RecipeWith, AnUnnamedInputIsFoundByItsPath) {
     const auto modulus = recipe_with(recipe(), {.kind = Kind::input, .name = "elastomers.E07.youngs_modulus"});
     EXPECT_DOUBLE_EQ(modulus.elastomers.front().youngs_modulus.stated_value.standard_error, 1e4);
     const auto radius = recipe_with(recipe(), {.kind = Kind::input, .name = "elastomers.E07.sphere_radius"});
@@ -73,7 +73,7 @@ TEST(RecipeWith, AnInputWithoutANameIsFoundByItsPlace) {
     EXPECT_THROW((void)recipe_with(recipe(), {.kind = Kind::input, .name = "lens_9"}), InvalidArgument);
 }
 
-TEST(RecipeWith, ASurfaceMeasuredAgainHasEverythingTwice) {
+TEST(RecipeWith, ARemeasuredSurfaceHasEveryMeasurementTwice) {
     const auto after = recipe_with(recipe(), {.kind = Kind::spectrum, .name = "A"});
     const auto& rough = after.surfaces.front();
     const auto once = recipe().surfaces.front().afm->sizes;
@@ -83,7 +83,7 @@ TEST(RecipeWith, ASurfaceMeasuredAgainHasEverythingTwice) {
 }
 
 // The further loop has a file and noise of its own; every other loop stays what it was.
-TEST(RecipeWith, AnotherLoopIsOneOfTheSamePair) {
+TEST(RecipeWith, AnotherLoopBelongsToTheSamePair) {
     const auto before = simulation::known_loops(recipe());
     const auto after =
         simulation::known_loops(recipe_with(recipe(), {.kind = Kind::loop, .name = "A", .elastomer = "E07"}));
@@ -94,7 +94,7 @@ TEST(RecipeWith, AnotherLoopIsOneOfTheSamePair) {
     EXPECT_EQ(after.back().specimen.work_approach, before.front().specimen.work_approach);
 }
 
-TEST(NextSummary, ComparesWhatWasPromisedWithWhatWasFound) {
+TEST(NextSummary, ComparesPredictedWithActualImprovement) {
     const std::vector<NextTrial> trials{{0, "lens", 3e-3, 1e-3, 4e-3, 2e-3, 2e-3},
                                         {1, "lens", -4e-3, 2e-3, 4e-3, 2e-3, 1e-3},
                                         {0, "A", 1e-3, 1e-3, 4e-3, 3e-3, 3e-3}};
@@ -111,7 +111,7 @@ TEST(NextSummary, ComparesWhatWasPromisedWithWhatWasFound) {
     EXPECT_TRUE(std::isnan(rows[1].ratio_error));
 }
 
-TEST(NextTrials, RefuseWhatCannotBeMeasured) {
+TEST(NextTrials, RefuseUnknownMeasurements) {
     const auto folder = std::filesystem::path(testing::TempDir()) / ("setae_next_trials_" + std::to_string(::getpid()));
     const auto path =
         std::filesystem::path(testing::TempDir()) / ("setae_next_" + std::to_string(::getpid()) + ".toml");

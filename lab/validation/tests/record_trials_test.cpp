@@ -18,11 +18,11 @@ bool is_refused(const std::string& kind) {
     return refused.contains(kind);
 }
 
-TEST(RecordTrials, AreAnalysedHonestlyOrRefusedWithTheCause) {
+TEST(RecordTrials, AreAnalysedWithoutSilentErrorsOrRefusedWithTheCause) {
     constexpr int runs = 6;
     for (const RecordSummary& row : summary(record_trials({.runs = runs, .first_seed = 11}))) {
         EXPECT_EQ(row.count, runs);
-        // a deflection that nobody tells of cannot be seen in the record: E* is that of both in a row
+        // a deflection that is not given cannot be seen in the record: E* is that of both in series
         EXPECT_EQ(row.silent, row.kinds == "stage_stiffness_not_given" ? runs : 0) << row.kinds;
         EXPECT_EQ(row.refused, is_refused(row.kinds) ? runs : 0) << row.kinds;
         if (is_refused(row.kinds)) {
@@ -31,7 +31,7 @@ TEST(RecordTrials, AreAnalysedHonestlyOrRefusedWithTheCause) {
     }
 }
 
-TEST(RecordTrials, CoverTheKnownValuesOfEachRoute) {
+TEST(RecordTrials, CoverTrueValuesByEachRoute) {
     // 40 records at 95 %: fewer than 33 hits has a probability of 1e-3; 6 kinds of 6 routes
     for (const RecordSummary& row : summary(record_trials(
              {.kinds = {"clean", "drift_100", "force_noise_3", "force_correlated_0.8", "rounding_2", "hold"},
@@ -54,7 +54,7 @@ TEST(RecordTrials, CombineKindsOfDifferentGroups) {
     EXPECT_EQ(summary(trials, "all").count, 10);
 }
 
-TEST(RecordTrials, OfTwoKindsAreAnalysedHonestly) {
+TEST(RecordTrials, OfTwoKindsAreAnalysedWithoutSilentErrors) {
     // the testing machine deflects under the force, not under the drift of its zero; a camera does not hide exchanged
     // columns
     for (const auto& kinds : {std::vector<std::string>{"drift_-100", "stage_stiffness_given"},
@@ -66,11 +66,11 @@ TEST(RecordTrials, OfTwoKindsAreAnalysedHonestly) {
         }
 }
 
-TEST(RecordTrials, CutNoFreeFlightWhereThereIsNoContact) {
+TEST(RecordTrials, DoNotCombineMissingFreeFlightWithMissingContact) {
     EXPECT_EQ(number_of_trials({.kinds = {"no_baseline", "no_contact", "hold"}, .pairs = true, .runs = 1}), 2);
 }
 
-TEST(RecordTrials, NameTheKindsThereAre) {
+TEST(RecordTrials, ListValidKindsInTheError) {
     try {
         (void)record_trials({.kinds = {"drift_11"}});
         FAIL();

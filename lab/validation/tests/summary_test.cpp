@@ -18,7 +18,7 @@ Comparison comparison(int run, double found, double standard_error, const char* 
             2e-9,         {.value = found, .standard_error = standard_error}};
 }
 
-TEST(Comparison, MeasuresDeviationAndIntervalAgainstThePlantedValue) {
+TEST(Comparison, MeasuresDeviationAndCoverageOfTheTrueValue) {
     const auto relative = comparison(0, 2.2e-9, 0.1e-9);
     EXPECT_NEAR(relative.deviation(), 0.1, 1e-12);
     EXPECT_NEAR(relative.stated_deviation(), 0.05, 1e-12);
@@ -33,7 +33,7 @@ TEST(Comparison, MeasuresDeviationAndIntervalAgainstThePlantedValue) {
 }
 
 // Newcombe, Stat. Med. 17 (1998) 857, table I: 81 of 263 and 0 of 20 by the score method.
-TEST(ShareInterval, IsWilsons) {
+TEST(ShareInterval, IsWilsonsScoreInterval) {
     EXPECT_NEAR(share_interval(81, 263).lower, 0.2553, 5e-5);
     EXPECT_NEAR(share_interval(81, 263).upper, 0.3662, 5e-5);
     EXPECT_EQ(share_interval(0, 20).lower, 0.0);
@@ -42,7 +42,7 @@ TEST(ShareInterval, IsWilsons) {
     EXPECT_THROW((void)share_interval(0, 0), InvalidArgument);
 }
 
-TEST(Summary, GivesBiasScatterWorstAndCoverageOfEachQuantityAndMethod) {
+TEST(Summary, GivesBiasScatterWorstAndCoveragePerQuantityAndMethod) {
     const auto rows = summary({comparison(0, 2.0e-9, 1e-10), comparison(1, 2.4e-9, 1e-10),
                                comparison(0, 1.0e-9, 1e-10, "paper"), comparison(2, 2.2e-9, 2e-10)});
     ASSERT_EQ(rows.size(), 2u);
@@ -60,7 +60,7 @@ TEST(Summary, GivesBiasScatterWorstAndCoverageOfEachQuantityAndMethod) {
 }
 
 // Four members of one run that err alike are worth one: the error of the mean is that of two runs.
-TEST(Summary, TakesWhatOneRunSharesForOneThing) {
+TEST(Summary, CountsCorrelatedMembersOfOneRunOnce) {
     std::vector<Comparison> rows;
     for (int i = 0; i < 4; ++i) rows.push_back(comparison(0, 2.2e-9, 1e-10));
     for (int i = 0; i < 4; ++i) rows.push_back(comparison(1, 1.8e-9, 1e-10));
@@ -68,7 +68,7 @@ TEST(Summary, TakesWhatOneRunSharesForOneThing) {
 }
 
 // A run whose members all hit beside one whose members all miss: as little is known of the share as of one coin.
-TEST(Summary, KnowsOfASharesIntervalHowAlikeARunsMembersAre) {
+TEST(Summary, CoverageIntervalAccountsForCorrelationWithinRuns) {
     std::vector<Comparison> alike, mixed;
     for (int i = 0; i < 4; ++i) {
         alike.push_back(comparison(0, 2.0e-9, 1e-10));
@@ -92,13 +92,13 @@ TEST(SummaryTable, PrintsPerCentAndMillijoules) {
     EXPECT_NE(text.find("mJ/m2    +0.100"), std::string::npos) << text;
 }
 
-TEST(ComparisonsCsv, LeavesWhatIsUndefinedEmpty) {
+TEST(ComparisonsCsv, LeavesUndefinedValuesEmpty) {
     EXPECT_EQ(comparisons_csv({comparison(3, 2.2e-9, std::nan(""))}),
               "run,item,quantity,unit,method,planted,found,standard_error,interval_lower,interval_upper,covered\n"
               "3,A,rms_height,m,average,2e-09,2.2e-09,,,,0\n");
 }
 
-TEST(ValidationFigure, HasALineAQuantityAndASeriesAMethod) {
+TEST(ValidationFigure, HasOneLinePerQuantityAndOneSeriesPerMethod) {
     const auto figure = validation_figure(
         summary({comparison(0, 2.0e-9, 1e-10), comparison(1, 2.4e-9, 1e-10), comparison(0, 1.0e-9, 1e-10, "paper")}));
     ASSERT_EQ(figure.panels.size(), 2u);

@@ -9,7 +9,7 @@
 namespace setae::validation::true_area_of_maps_test {
 namespace {
 
-TEST(TrueAreaOfMaps, IsThatOfGaussianSlopesAndTheSameForAnyNumberOfThreads) {
+TEST(TrueAreaOfMaps, MatchesGaussianSlopesForAnyNumberOfThreads) {
     const auto one = true_area_of_maps({.points = 128, .threads = {1}}),
                two = true_area_of_maps({.points = 128, .threads = {2}});
     ASSERT_EQ(one.size(), 60u);

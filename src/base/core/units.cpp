@@ -234,18 +234,30 @@ NumberAndRest leading_number(std::string_view text, std::string_view whole) {
     return {*number, trimmed(body)};
 }
 
-/// The usual unit of a dimension.
-std::string usual_unit(const Dimension& dimension) {
-    if (dimension == dimension::length) return "um";
-    if (dimension == dimension::pressure) return "MPa";
-    return si_unit(dimension);
+/// A value of a dimension, with an example.
+std::string value_of(const Dimension& dimension) {
+    struct Named {
+        Dimension dimension;
+        std::string_view words;
+    };
+    static constexpr std::array<Named, 7> named{{
+        {dimension::length, "a length with its unit, such as \"5 um\""},
+        {dimension::pressure, "a pressure with its unit, such as \"2 MPa\""},
+        {dimension::surface_energy, "an energy per area with its unit, such as \"40 mJ/m2\""},
+        {dimension::force, "a force with its unit, such as \"1 mN\""},
+        {dimension::energy, "an energy with its unit, such as \"1 nJ\""},
+        {dimension::time, "a time with its unit, such as \"10 s\""},
+        {dimension::wavevector, "a wavevector with its unit, such as \"10 1/um\""},
+    }};
+    for (const auto& [known, words] : named)
+        if (known == dimension) return std::string(words);
+    return "a value with a unit of " + si_unit(dimension);
 }
 
 double in_si(double number, std::string_view unit, const Dimension& expected, std::string_view whole) {
     if (unit.empty()) {
         if (expected == dimension::none || number == 0.0) return number;
-        throw InvalidArgument(
-            fmt::format("'{0}' has no unit; write for instance \"{0} {1}\"", whole, usual_unit(expected)));
+        throw InvalidArgument(fmt::format("'{}' has no unit; expected {}", whole, value_of(expected)));
     }
     return number * unit_factor(unit, expected);
 }

@@ -16,6 +16,7 @@ public:
 
     void flag(const Row& row, bool value) override { take(row, std::string(value ? "yes" : "no")); }
     void whole(const Row& row, long long value) override { take(row, static_cast<double>(value)); }
+    void whole(const Row& row, std::uint64_t value) override { take(row, static_cast<double>(value)); }
     void number(const Row& row, double value) override { take(row, value); }
     void value(const Row& row, double value) override { take(row, value); }
     void quantity(const Row& row, const Estimate& value) override { take(row, value.value, value.standard_error); }

@@ -6,20 +6,17 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "setae/answers/made_surface.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/hysteresis/retraction_model.hpp"
-#include "setae/output/contact_answers.hpp"
 #include "setae/roughness/energy_below.hpp"
 
 namespace setae::answers {
 namespace {
 
 using patches::PatchDesign;
-using patches::PatchMean;
 using patches::SurveyRow;
 
 /// relative error up to which the full-contact balance (Eq. 7) is treated as correct
@@ -127,8 +124,6 @@ std::vector<const SurveyRow*> first_kind(const std::vector<SurveyRow>& rows) {
     return kind;
 }
 
-double balance_of(const SurveyRow& row) { return std::max(0.0, 1.0 - row.design.energy_share); }
-
 std::string sentence_of_shares(const std::vector<SurveyRow>& rows) {
     const auto kind = first_kind(rows);
     std::string text;
@@ -172,29 +167,6 @@ std::string sentence_of_pairs(const PatchSurveyAnswer& answer) {
         text += fmt::format("Contact gains up to {:.2g} mJ/m2 more than Eq. 7 predicts ({}).", 1e3 * largest, where);
     return text;
 }
-
-output::Json json_of(const std::vector<patches::JumpClass>& classes) {
-    output::Json list = output::Json::array();
-    for (const auto& of : classes)
-        list.push_back({{"from", of.from}, {"to", output::number(of.to)}, {"jumps", of.jumps}, {"loss", of.loss}});
-    return list;
-}
-
-/// The pair's results with the simulated cell of a row.
-study::ContactAnswers answers_with(const SurveyRow& row, const PatchPair& pair) {
-    auto answers = pair.answers;
-    answers.answers.push_back({study::ContactTheory::simulated_cell,
-                               {.value = pair.work * row.gain_from_far.value,
-                                .standard_error = pair.work * row.gain_from_far.standard_error,
-                                .method = "mean over patches"},
-                               {.value = row.area_from_far.value,
-                                .standard_error = row.area_from_far.standard_error,
-                                .method = "mean over patches"},
-                               false});
-    return answers;
-}
-
-output::Json json_of(const PatchMean& mean) { return {{"value", mean.value}, {"standard_error", mean.standard_error}}; }
 
 }  // namespace
 
@@ -242,6 +214,21 @@ PatchSurveyAnswer patch_survey(const study::StudyResult& study, const PatchSurve
             "no pair of the study has a spectrum, a modulus and W_int; expected one at least, see docs/guides/study.md");
     answer.rows = patches::survey(survey_of(std::move(designs), request, threads, progress));
     return answer;
+}
+
+double balance_of(const SurveyRow& row) { return std::max(0.0, 1.0 - row.design.energy_share); }
+
+study::ContactAnswers answers_with(const SurveyRow& row, const PatchPair& pair) {
+    auto answers = pair.answers;
+    answers.answers.push_back({study::ContactTheory::simulated_cell,
+                               {.value = pair.work * row.gain_from_far.value,
+                                .standard_error = pair.work * row.gain_from_far.standard_error,
+                                .method = "mean over patches"},
+                               {.value = row.area_from_far.value,
+                                .standard_error = row.area_from_far.standard_error,
+                                .method = "mean over patches"},
+                               false});
+    return answers;
 }
 
 std::string sentence(const PatchSurveyAnswer& answer) {
@@ -309,48 +296,6 @@ tables::TidyTable patch_screen_table(const PatchSurveyAnswer& answer) {
                               pair.measured ? pair.measured->value / milli : undefined});
     }
     return table;
-}
-
-output::Json to_json(const PatchSurveyAnswer& answer) {
-    output::Json rows = output::Json::array();
-    for (std::size_t i = 0; i < answer.rows.size(); ++i) {
-        const auto& row = answer.rows[i];
-        output::Json json{{"energy_share", row.design.energy_share},
-                          {"points", row.design.points},
-                          {"band", row.design.band()},
-                          {"squared_ratio", row.design.squared_ratio},
-                          {"range_over_height", row.range_over_height},
-                          {"patches", row.patches},
-                          {"area_from_far", json_of(row.area_from_far)},
-                          {"gain_from_far", json_of(row.gain_from_far)},
-                          {"area_after_preload", json_of(row.area_after_preload)},
-                          {"gain_after_preload", json_of(row.gain_after_preload)},
-                          {"balance", balance_of(row)},
-                          {"closed_patches", row.closed},
-                          {"closing_pressure", row.closed > 0 ? json_of(row.closing_pressure) : output::Json()},
-                          {"opening_tension", json_of(row.opening_tension)},
-                          {"converged", row.converged}};
-        if (answer.loops)
-            json["loop"] = {{"approach_work", json_of(row.approach_work)},
-                            {"separation_work", json_of(row.separation_work)},
-                            {"loss", json_of(row.loss)},
-                            {"large_jumps", json_of(row.large_jumps)},
-                            {"approach_jumps", json_of(row.approach_jumps)},
-                            {"separation_jumps", json_of(row.separation_jumps)},
-                            {"greatest_tension", json_of(row.greatest_tension)}};
-        if (!answer.pairs.empty()) {
-            const auto& pair = answer.pairs[i];
-            json["surface"] = pair.surface;
-            json["elastomer"] = pair.elastomer;
-            json["work"] = pair.work;
-            json["energy_in_band"] = pair.energy_in_band;
-            json["gain"] = pair.work * row.gain_from_far.value;
-            json["answers"] = output::to_json(answers_with(row, pair));
-            json["measured_work"] = pair.measured ? output::Json(pair.measured->value) : output::Json();
-        }
-        rows.push_back(std::move(json));
-    }
-    return {{"answer", sentence(answer)}, {"rows", std::move(rows)}, {"skipped", answer.skipped}};
 }
 
 }  // namespace setae::answers

@@ -390,7 +390,7 @@ std::vector<AlertKind> of_surfaces() {
          "Check calibration, tip radius and tip shape of this instrument; compare its own spectrum "
          "with the others.",
          "Several decades and instruments are tested; where they agree, the probabilities are "
-         "distributed as expected (test LikelihoodSpectrum.AgreementHasTheProbabilityItSays)."},
+         "distributed as expected (test LikelihoodSpectrum.AgreementTestHasTheStatedProbability)."},
         {"MEASUREMENTS_SCATTER", about,
          "The measurements of an instrument differ from each other more than their waves explain, "
          "p < 0.01.",

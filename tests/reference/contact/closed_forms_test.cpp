@@ -65,7 +65,7 @@ TEST(Jkr, HasUnitScalesInMaugisUnits) {
         EXPECT_NEAR(scale, 1.0, tolerance);
 }
 
-TEST(Jkr, GivesTheSameNumbersInMaugisUnitsOfAnyContact) {
+TEST(Jkr, IsUniversalInMaugisUnits) {
     const jkr::Contact lens{.radius = 1.25e-3, .contact_modulus = 0.92e6, .work_of_adhesion = 0.0396};
     const jkr::MaugisUnits scales = jkr::maugis_units(lens);
     EXPECT_NEAR(jkr::ideal_loop_loss(lens).total / scales.energy, 1.2749410291, tolerance);
@@ -75,7 +75,7 @@ TEST(Jkr, GivesTheSameNumbersInMaugisUnitsOfAnyContact) {
                 1.0, tolerance);
 }
 
-TEST(ContactModulus, OfThePublishedRubbersOnDiamond) {
+TEST(ContactModulus, MatchesPublishedElastomersOnDiamond) {
     const ElasticSolid diamond{.youngs_modulus = 1100e9, .poisson_ratio = 0.06};
     constexpr std::array rubber{0.69e6, 1.03e6, 1.91e6, 10.03e6};
     constexpr std::array expected{0.91999923e6, 1.37333162e6, 2.54666079e6, 13.37317133e6};
@@ -83,7 +83,7 @@ TEST(ContactModulus, OfThePublishedRubbersOnDiamond) {
         EXPECT_NEAR(contact_modulus({.youngs_modulus = rubber[i], .poisson_ratio = 0.5}, diamond), expected[i], 0.005);
 }
 
-TEST(Jkr, JumpsOfThePublishedReferenceLensCostFractionsOfANanojoule) {
+TEST(Jkr, JumpsOfThePublishedReferenceLoseUnderOneNanojoule) {
     const ElasticSolid silicon{.youngs_modulus = 160e9, .poisson_ratio = 0.22};
     constexpr std::array modulus{0.69e6, 1.03e6, 1.91e6, 10.03e6};
     constexpr std::array work{0.0396, 0.0368, 0.0388, 0.0510};

@@ -12,14 +12,14 @@
 namespace pinning_survey_test {
 
 // the long fronts are in docs/validation/crack-front.md
-TEST(PinningSurvey, AFrontBelowItsLarkinLengthHardlyLoses) {
+TEST(PinningSurvey, FrontBelowItsLarkinLengthHasAlmostNoLoss) {
     const auto weak = pinning_survey::run({.energy_share = 0.01, .way = 128, .width = 64}, 1.0);
     EXPECT_TRUE(weak.converged);
     EXPECT_LT(weak.larkin_lengths, 0.3);
     EXPECT_LT(weak.pinning_coefficient, 0.5);
 }
 
-TEST(PinningSurvey, ALongFrontLosesTwiceKTimesTheStoredEnergy) {
+TEST(PinningSurvey, LongFrontLosesTwiceKTimesTheStoredEnergy) {
     const auto strong = pinning_survey::run({.energy_share = 0.1, .way = 256, .width = 512}, 1.0);
     EXPECT_TRUE(strong.converged);
     EXPECT_GT(strong.larkin_lengths, 5.0);
@@ -27,7 +27,7 @@ TEST(PinningSurvey, ALongFrontLosesTwiceKTimesTheStoredEnergy) {
 }
 
 // the program's table against fronts four times as wide as their springs let them bend, three seeds
-TEST(PinningSurvey, FrontsAtRestHaveThePinningConstantsOfBothBranches) {
+TEST(PinningSurvey, StaticFrontsHaveThePinningCoefficientsOfBothBranches) {
     struct Front {
         double energy_share, spring_length;
     };
@@ -57,7 +57,7 @@ TEST(PinningSurvey, FrontsAtRestHaveThePinningConstantsOfBothBranches) {
 }
 
 // loops of round contacts, not the formula: U and the spectrum give k, and k and either branch give W
-TEST(PinningSurvey, EitherBranchOfARoundContactHasTheWorkThatWentIn) {
+TEST(PinningSurvey, EitherBranchOfARoundContactRecoversTheTrueWork) {
     using namespace setae;
     const contact::AdhesiveContact sphere{round_contacts::radius, round_contacts::contact_modulus,
                                           round_contacts::work_of_adhesion};
@@ -76,7 +76,7 @@ TEST(PinningSurvey, EitherBranchOfARoundContactHasTheWorkThatWentIn) {
     }
 }
 
-TEST(PinningSurvey, TwoBandsAfterEachOtherLoseAboutWhatTheyDoTogether) {
+TEST(PinningSurvey, SeparateBandsLoseAboutAsMuchAsBothTogether) {
     const auto result = pinning_survey::run_in_bands({.energy_share = 0.1, .way = 256, .width = 512}, 1.0);
     EXPECT_TRUE(result.together.converged && result.apart.converged);
     EXPECT_GT(result.fine_share, 0.2);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How often the tests of a measurement find faults in surfaces that have none, and how many planted spikes they find:
+// How often the tests of a measurement find faults in surfaces that have none, and how many true spikes they find:
 // the table of docs/reference/diagnostics.md.  diagnostics_survey [surfaces of each kind, default 100]
 #include <cstdio>
 #include <cstdlib>

@@ -7,13 +7,13 @@
 namespace setae::reference::survey_test {
 namespace {
 
-TEST(DiagnosticsSurvey, FindsNoFaultInMapsWithoutAndTheirPlantedSpikes) {
+TEST(DiagnosticsSurvey, FindsSpikesInMapsWithoutFalseWarnings) {
     const auto survey = survey_maps(12);
     EXPECT_LE(survey.alarmed, 1);
     EXPECT_GE(survey.found_share(), 0.95);
 }
 
-TEST(DiagnosticsSurvey, FindsNoFaultInLinesWithoutAndTheirPlantedSpikes) {
+TEST(DiagnosticsSurvey, FindsSpikesInLinesWithoutFalseWarnings) {
     const auto survey = survey_lines(24);
     EXPECT_LE(survey.alarmed, 2);
     EXPECT_GE(survey.found_share(), 0.95);

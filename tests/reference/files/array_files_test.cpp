@@ -19,7 +19,7 @@ struct ArrayFile {
     const char* name;
     std::size_t channel;
     const char* channel_name;
-    ReadOptions given;  ///< what the file does not say
+    ReadOptions given;  ///< what the file does not state
     double unit;        ///< of the expected values [m]
     std::vector<double> size;
 };
@@ -28,7 +28,7 @@ void PrintTo(const ArrayFile& file, std::ostream* stream) { *stream << file.name
 
 class ArrayFiles : public testing::TestWithParam<ArrayFile> {};
 
-TEST_P(ArrayFiles, HoldTheHeightsAnotherReaderFound) {
+TEST_P(ArrayFiles, HaveTheHeightsOfAnotherReader) {
     const auto file = std::string(folder) + GetParam().name;
     SETAE_REQUIRE_REFERENCE_DATA(path, file);
     const auto entry = expected_entry(file, GetParam().channel);
@@ -52,7 +52,7 @@ INSTANTIATE_TEST_SUITE_P(
         ArrayFile{"nc-1.nc", 0, "heights", {}, units::nm, {5e-9, 10e-9}},
         ArrayFile{"example-2d.npy", 0, "heights", {.size = {{1e-6, 2e-6}}, .unit = "m"}, 1.0, {1e-6, 2e-6}}));
 
-TEST(ArrayFilesOfContainers, TellTheInstrumentOfTheirAttributes) {
+TEST(ArrayFilesOfContainers, ReadTheInstrumentFromAttributes) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "topography/containers/index_json.zip");
     const auto channels = open(path.string());
     ASSERT_EQ(channels.size(), 2u);
@@ -60,7 +60,7 @@ TEST(ArrayFilesOfContainers, TellTheInstrumentOfTheirAttributes) {
     EXPECT_DOUBLE_EQ(channels[0].info.metadata.instrument.tip_radius.value(), 10e-9);
 }
 
-TEST(ArrayFilesWithMarks, LoseThem) {
+TEST(ArrayFilesWithMarks, HaveNoDataMarksRemoved) {
     SETAE_REQUIRE_REFERENCE_DATA(path, std::string(folder) + "multiple_data_sets.h5");
     // 116 points are exactly 5.77e-4, the others −3.3e-4 to −2.2e-4 and hardly any value twice
     const auto channel = open(path.string(), {.size = {{1e-6, 2e-6}}, .unit = "nm"}).at(1);
@@ -68,7 +68,7 @@ TEST(ArrayFilesWithMarks, LoseThem) {
     EXPECT_EQ(map.heights.isNaN().count(), 116);
 }
 
-TEST(ArrayFilesWithoutSize, AreListedAndAskedFor) {
+TEST(ArrayFilesWithoutSize, AreListedWithTheSizeMissing) {
     SETAE_REQUIRE_REFERENCE_DATA(path, std::string(folder) + "multiple_data_sets.h5");
     const auto channels = open(path.string());
     ASSERT_EQ(channels.size(), 2u);
@@ -81,7 +81,7 @@ TEST(ArrayFilesWithoutSize, AreListedAndAskedFor) {
     }
 }
 
-TEST(WrongNpy, IsRefusedByItsFirstBytes) {
+TEST(WrongNpy, IsRefusedByItsSignature) {
     SETAE_REQUIRE_REFERENCE_DATA(path, std::string(folder) + "wrongnpyfile.npy");
     try {
         (void)open(path.string());

@@ -29,7 +29,7 @@ TEST(Wsxm, IntegersSpanTheAmplitudeOfTheHeader) {
     EXPECT_EQ(channels[0].info.unit, "nm");
 }
 
-TEST(Wsxm, DoublesAreHeightsAsTheyStand) {
+TEST(Wsxm, DoublesAreHeightsWithoutScaling) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "topography/afmreader/sample_0.stp");
     const auto map = std::get<HeightMap>(read(path.string()));
     ASSERT_EQ(map.shape(), (std::array<Index, 2>{512, 512}));
@@ -40,7 +40,7 @@ TEST(Wsxm, DoublesAreHeightsAsTheyStand) {
         << "the Z amplitude of the header";
 }
 
-TEST(Sensofar, TopographyWithItsTime) {
+TEST(Sensofar, HasTheExpectedTopographyAndTime) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "topography/surfacetopography/plu-1.plu");
     const auto channels = open(path.string());
     ASSERT_EQ(channels.size(), 1u);
@@ -49,7 +49,7 @@ TEST(Sensofar, TopographyWithItsTime) {
     EXPECT_EQ(channels[0].info.metadata.instrument.name, "PLu neox");
 }
 
-TEST(Alicona, DepthImage) {
+TEST(Alicona, HasTheExpectedDepthImage) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "topography/surfacetopography/al3d-1.al3d");
     const auto channels = open(path.string());
     ASSERT_EQ(channels.size(), 1u);
@@ -57,7 +57,7 @@ TEST(Alicona, DepthImage) {
     EXPECT_EQ(channels[0].info.metadata.attributes.at("software_version"), "MeasureSuite 5.3.6");
 }
 
-TEST(NtMdt, ForceCurvesAsTextAreNoTopography) {
+TEST(NtMdt, ForceCurvesAsTextAreNotTopography) {
     SETAE_REQUIRE_REFERENCE_DATA(path,
                                  "force_curves/fmt-ntmdt-txt-fd_2015_01_17_gel4-0,1_mQ_adh_6B_Curve_DFL_Height_51.txt");
     EXPECT_THROW((void)read(path.string()), Error) << "neither size nor unit stands in the file";

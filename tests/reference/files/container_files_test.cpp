@@ -31,7 +31,7 @@ struct TemporaryPath {
     ~TemporaryPath() { std::filesystem::remove(path); }
 };
 
-TEST(UncdContainer, IndexIsUnderstoodWhole) {
+TEST(UncdContainer, IndexIsReadCompletely) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "topography/surfacetopography/container-2.zip");
     const auto file = read_container(bytes::file_source(path.string()));
     EXPECT_TRUE(file.alerts.empty());
@@ -46,7 +46,7 @@ TEST(UncdContainer, IndexIsUnderstoodWhole) {
     EXPECT_EQ(surface.topographies[2].size, std::vector<double>{0.29878356133333334});
 }
 
-TEST(UncdContainer, CheckFindsTheScaleThatIsThereTwice) {
+TEST(UncdContainer, CheckFindsTheRepeatedScale) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "topography/surfacetopography/container-2.zip");
     const auto report = check_container(bytes::file_source(path.string()));
     EXPECT_EQ(codes(report.alerts),
@@ -54,7 +54,7 @@ TEST(UncdContainer, CheckFindsTheScaleThatIsThereTwice) {
     EXPECT_TRUE(report.differences.empty());
 }
 
-TEST(UncdContainer, UpgradedHasTheSameHeightsAndItsFilesByteForByte) {
+TEST(UncdContainer, UpgradeKeepsHeightsAndFilesUnchanged) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "topography/surfacetopography/container-2.zip");
     const auto source = bytes::file_source(path.string());
     const TemporaryPath written;
@@ -78,7 +78,7 @@ TEST(UncdContainer, UpgradedHasTheSameHeightsAndItsFilesByteForByte) {
     EXPECT_NEAR(std::sqrt(topography::all_heights(copy).square().mean()) / units::nm, 4.68792, 1e-4 * 4.68792);
 }
 
-TEST(IndexJsonContainer, CheckFindsNothing) {
+TEST(IndexJsonContainer, CheckFindsNoProblem) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "topography/containers/index_json.zip");
     const auto report = check_container(bytes::file_source(path.string()));
     EXPECT_EQ(report.file.generation, ContainerGeneration::skeleton);

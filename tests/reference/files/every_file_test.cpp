@@ -47,7 +47,7 @@ std::vector<fs::path> all_files() {
     return files;
 }
 
-/// What a user would say of a file that leaves its size or unit open.
+/// Size and unit that a user would give for a file without them.
 ReadOptions said_by_the_user(const fs::path& path) {
     ReadOptions options{.unit = "nm"};
     const auto listed = open(path.string(), options);
@@ -75,7 +75,7 @@ void expect_consistent(const Channel& channel) {
     EXPECT_EQ(metadata.format, info.format);
 }
 
-TEST(EveryFile, OpensOrIsRefusedForItsReason) {
+TEST(EveryFile, OpensOrIsRefusedForTheExpectedReason) {
     const auto files = all_files();
     if (files.empty()) GTEST_SKIP() << "no files of instruments in " << tests::reference_data_folder();
     for (const auto& path : files) {
@@ -103,7 +103,7 @@ std::uint64_t bytes_read() {
     return 0;
 }
 
-TEST(EveryFile, LargerThanTwoMegabytesOpensFromLessThanOne) {
+TEST(EveryFile, LargerThanTwoMegabytesOpensFromLessThanOneMegabyte) {
     if (bytes_read() == 0) GTEST_SKIP() << "this system does not count the bytes a process reads";
     int looked_at = 0;
     for (const auto& path : all_files()) {
@@ -120,7 +120,7 @@ TEST(EveryFile, LargerThanTwoMegabytesOpensFromLessThanOne) {
     if (looked_at == 0) GTEST_SKIP() << "no files of instruments in " << tests::reference_data_folder();
 }
 
-/// What opening and reading all channels of bytes says is wrong; nothing where they are read.
+/// The error of opening and reading all channels of bytes; empty if they are read.
 std::string error_of(const std::string& content, const ReadOptions& options) {
     try {
         for (const auto& channel : open(bytes::memory_source("cut", content), options))
@@ -131,7 +131,7 @@ std::string error_of(const std::string& content, const ReadOptions& options) {
     return {};
 }
 
-TEST(EveryFile, CutAnywhereIsRefusedWithThePlace) {
+TEST(EveryFile, TruncatedAnywhereIsRefusedWithTheOffset) {
     constexpr std::size_t cuts = 64;
     // bytes at the end that programs add for themselves and no header announces
     const std::map<std::string, std::size_t> footers{{"spot_1-1000nm.ibw", 110'000}, {"plu-1.plu", 133'200}};

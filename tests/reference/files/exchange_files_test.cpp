@@ -42,16 +42,16 @@ TEST(X3p2, AgreesWithSurfaceTopography) {
                    1e-20);
 }
 
-TEST(X3p2, PlaceholdersOfItsProgramAreNoMetadata) {
+TEST(X3p2, PlaceholdersAreNotReadAsMetadata) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "topography/surfacetopography/x3p-2.x3p");
     const auto info = open(path.string()).at(0).info;
-    EXPECT_EQ(info.metadata.acquisition_time, "");  // the file says 1970-01-01T01:00:00
+    EXPECT_EQ(info.metadata.acquisition_time, "");  // the file states 1970-01-01T01:00:00
     EXPECT_EQ(info.metadata.instrument.name, "Mountains Map Technology Software");
     EXPECT_EQ(info.metadata.attributes.at("manufacturer"), "DIGITAL SURF");
     EXPECT_FALSE(info.metadata.attributes.contains("serial_number"));  // "not available"
 }
 
-TEST(IsoSamples, TellWhoMeasured) {
+TEST(IsoSamples, NameTheOperator) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "topography/x3p/ISO5436-sample4_bin.x3p");
     const auto info = open(path.string()).at(0).info;
     EXPECT_EQ(info.shape, (std::vector<Index>{4, 4}));
@@ -72,7 +72,7 @@ TEST(IsoSamples, AbsoluteAxisGivesTheSize) {
     EXPECT_NEAR(map.heights(3, 3), 1.784303361535036, 1e-12);
 }
 
-TEST(Pyramid, RisesToItsMiddle) {
+TEST(Pyramid, HasItsMaximumInTheMiddle) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "topography/x3p/pyramid.x3p");
     const auto map = std::get<HeightMap>(read(path.string()));
     EXPECT_EQ(map.shape(), (std::array<Index, 2>{5, 5}));
@@ -81,7 +81,7 @@ TEST(Pyramid, RisesToItsMiddle) {
     EXPECT_TRUE((map.heights == map.heights.transpose()).all());
 }
 
-TEST(Sdf1, HoldsTheNumbersItShows) {
+TEST(Sdf1, HasTheNumbersPrintedInTheFile) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "topography/surfacetopography/sdf-1.sdf");
     const auto channel = open(path.string()).at(0);
     EXPECT_EQ(channel.info.shape, (std::vector<Index>{7, 4}));
@@ -100,7 +100,7 @@ TEST(Sdf1, HoldsTheNumbersItShows) {
 }
 
 /// The file states no units. data[row][column] as gwyfile 0.3.0 (PyPI) reads it, and its mean and standard deviation.
-TEST(TestGwy, HoldsTheHeightsItsPackageReads) {
+TEST(TestGwy, HasTheHeightsOfThePackage) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "topography/gwyddion/test.gwy");
     const auto channel = open(path.string()).at(0);
     EXPECT_EQ(channel.info.shape, (std::vector<Index>{128, 128}));

@@ -12,7 +12,7 @@ namespace {
 
 bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-TEST(RealFiles, ColumnsOfMemsLoopsAreNamedAndUndecided) {
+TEST(RealFiles, AmbiguousColumnsOfMemsLoopsAreNamed) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "jkr/pdms_a.txt");
     const auto guess = tables::guess_columns(path.string());
     EXPECT_EQ(guess.columns.size(), 6u);
@@ -24,7 +24,7 @@ TEST(RealFiles, ColumnsOfMemsLoopsAreNamedAndUndecided) {
     EXPECT_THROW((void)tables::mapping_from(guess), FormatError);
 }
 
-TEST(RealFiles, LadybugSummaryIsReadWithItsWords) {
+TEST(RealFiles, LadybugSummaryIsReadWithItsTextColumns) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "force_curves/ladybug_pad_summary.txt");
     const auto table = tables::read_raw_table(bytes::file_source(path.string()));
     ASSERT_EQ(table.columns.size(), 42u);

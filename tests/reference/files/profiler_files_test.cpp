@@ -21,7 +21,7 @@ using topography::LineScan;
 
 std::string in_folder(const std::string& name) { return "topography/surfacetopography/" + name; }
 
-TEST(OpdFile, HeightsSizeAndTime) {
+TEST(OpdFile, HasTheExpectedHeightsSizeAndTime) {
     SETAE_REQUIRE_REFERENCE_DATA(path, in_folder("opd-1.opd"));
     const auto channels = open(path.string());
     ASSERT_EQ(channels.size(), 4u);
@@ -32,7 +32,7 @@ TEST(OpdFile, HeightsSizeAndTime) {
     for (std::size_t k = 1; k < channels.size(); ++k) EXPECT_FALSE(channels[k].info.is_height) << channels[k].info.name;
 }
 
-TEST(OpdFile, ExtentsOfItsTreeGoFromTheFirstPointToTheLast) {
+TEST(OpdFile, ExtentsAreFromTheFirstPointToTheLast) {
     SETAE_REQUIRE_REFERENCE_DATA(path, in_folder("opd-1.opd"));
     const auto channels = open(path.string());
     EXPECT_EQ(channels[2].info.name, "Modulation");
@@ -41,7 +41,7 @@ TEST(OpdFile, ExtentsOfItsTreeGoFromTheFirstPointToTheLast) {
             << "the same pixels by extent and by pixel size";
 }
 
-TEST(OpdxFile, AgreesWithItsExport) {
+TEST(OpdxFile, AgreesWithItsTextExport) {
     SETAE_REQUIRE_REFERENCE_DATA(path, in_folder("opdx-3.opdx"));
     SETAE_REQUIRE_REFERENCE_DATA(export_path, in_folder("opdx-3.txt"));
     const auto scan = std::get<LineScan>(read(path.string()));
@@ -57,7 +57,7 @@ TEST(OpdxFile, AgreesWithItsExport) {
     EXPECT_NEAR(scan.size / units::um, 49.98334, 1e-5);
 }
 
-TEST(OpdxFile, TellsStylusAndInstrument) {
+TEST(OpdxFile, ReadsStylusAndInstrument) {
     SETAE_REQUIRE_REFERENCE_DATA(path, in_folder("opdx-3.opdx"));
     const auto metadata = open(path.string()).at(0).info.metadata;
     EXPECT_EQ(metadata.instrument.name, "Dektak Profiler");
@@ -69,7 +69,7 @@ TEST(OpdxFile, TellsStylusAndInstrument) {
     EXPECT_EQ(metadata.attributes.at("data_set"), "Reference-2021.11.02_50um.OPDx");
 }
 
-TEST(MetroProFile, HeightsSizeAndTime) {
+TEST(MetroProFile, HasTheExpectedHeightsSizeAndTime) {
     SETAE_REQUIRE_REFERENCE_DATA(path, in_folder("metropro-1.dat"));
     const auto channels = open(path.string());
     ASSERT_EQ(channels.size(), 2u);
@@ -80,14 +80,14 @@ TEST(MetroProFile, HeightsSizeAndTime) {
     EXPECT_FALSE(channels[1].info.is_height);
 }
 
-TEST(BcrFile, HeightsAreThoseOfAnotherReader) {
+TEST(BcrFile, HeightsMatchAnotherReader) {
     SETAE_REQUIRE_REFERENCE_DATA(path, in_folder("bcrf-1.bcrf"));
     expect_heights_of(open(path.string()).at(0), expected_entry(in_folder("bcrf-1.bcrf")), units::nm);
 }
 
 /// mnt-1.mnt holds the same measurement, with the distance from point to point: xlength goes from the first to the
 /// last.
-TEST(BcrFile, SizeAndHeightsAreThoseOfTheSameMeasurementInAnotherFormat) {
+TEST(BcrFile, MatchesTheSameMeasurementInAnotherFormat) {
     SETAE_REQUIRE_REFERENCE_DATA(path, in_folder("bcrf-1.bcrf"));
     const auto channel = open(path.string()).at(0);
     const auto map = std::get<HeightMap>(channel.read());
@@ -101,7 +101,7 @@ TEST(BcrFile, SizeAndHeightsAreThoseOfTheSameMeasurementInAnotherFormat) {
     EXPECT_EQ(channel.info.alerts.at(0).code, "SIZE_BETWEEN_POINTS");
 }
 
-TEST(NmsFile, HeightsAreThoseOfAnotherReader) {
+TEST(NmsFile, HeightsMatchAnotherReader) {
     SETAE_REQUIRE_REFERENCE_DATA(path, in_folder("nms-1.nms"));
     const auto channels = open(path.string());
     ASSERT_EQ(channels.size(), 2u);
@@ -111,13 +111,13 @@ TEST(NmsFile, HeightsAreThoseOfAnotherReader) {
 }
 
 /// The other reader takes the pitch of 312.5 for mm.
-TEST(NmsFile, MapIsOf160Micrometres) {
+TEST(NmsFile, MapIs160MicrometresWide) {
     SETAE_REQUIRE_REFERENCE_DATA(path, in_folder("nms-1.nms"));
     const auto channel = open(path.string()).at(0);
     for (const double size : channel.info.size) EXPECT_NEAR(size / units::um, 160.0, 1e-5);
 }
 
-TEST(FrtFile, HeightsSizeAndInstrument) {
+TEST(FrtFile, HasTheExpectedHeightsSizeAndInstrument) {
     SETAE_REQUIRE_REFERENCE_DATA(path, in_folder("frt-2.frt"));
     const auto channels = open(path.string());
     ASSERT_EQ(channels.size(), 2u);
@@ -127,7 +127,7 @@ TEST(FrtFile, HeightsSizeAndInstrument) {
     EXPECT_EQ(channels[1].info.name, "Intensity");
 }
 
-TEST(TrueMapFile, HeightsAndSizeInTheUnitAssumed) {
+TEST(TrueMapFile, HeightsAndSizeAreInTheAssumedUnit) {
     SETAE_REQUIRE_REFERENCE_DATA(path, in_folder("tmd-1.tmd"));
     const auto channel = open(path.string()).at(0);
     expect_entry_of(channel, expected_entry(in_folder("tmd-1.tmd")), units::mm);
@@ -142,7 +142,7 @@ Index highest(const Array1D& line, Index first, Index last) {
 }
 
 /// The surface is a dime, 17.91 mm across the outside of its rim.
-TEST(TrueMapFile, UnitAssumedMakesTheCoinAsLargeAsItIs) {
+TEST(TrueMapFile, AssumedUnitGivesTheTrueSizeOfTheCoin) {
     SETAE_REQUIRE_REFERENCE_DATA(path, in_folder("tmd-1.tmd"));
     const auto map = std::get<HeightMap>(read(path.string()));
     const Array1D middle = map.heights.col(150);

@@ -44,7 +44,7 @@ double correlation(const Array2D& a, const Array2D& b) {
     return ((a - a.mean()) * (b - b.mean())).mean() / (spread(a) * spread(b));
 }
 
-TEST(JpkFile, SumOfTheHeightIsTheOnePublished) {
+TEST(JpkFile, SumOfHeightsMatchesThePublishedOne) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "topography/afmreader/sample_0.jpk");
     const auto channels = open(path.string());
     ASSERT_EQ(channels.size(), 10u);
@@ -66,7 +66,7 @@ TEST(JpkFile, ListsEveryChannelWithItsUnit) {
     EXPECT_FALSE(named(channels, "Lock-In Amplitude (trace)").info.is_height);
 }
 
-TEST(JpkFile, MeasuredHeightFollowsTheHeightOfThePiezo) {
+TEST(JpkFile, MeasuredHeightFollowsThePiezoHeight) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "topography/afmreader/sample_0.jpk");
     const auto channels = open(path.string());
     EXPECT_GT(correlation(map_of(named(channels, "Height (trace)")).heights,
@@ -77,7 +77,7 @@ TEST(JpkFile, MeasuredHeightFollowsTheHeightOfThePiezo) {
               0.9);
 }
 
-TEST(JpkQiFile, SumOfTheHeightIsTheOnePublished) {
+TEST(JpkQiFile, SumOfHeightsMatchesThePublishedOne) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "topography/afmreader/sample_0.jpk-qi-image");
     const auto channels = open(path.string());
     ASSERT_EQ(channels.size(), 6u);
@@ -105,7 +105,7 @@ TEST(ParkFile, HasShapeSizeAndHeightsOfAnotherReader) {
     EXPECT_EQ(map.metadata.acquisition_time, "2022:10:15 17:07:06");
 }
 
-TEST(ParkFile, OrientationIsThatOfThePictureInTheSameFile) {
+TEST(ParkFile, OrientationMatchesThePictureInTheFile) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "topography/surfacetopography/example_ps.tiff");
     const auto map = map_of(open(path.string()).at(0));
     const auto bytes =
@@ -122,7 +122,7 @@ TEST(ParkFile, OrientationIsThatOfThePictureInTheSameFile) {
     EXPECT_LT(std::abs(correlation(heights.transpose(), picture)), 0.1);
 }
 
-TEST(IbwFile, HeightsAreThoseOfAnotherReader) {
+TEST(IbwFile, HeightsMatchAnotherReader) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "topography/surfacetopography/spot_1-1000nm.ibw");
     const auto channels = open(path.string());
     ASSERT_EQ(channels.size(), 8u);
@@ -149,8 +149,8 @@ TEST(IbwFile, ScanSizeLiesBetweenFirstAndLastPoint) {
     EXPECT_NEAR(map.size[1], 2.007843137254902e-05, 1e-17);
 }
 
-/// The wave says "m" of all eight channels, also of volts and degrees.
-TEST(IbwFile, PotentialIsNoLength) {
+/// The wave states "m" for all eight channels, also for volts and degrees.
+TEST(IbwFile, PotentialIsNotALength) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "topography/surfacetopography/spot_1-1000nm.ibw");
     const auto channels = open(path.string());
     for (const auto& [name, unit] : {std::pair{"NapPotentialTrace", "V"},
@@ -162,7 +162,7 @@ TEST(IbwFile, PotentialIsNoLength) {
     }
 }
 
-TEST(IbwFile, WithoutUnitTakesTheUsers) {
+TEST(IbwFile, WithoutUnitUsesTheGivenUnit) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "topography/surfacetopography/10x10-one_channel_without_name.ibw");
     const auto open_question = open(path.string()).at(0);
     EXPECT_TRUE(open_question.info.unit.empty());
@@ -174,7 +174,7 @@ TEST(IbwFile, WithoutUnitTakesTheUsers) {
     expect_corners(map, units::nm, {1.0, 1.0, 2.0, 2.0});
 }
 
-TEST(MiFile, HeightsAreThoseOfAnotherReader) {
+TEST(MiFile, HeightsMatchAnotherReader) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "topography/surfacetopography/mi-1.mi");
     const auto channels = open(path.string());
     ASSERT_EQ(channels.size(), 4u);
@@ -195,7 +195,7 @@ TEST(MiFile, HeightsAreThoseOfAnotherReader) {
 
 /// The rms that its manufacturer's package publishes for this file, after the best straight line of each line of the
 /// scan is removed.
-TEST(NanosurfFile, RmsAfterFlatteningIsTheOnePublished) {
+TEST(NanosurfFile, RmsAfterFlatteningMatchesThePublishedOne) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "topography/nanosurf/sapphire.nid");
     const auto channels = open(path.string());
     ASSERT_EQ(channels.size(), 8u);
@@ -229,7 +229,7 @@ TEST(NanoscopeFile, ListsEachChannelWithDirectionAndUnit) {
     EXPECT_EQ(channels[0].info.metadata.attributes.at("scan_direction"), "down");
 }
 
-TEST(NanoscopeFile, AmplitudeInVoltsIsNoHeight) {
+TEST(NanoscopeFile, AmplitudeInVoltsIsNotAHeight) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "topography/nanoscope/full_multiple_images.txt");
     const auto channels = open(path.string());
     ASSERT_EQ(channels.size(), 2u);

@@ -35,7 +35,7 @@ double median_of_start(const Array1D& values) {
     return 0.5 * (start[(n - 1) / 2] + start[n / 2]);
 }
 
-TEST_P(MemsLoop, IsReadThroughTheMapping) {
+TEST_P(MemsLoop, IsReadWithTheMapping) {
     SETAE_REQUIRE_REFERENCE_DATA(path, std::string("jkr/") + GetParam().file);
     const auto table = tables::read_mapped_table(path.string(), tables::read_mapping(mapping_path));
     tables::require_loop_columns(table, path.string());
@@ -56,7 +56,7 @@ INSTANTIATE_TEST_SUITE_P(Files, MemsLoop,
                                          Loop{"pdms_c.txt", 2068, 3171, -2119.1},
                                          Loop{"pdms_10-1_d.txt", 3101, 949, -2797.0}));
 
-TEST(MemsTable, OfDriftOnlyIsRefusedForItsMissingColumn) {
+TEST(MemsTable, WithDriftOnlyIsRefusedForTheMissingColumn) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "jkr/drift_only.txt");
     try {
         (void)tables::read_mapped_table(path.string(), tables::read_mapping(mapping_path));
@@ -66,7 +66,7 @@ TEST(MemsTable, OfDriftOnlyIsRefusedForItsMissingColumn) {
     }
 }
 
-TEST(MemsTable, WithoutForceIsNoLoop) {
+TEST(MemsTable, WithoutForceIsNotALoop) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "jkr/pdms_a.txt");
     EXPECT_THROW((void)tables::read_loop_table(path.string()), FormatError);
 }

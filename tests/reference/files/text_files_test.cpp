@@ -34,7 +34,7 @@ void PrintTo(const TextFile& file, std::ostream* stream) { *stream << file.name;
 
 class TextFiles : public testing::TestWithParam<TextFile> {};
 
-TEST_P(TextFiles, HoldWhatAnotherReaderFinds) {
+TEST_P(TextFiles, HaveTheHeightsOfAnotherReader) {
     const auto& file = GetParam();
     SETAE_REQUIRE_REFERENCE_DATA(path, in_folder(file.name));
     const auto entry = expected_entry(in_folder(file.name));
@@ -71,7 +71,7 @@ INSTANTIATE_TEST_SUITE_P(
         return name;
     });
 
-TEST(TextFile, ProfileWithAnUndefinedPointHasTheOthersHeights) {
+TEST(TextFile, ProfileWithAnUndefinedPointHasTheExpectedHeights) {
     SETAE_REQUIRE_REFERENCE_DATA(path, in_folder("xy-6.txt"));
     const auto profile = std::get<Profile>(read(path.string(), 0, microns));
     EXPECT_EQ(profile.positions.size(), 4);
@@ -79,7 +79,7 @@ TEST(TextFile, ProfileWithAnUndefinedPointHasTheOthersHeights) {
     for (const double height : profile.heights) EXPECT_TRUE(std::isnan(height) || height == 1.0 * units::um) << height;
 }
 
-TEST(TextFile, PackedTwinIsTheSameToTheBit) {
+TEST(TextFile, CompressedCopyIsEqualToTheBit) {
     SETAE_REQUIRE_REFERENCE_DATA(path, in_folder("matrix-4.txt"));
     const auto plain = std::get<HeightMap>(read(path.string())),
                packed = std::get<HeightMap>(read(path.string() + ".gz"));
@@ -87,7 +87,7 @@ TEST(TextFile, PackedTwinIsTheSameToTheBit) {
     EXPECT_EQ(plain.size, packed.size);
 }
 
-TEST(TextFile, ColumnsWithoutUnitTellWhatIsMissing) {
+TEST(TextFile, ColumnsWithoutUnitReportTheMissingUnit) {
     SETAE_REQUIRE_REFERENCE_DATA(path, in_folder("xy-1.txt"));
     const auto channel = open(path.string()).at(0);
     EXPECT_EQ(channel.info.shape, std::vector<Index>{132});
@@ -95,7 +95,7 @@ TEST(TextFile, ColumnsWithoutUnitTellWhatIsMissing) {
     EXPECT_THROW((void)channel.read(), InvalidArgument);
 }
 
-TEST(TextFile, ThreeColumnsWithoutHeaderSayHowTheyAreTaken) {
+TEST(TextFile, ThreeColumnsWithoutHeaderReportTheirInterpretation) {
     for (const auto* name : {"xyz-1.txt", "xyz-1-different-order.txt", "xyz-2.txt"}) {
         SETAE_REQUIRE_REFERENCE_DATA(path, in_folder(name));
         const auto points = open(path.string(), microns).at(0);
@@ -107,7 +107,7 @@ TEST(TextFile, ThreeColumnsWithoutHeaderSayHowTheyAreTaken) {
     }
 }
 
-TEST(Dektak, KeepsItsResults) {
+TEST(Dektak, KeepsResultsOfTheInstrument) {
     SETAE_REQUIRE_REFERENCE_DATA(path, in_folder("dektak-1.csv"));
     const auto metadata = topography::metadata(read(path.string()));
     EXPECT_DOUBLE_EQ(metadata.instrument.tip_radius.value(), 2.5e-6);
@@ -116,7 +116,7 @@ TEST(Dektak, KeepsItsResults) {
     EXPECT_EQ(metadata.attributes.at("Force"), "3.00 mg");
 }
 
-TEST(Mitutoyo, KeepsTheInstrumentsOwnParameters) {
+TEST(Mitutoyo, KeepsParametersOfTheInstrument) {
     SETAE_REQUIRE_REFERENCE_DATA(path, in_folder("mitutoyo_2_mock.xlsx"));
     const auto metadata = topography::metadata(read(path.string()));
     for (const auto& [name, value] :
@@ -158,7 +158,7 @@ TEST(Dabam, GivesThePublishedRmsHeights) {
     }
 }
 
-TEST(Dabam, NumbersAloneOpenByTheirHeader) {
+TEST(Dabam, NumbersWithoutDescriptionOpenByTheirHeader) {
     for (const auto* name : {"dabam-010", "dabam-014", "dabam-041"}) {
         SETAE_REQUIRE_REFERENCE_DATA(path, std::string("topography/profiles/") + name + ".dat");
         const auto beside = open(path.string());
@@ -172,7 +172,7 @@ TEST(Dabam, NumbersAloneOpenByTheirHeader) {
     }
 }
 
-TEST(Dabam, NumbersWithoutDescriptionNorNamesAskForTheirUnit) {
+TEST(Dabam, NumbersWithoutDescriptionOrNamesRequireAUnit) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "topography/profiles/dabam-045.dat");
     const auto channel = open(bytes::memory_source("alone.dat", bytes::read_file(path.string())), {}).at(0);
     EXPECT_EQ(channel.info.format, "xy");
@@ -180,7 +180,7 @@ TEST(Dabam, NumbersWithoutDescriptionNorNamesAskForTheirUnit) {
     EXPECT_TRUE(channel.info.unit.empty());
 }
 
-TEST(TextFile, NonsenseIsRefused) {
+TEST(TextFile, OtherTextIsRefused) {
     SETAE_REQUIRE_REFERENCE_DATA(path, in_folder("nonsense_txt_file.txt"));
     EXPECT_THROW((void)open(path.string()), FormatError);
 }

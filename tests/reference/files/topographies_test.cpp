@@ -50,7 +50,7 @@ Type leveled(const Channel& channel) {
     return std::get<Type>(topography::detrended(channel.read(), channel.info.recommended_trend.value()));
 }
 
-TEST(UncdContainer, GivesThreeMeasurementsScaledOnce) {
+TEST(UncdContainer, HasThreeMeasurementsScaledOnce) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "topography/surfacetopography/container-2.zip");
     const auto channels = open(path.string());
     ASSERT_EQ(channels.size(), 3u);
@@ -79,7 +79,7 @@ TEST(UncdContainer, GivesThreeMeasurementsScaledOnce) {
     EXPECT_NEAR(std::sqrt(stylus.heights.square().mean()) / units::nm, 12.1236, 1e-4 * 12.1236);
 }
 
-TEST(IndexJsonContainer, HoldsItsClosedForms) {
+TEST(IndexJsonContainer, HasTheHeightsOfClosedForms) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "topography/containers/index_json.zip");
     const auto channels = open(path.string());
     ASSERT_EQ(channels.size(), 2u);
@@ -186,7 +186,7 @@ TEST(Nanoscope, FlatteningOfFirstOrderReproducesTheExport) {
     EXPECT_NEAR(heights.abs().mean(), 3.433, 5e-4);
 }
 
-TEST(X3p, BinaryAndListedTwinsAgree) {
+TEST(X3p, BinaryAndListedVersionsAgree) {
     for (const auto* name : {"topography/x3p/ISO5436-sample4", "topography/x3p/ISO5436-sample1"}) {
         SETAE_REQUIRE_REFERENCE_DATA(binary_path, std::string(name) + "_bin.x3p");
         const auto binary = std::get<HeightMap>(read(binary_path.string()));
@@ -200,7 +200,7 @@ TEST(X3p, BinaryAndListedTwinsAgree) {
     }
 }
 
-TEST(X3p, SignedHeightsTakeTheOffsetOfTheAxis) {
+TEST(X3p, SignedHeightsUseTheOffsetOfTheAxis) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "topography/x3p/ISO5436-sample4_bin.x3p");
     const auto map = std::get<HeightMap>(read(path.string()));
     EXPECT_NEAR(map.heights.isNaN().select(-1.0, map.heights).maxCoeff(), 1.048, 1e-12);
@@ -208,7 +208,7 @@ TEST(X3p, SignedHeightsTakeTheOffsetOfTheAxis) {
     EXPECT_TRUE(std::isnan(map.heights(3, 1)));
 }
 
-TEST(X3p, PyramidHasItsMean) {
+TEST(X3p, PyramidHasTheExpectedMean) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "topography/x3p/pyramid.x3p");
     const auto map = std::get<HeightMap>(read(path.string()));
     EXPECT_NEAR(map.heights.mean(), 3.6, 1e-12);
@@ -220,7 +220,7 @@ TEST(X3p, PointCloudsAreRefused) {
     EXPECT_THROW((void)open(path.string()), FormatError);
 }
 
-TEST(OtherFormats, AreRefusedWithOneLine) {
+TEST(OtherFormats, AreRefusedWithAOneLineMessage) {
     for (const auto* name : {"nonsense_txt_file.txt", "wrongnpyfile.npy"}) {
         SETAE_REQUIRE_REFERENCE_DATA(path, in_folder(name));
         try {

@@ -56,7 +56,7 @@ TEST(Mnt, IsTheSameSurfaceInAnotherFormat) {
     for (std::size_t i = 0; i < 2; ++i) EXPECT_NEAR(map.size[i] / other.size[i], 1.0, 1e-7);
 }
 
-TEST(Mnt, HeightsAreNoHundredThousandTimesTooLarge) {
+TEST(Mnt, HeightsAreNotAHundredThousandTimesTooLarge) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "topography/surfacetopography/mnt-1.mnt");
     const auto heights = std::get<topography::HeightMap>(read(path.string())).heights;
     EXPECT_NEAR(std::sqrt((heights - heights.mean()).square().mean()) / units::nm, 24.560210, 1e-5);

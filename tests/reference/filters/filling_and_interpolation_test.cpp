@@ -72,7 +72,7 @@ TEST_F(AnalysisCases, BicubicInterpolationAgreesWithoutANyquistMode) {
     }
 }
 
-TEST_F(AnalysisCases, SlopesDoNotDependOnWhichDirectionIsCalledX) {
+TEST_F(AnalysisCases, SlopesDoNotDependOnTheNamesOfTheAxes) {
     // the package's Fourier derivative along y of a map with even ny holds the Nyquist mode, the one along x does not:
     // transposing changes slopes by 0.15
     const HeightMap map = height_map("map_periodic");

@@ -22,7 +22,7 @@ struct Expected {
     long long weighted_numbers;  ///< Σ number · (storage index mod 13 + 1): the numbering itself
 };
 
-TEST(GeometryOfSurfaceTopography, NumbersPatchesAlike) {
+TEST(GeometryOfSurfaceTopography, NumbersPatchesEqually) {
     for (const auto& expected :
          {Expected{Neighbours::edges, false, 245, 589794}, Expected{Neighbours::edges, true, 237, 557182},
           Expected{Neighbours::edges_and_corners, false, 50, 96202},

@@ -50,13 +50,13 @@ double energy(Index n, Steps steps) {
 
 TEST(IdealLoop, LosesTheTabulatedEnergy) { EXPECT_NEAR(energy(40000, Steps::even_in_radius), loss, 1e-8); }
 
-TEST(IdealLoop, ConvergesWithSecondOrderEvenlyInRadius) {
+TEST(IdealLoop, ConvergesWithSecondOrderForEqualStepsInRadius) {
     const double coarse = energy(200, Steps::even_in_radius) - loss;
     const double fine = energy(399, Steps::even_in_radius) - loss;
     EXPECT_NEAR(std::log2(coarse / fine), 2.0, 0.01);
 }
 
-TEST(IdealLoop, ConvergesWithOrderThreeHalvesEvenlyInDisplacement) {
+TEST(IdealLoop, ConvergesWithOrderThreeHalvesInDisplacement) {
     const double coarse = energy(6400, Steps::even_in_displacement) - loss;
     const double fine = energy(12799, Steps::even_in_displacement) - loss;
     EXPECT_NEAR(std::log2(coarse / fine), 1.5, 0.05);

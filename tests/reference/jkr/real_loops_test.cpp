@@ -63,7 +63,7 @@ void expect_within(double value, double expected, double share) { EXPECT_NEAR(va
 
 class RealLoop : public testing::TestWithParam<Expected> {};
 
-TEST_P(RealLoop, GivesTheIndependentNumbers) {
+TEST_P(RealLoop, MatchesTheIndependentProgram) {
     const Expected& expected = GetParam();
     SETAE_REQUIRE_REFERENCE_DATA(path, expected.file);
     const LoopAnalysis analysis =
@@ -93,7 +93,7 @@ TEST_P(RealLoop, GivesTheIndependentNumbers) {
 
 // As users get them. Drift is linear between the two baselines, the pinned edge is left out, errors of force count: E*,
 // W of loading and the loop's energy move by less than what the two programs' choices make of them.
-TEST_P(RealLoop, AsUsersGetThemIsNearTheIndependentNumbers) {
+TEST_P(RealLoop, WithDefaultsIsCloseToTheIndependentProgram) {
     const Expected& expected = GetParam();
     SETAE_REQUIRE_REFERENCE_DATA(path, expected.file);
     const LoopAnalysis analysis = analysed(path);
@@ -104,14 +104,14 @@ TEST_P(RealLoop, AsUsersGetThemIsNearTheIndependentNumbers) {
     EXPECT_LT(std::abs(loading.work_of_adhesion.value / units::mJ_per_m2 - expected.loading_work),
               loading.work_of_adhesion.standard_error / units::mJ_per_m2);
     ASSERT_TRUE(analysis.unloading);
-    // without the pinned edge unloading and pull-off say the same
+    // without the pinned edge unloading and pull-off agree
     expect_within(analysis.unloading->primary().work_of_adhesion.value / units::mJ_per_m2, expected.pull_off_work,
                   0.015);
     expect_within(analysis.unloading->primary().contact_modulus.value, loading.contact_modulus.value, 0.06);
     expect_within(analysis.loop->energy / units::fJ, expected.loop, 0.002);
 }
 
-TEST_P(RealLoop, RetractsWithAnEdgeThatIsPinnedAtFirst) {
+TEST_P(RealLoop, RetractsWithAnInitiallyPinnedEdge) {
     SETAE_REQUIRE_REFERENCE_DATA(path, GetParam().file);
     const LoopAnalysis analysis = analysed(path);
     const LoopAnalysis whole = analyse(read_loop(path), glass_sphere_on_rubber(), {.leave_pinned_out = false});
@@ -128,7 +128,7 @@ TEST_P(RealLoop, RetractsWithAnEdgeThatIsPinnedAtFirst) {
     EXPECT_EQ(analysis.unloading->range.n + pinned.count(), whole.unloading->range.n);
 }
 
-TEST_P(RealLoop, HasItsPullOffWorkFromTheLastPointsToo) {
+TEST_P(RealLoop, LastPointsGiveThePullOffWork) {
     SETAE_REQUIRE_REFERENCE_DATA(path, GetParam().file);
     const LoopAnalysis analysis = analysed(path);
     ASSERT_TRUE(analysis.retraction);
@@ -151,7 +151,7 @@ void expect_sensitivity(const LoopAnalysis& analysis, const std::vector<double>&
         EXPECT_NEAR(analysis.loading.sensitivity[i].fit->work_of_adhesion.value / units::mJ_per_m2, work[i], 0.05);
 }
 
-TEST(RealLoops, SayHowTheFitRangeDecides) {
+TEST(RealLoops, ReportSensitivityToTheFitRange) {
     SETAE_REQUIRE_REFERENCE_DATA(first, "jkr/pdms_a.txt");
     SETAE_REQUIRE_REFERENCE_DATA(third, "jkr/pdms_c.txt");
     const LoopAnalysis sensitive = analyse(read_loop(first), glass_sphere_on_rubber(), as_the_independent_program);
@@ -161,7 +161,7 @@ TEST(RealLoops, SayHowTheFitRangeDecides) {
                        {39.6, 41.0, 43.4, 46.5});
 }
 
-TEST(RealLoops, FlagAPoorFit) {
+TEST(RealLoops, ReportAPoorFit) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "jkr/poor_fit_earlier_sensor.txt");
     const LoopAnalysis analysis = analysed(path);
     EXPECT_TRUE(has_alert(analysis, "POOR_FIT"));
@@ -169,12 +169,12 @@ TEST(RealLoops, FlagAPoorFit) {
     EXPECT_LT(analysis.loading.primary().rms_residual, 26e-9);
 }
 
-TEST(RealLoops, FlagAContactTooStiffForTheSensor) {
+TEST(RealLoops, ReportAContactTooStiffForTheSensor) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "jkr/sapphire_control.txt");
     EXPECT_TRUE(has_alert(analysed(path), "STIFFNESS_UNRESOLVED"));
 }
 
-TEST(RealLoops, MeasureTheMachineOnSapphire) {
+TEST(RealLoops, MeasureMachineStiffnessOnSapphire) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "jkr/sapphire_control.txt");
     // the stage's own position: the spring of the sensor, 3.01 N/m, is what gives way
     const std::filesystem::path by_stage = std::filesystem::path(testing::TempDir()) / "stage.toml";

@@ -49,7 +49,7 @@ const std::vector<std::pair<const char*, const char*>> detrends{{"detrend_center
                                                                 {"detrend_curvature", "level_polynomial"},
                                                                 {"detrend_rms-curvature", "level_polynomial"}};
 
-TEST_F(DetrendCases, OfALineAgreeWithThePeer) {
+TEST_F(DetrendCases, OfALineAgreeWithSurfaceTopography) {
     for (const char* name : {"profile_nonperiodic", "profile_periodic"}) {
         const auto& expected = cases[name];
         const LineScan scan{series(expected["input"]["heights"]),
@@ -61,7 +61,7 @@ TEST_F(DetrendCases, OfALineAgreeWithThePeer) {
     }
 }
 
-TEST_F(DetrendCases, OfAPolylineAgreeWithThePeer) {
+TEST_F(DetrendCases, OfAPolylineAgreeWithSurfaceTopography) {
     const auto& expected = cases["nonuniform"];
     const Profile profile{series(expected["input"]["x"]), series(expected["input"]["h"]), {}};
     expect_same(after({"level_mean"}, profile).heights, series(expected["detrend_center"]), "detrend_center");
@@ -83,7 +83,7 @@ double mean_square(const Profile& profile, const Polynomial& p) {
     return sum;
 }
 
-TEST_F(DetrendCases, ParabolaOfAPolylineIsCloserToItThanThePeers) {
+TEST_F(DetrendCases, ParabolaOfAPolylineIsCloserThanInSurfaceTopography) {
     // the peer minimises the rms of the polyline through the residuals at the points, which changes where collinear
     // points are added
     const auto& expected = cases["nonuniform"];
@@ -110,7 +110,7 @@ TEST_F(DetrendCases, ParabolaOfAPolylineIsCloserToItThanThePeers) {
     EXPECT_NEAR(our_square / their_square, 1.0, 1e-6);
 }
 
-TEST_F(DetrendCases, OfAMapAgreeWithThePeerInHeightsAndCoefficients) {
+TEST_F(DetrendCases, OfAMapAgreeWithSurfaceTopography) {
     const auto input = height_map("map_nonperiodic");
     const auto& expected = cases["map_nonperiodic"];
     for (const auto& [theirs, ours] : detrends)
@@ -128,11 +128,11 @@ TEST_F(DetrendCases, OfAMapAgreeWithThePeerInHeightsAndCoefficients) {
     EXPECT_NEAR(paraboloid.value(input.size[0], input.size[1]), c.sum(), 1e-10);
 }
 
-TEST_F(DetrendCases, OfAMaskedMapAgreeWithThePeer) {
+TEST_F(DetrendCases, OfAMaskedMapAgreeWithSurfaceTopography) {
     expect_same(after({"level_plane"}, masked_map()).heights, matrix(cases["map_masked"]["detrend_height"]), "masked");
 }
 
-TEST_F(DetrendCases, AlignmentOfScanLinesIsThePeersUpToAConstant) {
+TEST_F(DetrendCases, AlignmentOfScanLinesAgreesUpToAConstant) {
     const auto input = height_map("map_nonperiodic");
     for (const std::string direction : {"x", "y"}) {
         const auto level = "level_lines direction=" + direction, align = "align_rows direction=" + direction;

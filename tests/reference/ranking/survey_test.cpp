@@ -27,7 +27,7 @@ const EstimatorSurvey& of(const std::vector<EstimatorSurvey>& surveys, const std
 }
 
 // exact inputs, no scatter, no noise: every W_app is the full-contact balance at the true W_int
-TEST(EstimatorSurvey, DataSetsAreMadeWithTheTrueWork) {
+TEST(EstimatorSurvey, DataSetsFollowTheTrueWork) {
     EstimatorDesign design{"exact", published().points(), {}, -1};
     for (auto& pair : design.pairs) {
         pair.slope_inputs = pair.offset_inputs = pair.measured_inputs = {};
@@ -39,7 +39,7 @@ TEST(EstimatorSurvey, DataSetsAreMadeWithTheTrueWork) {
     EXPECT_GE(std::ranges::count_if(drawn, [](const auto& pair) { return pair.measured.value < 1e-8; }), 1);
 }
 
-TEST(EstimatorSurvey, PosteriorCoversWhereLeastSquaresDoesNot) {
+TEST(EstimatorSurvey, PosteriorCoversTrueValuesBetterThanLeastSquares) {
     constexpr double part = 0.005;
     const auto surveys = survey_estimators({"16 pairs", published().points(), {part, part, part}, 3}, 20, 1);
     const auto &posterior = of(surveys, "posterior"), &least_squares = of(surveys, "least squares, pairs independent");
@@ -67,13 +67,13 @@ TEST(RankingSurvey, OpeningWorkExcludesReversible) {
     EXPECT_GT(found.odds_lower, std::log(hysteresis::clearly_better_odds));
 }
 
-TEST(RankingSurvey, AConstantIsRefused) {
+TEST(RankingSurvey, RejectsAConstantBias) {
     const auto biased = calibrate_bias(published().ranked(), truth_of(opening, 0.008), 0.06, 5, 1);
     EXPECT_EQ(biased.sets, 5);
     EXPECT_GE(biased.refused, 4);
 }
 
-TEST(RankingSurvey, JitterOfOneMillijouleKeepsTheClass) {
+TEST(RankingSurvey, OneMillijouleOfNoiseKeepsTheClassification) {
     const auto odds = jitter({opening, reversible}, published().ranked(), 0.001, 3, 1);
     ASSERT_EQ(odds.size(), 2U);
     EXPECT_EQ(odds[0].model, "opening_work");

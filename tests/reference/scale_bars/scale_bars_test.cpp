@@ -14,7 +14,7 @@ FramePixels picture(const std::filesystem::path& path) {
     return source.read(0).pixels;
 }
 
-TEST(ScaleBars, OfSootIsThatOfItsAuthors) {
+TEST(ScaleBars, OfSootMatchesTheAuthors) {
     SETAE_REQUIRE_REFERENCE_DATA(path, "tem/ExampleImage.tif");
     const auto pixels = picture(path);
     const auto bars = find_scale_bars(pixels);
@@ -41,7 +41,7 @@ TEST(ScaleBars, OfSootIsThatOfItsAuthors) {
     EXPECT_EQ(annotations(pixels).size(), 1U);
 }
 
-TEST(ScaleBars, AreNotSeenInMasks) {
+TEST(ScaleBars, AreNotFoundInMasks) {
     for (const auto* name : {"tem/20180529_A9_003.TIF", "tem/Case4_D8_007.TIF"}) {
         SETAE_REQUIRE_REFERENCE_DATA(path, name);
         EXPECT_TRUE(annotations(picture(path)).empty()) << name;

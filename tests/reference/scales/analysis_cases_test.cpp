@@ -63,7 +63,7 @@ TEST_F(AnalysisCases, VariableBandwidthsAgree) {
     expect_function(variable_bandwidth_of_area(masked_map()), cases["map_masked"]["vbw_area"]);
 }
 
-TEST_F(AnalysisCases, VariableBandwidthOfPolylinesIsTheRmsOfAllWhereThePackageTakesTheMeanOfRms) {
+TEST_F(AnalysisCases, VariableBandwidthOfPolylinesIsTheTotalRmsNotTheMeanOfRms) {
     const auto found = variable_bandwidth(polyline());
     const Array1D sizes = series(cases["nonuniform"]["vbw"][0]), means = series(cases["nonuniform"]["vbw"][1]);
     ASSERT_EQ(found.value.size(), sizes.size());
@@ -116,7 +116,7 @@ TEST_F(AnalysisCases, GradientsOfMapsAgree) {
     }
 }
 
-TEST_F(AnalysisCases, SlopesAlongXAgreeOnThePointsThePackageKeeps) {
+TEST_F(AnalysisCases, SlopesAlongXAgreeOnThePointsOfThePackage) {
     const auto& periodic = cases["map_periodic"]["sdrp_var_hx"];
     expect_function(function_of(difference_statistics(height_map("map_periodic"), {.distances = series(periodic[0])}),
                                 Statistic::variance),
@@ -169,7 +169,7 @@ TEST_F(AnalysisCases, DifferencesOfMaskedMapsUseEveryDefinedPair) {
     EXPECT_NEAR(std::sqrt(sum / count), 0.2874, 5e-5);
 }
 
-TEST_F(AnalysisCases, DifferencesOfPolylinesAgreeAtThePlacesThePackageSamples) {
+TEST_F(AnalysisCases, DifferencesOfPolylinesAgreeAtTheSamplesOfThePackage) {
     const auto& expected = cases["nonuniform"]["sdrp_var"];
     const Array1D distances = series(expected[0]), values = series(expected[1]);
     const auto profile = polyline();

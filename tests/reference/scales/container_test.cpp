@@ -58,7 +58,7 @@ HeightMap without_last_lines(const HeightMap& map, double distance) {
     return {map.heights.leftCols(kept), {map.size[0], map.pixel_size()[1] * static_cast<double>(kept)}, false, {}};
 }
 
-TEST_F(Uncd, SlopeVarianceIsThePublishedOneWithTheMapScaledOnce) {
+TEST_F(Uncd, SlopeVarianceMatchesThePublishedOne) {
     // members by distance as there: the map alone at 1 nm, map and polyline at 10 nm, polyline and line at 100 nm, then
     // the line alone; there the polyline is sampled at equal steps and the map loses its last lines
     const auto sampled = [&](double d) { return variance_at(tests::sampled_for_differences(tem, 1, d), d); };
@@ -70,7 +70,7 @@ TEST_F(Uncd, SlopeVarianceIsThePublishedOneWithTheMapScaledOnce) {
         EXPECT_NEAR(variance_at(stylus, distance) / variance, 1.0, 1e-6);
 }
 
-TEST_F(Uncd, CombinedSlopeVarianceUsesAllDataAndStaysClose) {
+TEST_F(Uncd, CombinedSlopeVarianceUsesAllDataAndIsClose) {
     std::vector<FunctionOfScale> functions;
     for (const auto& member : members)
         functions.push_back(function_of(difference_statistics(member), Statistic::variance));
@@ -87,7 +87,7 @@ TEST_F(Uncd, CombinedSlopeVarianceUsesAllDataAndStaysClose) {
         }
 }
 
-TEST_F(Uncd, AMemberCombinedAloneIsTheMember) {
+TEST_F(Uncd, OneMemberCombinedEqualsTheMember) {
     const auto alone = binned(autocorrelation_of_lines(afm));
     const auto combined = combine(std::vector{autocorrelation_of_lines(afm)});
     EXPECT_TRUE((combined.value == alone.value).all());

@@ -42,7 +42,7 @@ double exponent(const std::vector<FunctionOfScale>& functions, double lower, dou
     return (n * xy - x * y) / (n * xx - x * x);
 }
 
-TEST(SelfAffineSurfaces, HaveTheirExponentsInEveryFunctionOfScale) {
+TEST(SelfAffineSurfaces, HaveTheirExponentInEveryFunctionOfScale) {
     for (const double hurst : {0.4, 0.7}) {
         std::vector<FunctionOfScale> lines, area, bandwidth, bandwidth_area, slope, curvature;
         for (std::uint64_t seed = 1; seed <= 6; ++seed) {

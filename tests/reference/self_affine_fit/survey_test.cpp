@@ -7,7 +7,7 @@
 namespace setae::reference::survey_test {
 namespace {
 
-TEST(SelfAffineSurvey, RecoversHurstExponentsOfTwins) {
+TEST(SelfAffineSurvey, RecoversHurstExponentsOfSyntheticSurfaces) {
     const auto survey = survey_twins(2);
     EXPECT_LT(survey.rms_error, 0.02);
     EXPECT_GE(survey.hurst_covered, 1);

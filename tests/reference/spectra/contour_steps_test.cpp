@@ -57,12 +57,12 @@ std::vector<double> recovered(ContourTreatment treatment, int lines) {
     return sums;
 }
 
-TEST(ContourSteps, CorrectedSpectraRecoverTheTruthUpToFourFifthsOfTheBand) {
+TEST(ContourSteps, CorrectionRecoversTrueSpectraToFourFifthsOfTheBand) {
     // 400 lines, at least 20 modes a band, neighbours sharing the Hann window: statistical error about 1 %
     for (const double ratio : recovered(ContourTreatment::sinc_corrected, 400)) EXPECT_NEAR(ratio, 1.0, 0.03);
 }
 
-TEST(ContourSteps, SegmentsLoseWhatTheResponseSays) {
+TEST(ContourSteps, SegmentsLosePowerAsTheResponse) {
     const auto kept = recovered(ContourTreatment::segments, 40);
     EXPECT_GT(kept.front(), 0.9);
     EXPECT_LT(kept.back(), 0.45);

@@ -46,7 +46,7 @@ TEST(SelfAffineNanodiamond, FollowsFromThePublishedMomentsUpToFourAngstrom) {
     }
 }
 
-TEST(SelfAffineNanodiamond, LaterModelOfNcdHasItsMoments) {
+TEST(SelfAffineNanodiamond, LaterModelOfNcdHasThePublishedMoments) {
     const SelfAffine model{5.000e-27, 2.0 * pi / (2.000 * units::um), 0.8, 2.0 * pi / (72.2 * units::nm)};
     EXPECT_NEAR(rms_height(model) / units::nm, 93.9, 0.05);
     EXPECT_NEAR(rms_slope(model), 0.7465, 0.00005);

@@ -63,7 +63,7 @@ TEST(MixedModelReference, UnbalancedNestedValuesAgreeWithStatsmodels) { expect_c
 
 TEST(MixedModelReference, UnequalStandardErrorsAgreeWithDenseMatrices) { expect_case("dense", 1e-5); }
 
-TEST(MixedModelReference, OneVarianceBesideUnequalStandardErrorsAgreesWithPymare) { expect_case("pymare", 1e-6); }
+TEST(MixedModelReference, OneVarianceWithUnequalStandardErrorsAgreesWithPymare) { expect_case("pymare", 1e-6); }
 
 TEST(MixedModelReference, DistrictsAndSchoolsAgreeWithMetafor) {
     std::ifstream file(std::string(folder) + "konstantopoulos2011.txt");

@@ -34,11 +34,11 @@ double worst_deviation(Index points, double hurst, std::initializer_list<double>
 
 class TrueAreaOfSelfAffineMaps : public testing::TestWithParam<double> {};
 
-TEST_P(TrueAreaOfSelfAffineMaps, IsThatOfGaussianSlopes) {
+TEST_P(TrueAreaOfSelfAffineMaps, MatchesGaussianSlopes) {
     EXPECT_LT(worst_deviation(1024, GetParam(), {0.01, 0.3, 1.0, 3.0, 10.0}), 0.01);
 }
 
-TEST_P(TrueAreaOfSelfAffineMaps, Of4096PointsIsThatOfGaussianSlopes) {
+TEST_P(TrueAreaOfSelfAffineMaps, Of4096PointsMatchesGaussianSlopes) {
     EXPECT_LT(worst_deviation(4096, GetParam(), {0.01, 1.0, 10.0}), 0.01);
 }
 

@@ -126,12 +126,12 @@ private:
     fs::path folder_, path_;
 };
 
-TEST(TemFiles, AreReadAsOtherReadersReadThem) {
+TEST(TemFiles, MatchOtherReaders) {
     SETAE_REQUIRE_REFERENCE_DATA(folder, "tem");
     for (const auto& expected : pictures) expect_as(read_micrograph((folder / expected.file).string()), expected);
 }
 
-TEST(TemFiles, OfFeiAreReadAsOtherReadersReadThem) {
+TEST(TemFiles, OfFeiMatchOtherReaders) {
     SETAE_REQUIRE_REFERENCE_DATA(archive, "tem/tiff_FEI_Helios.zip");
     for (const auto& expected : zipped_pictures) {
         const Copy copy(expected.file, member_of(archive, expected.file));
@@ -142,7 +142,7 @@ TEST(TemFiles, OfFeiAreReadAsOtherReadersReadThem) {
     }
 }
 
-TEST(TemFiles, HaveUnitsOfEachAxisAndWhatTheMicroscopeWrote) {
+TEST(TemFiles, HaveUnitsPerAxisAndMicroscopeMetadata) {
     SETAE_REQUIRE_REFERENCE_DATA(folder, "tem");
     const auto mixed = read_micrograph((folder / "dmTest_float32_nonSquare_diffPixelSize.dm3").string());
     EXPECT_EQ(mixed.unit, "nm, A");
@@ -168,7 +168,7 @@ TEST(TemFiles, OfSpectraAreRefused) {
     }
 }
 
-TEST(TemFiles, CutAnywhereAreRefusedUnlessOnlyUnusedTagsAreLost) {
+TEST(TemFiles, TruncatedAreRefusedUnlessOnlyUnusedTagsAreLost) {
     SETAE_REQUIRE_REFERENCE_DATA(folder, "tem");
     for (const auto& expected : pictures) {
         const auto content = content_of(folder / expected.file);

@@ -72,7 +72,7 @@ TEST_F(TextureCases, HeightsAndGradientsOfMapsAgree) {
                 1.0, 1e-10);
 }
 
-TEST_F(TextureCases, AMapWithHolesKeepsEveryDifferenceThatExists) {
+TEST_F(TextureCases, MapsWithHolesUseEveryDefinedDifference) {
     const auto heights = height_parameters(masked_map());
     EXPECT_NEAR(heights.Sq / cases["map_masked"]["Sq"].get<double>(), 1.0, 1e-10);
     EXPECT_NEAR(heights.mean / cases["map_masked"]["mean"].get<double>(), 1.0, 1e-10);
@@ -95,7 +95,7 @@ TEST_F(TextureCases, AMapWithHolesKeepsEveryDifferenceThatExists) {
             both += !std::isnan(hx) && !std::isnan(hy) ? 1 : 0;
         }
     EXPECT_NEAR(hybrid_parameters(holed).Sdq, std::sqrt(x2 / x + y2 / y), 1e-12);
-    EXPECT_NEAR(std::sqrt(both2 / both), 0.28738572450030225, 1e-12);  // where the package says 0.2906
+    EXPECT_NEAR(std::sqrt(both2 / both), 0.28738572450030225, 1e-12);  // where the package gives 0.2906
 }
 
 TEST_F(TextureCases, HeightsAndSlopesOfAPolylineAgree) {

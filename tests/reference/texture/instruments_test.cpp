@@ -45,7 +45,7 @@ protected:
     std::map<std::string, double> values;
 };
 
-TEST_F(SurfTest, ParametersAgreeWithTheInstrumentsToItsLastDigit) {
+TEST_F(SurfTest, ParametersMatchTheInstrumentToItsLastDigit) {
     const std::map<std::string, std::string> names{{"Ra", "Ra"},      {"Rq", "Rq"}, {"Rsk", "Rsk"}, {"Rku", "Rku"},
                                                    {"Rp", "Rp"},      {"Rv", "Rv"}, {"Rz", "Rz"},   {"Rt", "Rt"},
                                                    {"Rzx", "Rz1max"}, {"Rc", "Rc"}, {"RSm", "RSm"}, {"Rdq", "RDq"}};
@@ -55,7 +55,7 @@ TEST_F(SurfTest, ParametersAgreeWithTheInstrumentsToItsLastDigit) {
     }
 }
 
-TEST_F(SurfTest, CoreParametersOfTheStoredProfileAreNearTheInstruments) {
+TEST_F(SurfTest, CoreParametersAreCloseToThoseOfTheInstrument) {
     // presumably the instrument takes them behind the filter of ISO 13565-1, of a profile the file does not hold
     const std::map<std::string, std::string> names{{"Rk", "Rk"}, {"Rpk", "Rpk"}, {"Rvk", "Rvk"}, {"Rmrk2", "Mr2"}};
     for (const auto& [ours, theirs] : names)
@@ -65,7 +65,7 @@ TEST_F(SurfTest, CoreParametersOfTheStoredProfileAreNearTheInstruments) {
     EXPECT_NEAR(values.at("Rak1"), 0.5 * values.at("Rpk") * values.at("Rmrk1"), 1e-12);
 }
 
-TEST(Mirrors, RmsHeightsOfDabamAgreeWithThePublishedOnes) {
+TEST(Mirrors, RmsHeightsOfDabamMatchPublishedValues) {
     for (const auto& [name, rms, tolerance] : {std::tuple{"dabam-010", 3.048414e-9, 2e-6},
                                                {"dabam-011", 3.23343e-9, 2e-6},
                                                {"dabam-014", 15.372782e-9, 1e-2}}) {

@@ -27,7 +27,7 @@ struct Ratios {
 
 class Eq11AgainstExact : public testing::TestWithParam<Ratios> {};
 
-TEST_P(Eq11AgainstExact, HasTheBiasOfTheory41) {
+TEST_P(Eq11AgainstExact, HasTheBiasOfTheorySection41) {
     const auto& expected = GetParam();
     const auto curve = lines_on({1.0, 1.0, expected.hurst, 1000.0});
     const auto exact = roughness::spectral_parameters(curve, roughness::Conversion::exact);

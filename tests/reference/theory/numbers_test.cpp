@@ -49,14 +49,14 @@ void expect_reconstructions(const study::StudyResult& result, double wavevector,
     }
 }
 
-TEST(PublishedTables, ContactModuliAgainstDiamond) {
+TEST(PublishedTables, ContactModuliOnDiamondMatch) {
     const std::vector<std::pair<double, double>> expected{
         {0.69e6, 0.91999923e6}, {1.03e6, 1.37333162e6}, {1.91e6, 2.54666079e6}, {10.03e6, 13.37317133e6}};
     for (const auto& [E, contact_modulus] : expected)
         EXPECT_NEAR(contact::contact_modulus({E, 0.5}, {1100e9, 0.06}), contact_modulus, 0.005) << E;
 }
 
-TEST(PublishedTables, TrueAreaRatios) {
+TEST(PublishedTables, TrueAreaRatiosMatch) {
     const std::map<std::string, double> expected{
         {"PUNCD", 1.07125}, {"UNCD", 1.68822}, {"NCD", 1.47496}, {"MCD", 1.42306}};
     for (const auto& [surface, ratio] : expected)
@@ -72,7 +72,7 @@ TEST(PublishedTables, SurfacesKeepTheirThreeMoments) {
     }
 }
 
-TEST(PublishedTables, ReconstructionWithThePapersCutoff) {
+TEST(PublishedTables, ReconstructionWithTheCutoffOfThePaperMatches) {
     expect_reconstructions(published(), 1.6e10,
                            {{"PUNCD", 0.883, 0.287, 0.177},
                             {"UNCD", 0.977, 0.282, 4.16},
@@ -82,7 +82,7 @@ TEST(PublishedTables, ReconstructionWithThePapersCutoff) {
     EXPECT_NEAR(1e9 * published().surface("PUNCD").used().parameters.elastic_energy_per_modulus, 0.177, 5e-4);
 }
 
-TEST(PublishedTables, ReconstructionWithFourAngstrom) {
+TEST(PublishedTables, ReconstructionToFourAngstromMatches) {
     const double wavevector = 2.0 * pi / 4e-10;
     const auto result = published_with_short_wavevector(wavevector);
     expect_reconstructions(result, wavevector,
@@ -96,7 +96,7 @@ TEST(PublishedTables, ReconstructionWithFourAngstrom) {
     EXPECT_NEAR(1e3 * result.persson_tosatti->work_of_adhesion.value, 25.6, 0.05);
 }
 
-TEST(PublishedTables, FitOfTheModifiedBalance) {
+TEST(PublishedTables, FitOfTheFullContactBalanceMatches) {
     const auto& fit = *published().modified;
     EXPECT_NEAR(1e3 * fit.work_of_adhesion.value, 37.1, 0.05);
     EXPECT_NEAR(fit.r_squared, 0.51, 5e-3);
@@ -107,11 +107,11 @@ TEST(PublishedTables, FitOfTheModifiedBalance) {
     EXPECT_GT(fit.likelihood->interval->upper, 0.037);
 }
 
-TEST(PublishedTables, FitOfPerssonTosatti) {
+TEST(PublishedTables, FitOfPerssonTosattiBalanceMatches) {
     EXPECT_NEAR(1e3 * published().persson_tosatti->work_of_adhesion.value, 25.75, 5e-3);
 }
 
-TEST(PublishedTables, NoSpectrumCanDoBetterThanFreeEnergies) {
+TEST(PublishedTables, FreeEnergiesGiveTheBestPossibleFit) {
     EXPECT_NEAR(1e3 * published().free_energies->work_of_adhesion, 37.67, 5e-3);
     EXPECT_NEAR(published().free_energies->r_squared, 0.733, 5e-4);
 }
@@ -142,9 +142,9 @@ TEST(PublishedTables, PerssonTosattiIsBelowTheBoundOfAnySpectrum) {
                 published().free_energies->r_squared, 1e-12);
 }
 
-// Of the sixteen pairs: ln L and residuals of surfaces left out say (7), not (S13), by 4.6 in ln L; with waves shorter
-// than 100 nm cut the two say the same.
-TEST(PublishedTables, BalancesCompared) {
+// Of the sixteen pairs: ln L and leave-one-surface-out residuals support Eq. 7, not Eq. S13, by 4.6 in ln L; with waves
+// shorter than 100 nm excluded the two agree.
+TEST(PublishedTables, ComparisonOfBalancesMatches) {
     const auto find = [&](const std::string& balance, double cut) {
         for (const auto& b : published().balances)
             if (b.balance == balance && b.shortest_wavelength == cut && b.surface_energy_factor == 1.0) return b.score;
@@ -159,7 +159,7 @@ TEST(PublishedTables, BalancesCompared) {
     EXPECT_LT(std::abs(interface.interface_change.value), 2.0 * interface.interface_change.standard_error);
 }
 
-TEST(PublishedTables, TheReconstructionFloorsThreePairsAtTenMegapascal) {
+TEST(PublishedTables, ReconstructionFloorsThreePairsAtTenMegapascal) {
     int floored = 0;
     for (const auto& pair : published().pairs)
         if (!pair.modified->work.conforms) {
@@ -170,7 +170,7 @@ TEST(PublishedTables, TheReconstructionFloorsThreePairsAtTenMegapascal) {
     EXPECT_EQ(floored, 3);
 }
 
-TEST(PublishedTables, LossOfTheSmoothSphere) {
+TEST(PublishedTables, LossOfTheSmoothSphereMatches) {
     const std::map<std::string, double> expected{{"E0.7", 0.46}, {"E1.0", 0.31}, {"E1.9", 0.23}, {"E10", 0.12}};
     ASSERT_EQ(published().references.size(), 4u);
     for (const auto& reference : published().references)
@@ -186,7 +186,7 @@ TEST(PublishedTables, LoopFitIsNullWithAReason) {
     EXPECT_EQ(json["pairs"].size(), 16u);
 }
 
-TEST(PublishedTables, CuttingAtTheContactSizeChangesAlmostNothing) {
+TEST(PublishedTables, CutoffAtTheContactSizeHasAlmostNoEffect) {
     // THEORY §2: U_el 1.3·10⁻⁵, h_rms 0.04 %, which is MCD reconstructed up to 2π/4 Å (up to 1.6·10¹⁰: 1.15·10⁻⁵, 0.034
     // %)
     const auto whole = published_with_short_wavevector(2.0 * pi / 4e-10);
@@ -198,7 +198,7 @@ TEST(PublishedTables, CuttingAtTheContactSizeChangesAlmostNothing) {
     EXPECT_NEAR(1.0 - rest.rms_height / all.rms_height, 4e-4, 5e-5);
 }
 
-TEST(PublishedTables, RunInTheSameBytesOnOneAndThreeThreads) {
+TEST(PublishedTables, GiveTheSameBytesOnOneAndThreeThreads) {
     const auto study = study::read_study("examples/nanodiamond/published.toml");
     EXPECT_EQ(output::to_json(study::run_study(study, {1})).dump(),
               output::to_json(study::run_study(study, {3})).dump());

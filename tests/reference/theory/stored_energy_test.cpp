@@ -17,9 +17,10 @@ spectra::Spectrum from_lines(const topography::HeightMap& map) {
     return spectrum;
 }
 
-TEST(StoredEnergy, OfAMapIsTheSameByEveryRoute) {
-    // roughness in modes 16 to 60 of a 256² map, so that neither window nor trend reaches it. C1D knows one direction
-    // of one realisation only, which leaves a per cent; the other two share their data and differ by rounding and bins.
+TEST(StoredEnergy, OfAMapIsEqualByEveryRoute) {
+    // roughness in modes 16 to 60 of a 256² map, so that neither window nor trend reaches it. C1D contains one
+    // direction of one realisation only, which leaves a per cent; the other two share their data and differ by rounding
+    // and bins.
     auto map = tests::self_affine_map(0.6, 256, 16, 60, 9);
     const double by_modes = adhesion::stored_energy(1e6, map);
     const double by_iso =
@@ -32,7 +33,7 @@ TEST(StoredEnergy, OfAMapIsTheSameByEveryRoute) {
     EXPECT_NEAR(adhesion::stored_energy(1e6, from_lines(map)) / by_modes, 1.0, 0.03);
 }
 
-TEST(StoredEnergy, OfAGratingShowsWhatIsotropyAssumes) {
+TEST(StoredEnergy, OfAGratingDeviatesFromTheIsotropicFormula) {
     // a grating along x taken for an isotropic surface by its lines: π/2 times too large, THEORY §4.1 turned round
     topography::HeightMap map{Array2D(128, 64), {1.0, 0.5}, true};
     for (Index i = 0; i < 128; ++i)

@@ -24,7 +24,7 @@ TEST(TrueArea, OfSelfAffineMapsFollowsTheGaussianFormula) {
     }
 }
 
-TEST(SlopeDistribution, OfASelfAffineMapIsFoundGaussianAndIsotropic) {
+TEST(SlopeDistribution, OfASelfAffineMapIsGaussianAndIsotropic) {
     const auto distribution = roughness::slope_distribution(tests::self_affine_map(0.5, 256, 2, 32, 3));
     EXPECT_GT(distribution.gaussian_p_value, 0.01);
     EXPECT_LT(distribution.isotropy_ratio, 1.1);

@@ -43,7 +43,7 @@ void expect_as_scipy(bool periodic, double sum_dilated, double sum_eroded, const
     }
 }
 
-TEST(GreyDilation, OfASurfaceThatEndsIsThatOfScipy) {
+TEST(GreyDilation, OfANonPeriodicSurfaceMatchesScipy) {
     expect_as_scipy(false, 279.07, 271.3,
                     {{0, 0, 1.68, 1.68},
                      {11, 9, 2.6, 2.6},
@@ -54,7 +54,7 @@ TEST(GreyDilation, OfASurfaceThatEndsIsThatOfScipy) {
                      {2, 3, 2.45, 2.39}});
 }
 
-TEST(GreyDilation, OfAPeriodicSurfaceIsThatOfScipy) {
+TEST(GreyDilation, OfAPeriodicSurfaceMatchesScipy) {
     expect_as_scipy(true, 284.35, 276.75,
                     {{0, 0, 2.39, 2.18},
                      {11, 9, 2.6, 2.52},

@@ -16,7 +16,7 @@ namespace causes_test {
 using namespace setae;
 
 /// E[P_k]/C1D(q_k) of the first fourteen modes of n points for C_iso = q^−(2+2H), so that C1D ∝ q^−(1+2H); relative to
-/// the fourteenth, which reads the truth.
+/// the fourteenth, which reads the true surface.
 Array1D first_modes(Index points, int trend_degree, double hurst) {
     constexpr Index first = -180, last = 90;
     const auto kernel = spectral_fit::scan_kernel({points, trend_degree}, first, last, {1});
@@ -28,7 +28,7 @@ Array1D first_modes(Index points, int trend_degree, double hurst) {
     return ratio / ratio[13];
 }
 
-TEST(TrendAndWindow, MisreadTheFirstModesAsRandomLinesDo) {
+TEST(TrendAndWindow, BiasTheFirstModesAsForRandomLines) {
     for (const double hurst : {0.7, 0.8, 0.9}) {
         const auto tilt = first_modes(512, 1, hurst), parabola = first_modes(512, 2, hurst);
         EXPECT_NEAR(tilt[0], 0.5, 0.1) << hurst;
@@ -43,7 +43,7 @@ TEST(TrendAndWindow, MisreadTheFirstModesAsRandomLinesDo) {
 }
 
 // Each cause alone, on the first surfaces of the closure: signs and sizes of THEORY §4.2.
-TEST(Causes, DoAloneWhatTheoryMeasured) {
+TEST(Causes, HaveTheEffectsOfTheory) {
     const auto folder = (std::filesystem::temp_directory_path() / "setae_causes").string();
     const auto rows = validation::summary(validation::readings_by_cause("tests/reference/validation/surfaces.toml",
                                                                         {.runs = 1, .folder = folder, .threads = {2}}));

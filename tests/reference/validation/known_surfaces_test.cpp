@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Measurements simulated on known surfaces, studied from their files: what is planted comes back.
+// Measurements simulated on known surfaces, analysed from their files: true values are recovered.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -57,7 +57,7 @@ Misfit misfit(const std::vector<Comparison>& rows,
     return found;
 }
 
-TEST(KnownSurfaces, AreHeldByTheIntervalsOfEveryQuantityAndDecade) {
+TEST(KnownSurfaces, AreCoveredByIntervalsOfEveryQuantityAndDecade) {
     const auto rows = only(complete(), "likelihood");
     ASSERT_GE(rows.size(), 18u);
     int held = 0;
@@ -70,7 +70,7 @@ TEST(KnownSurfaces, AreHeldByTheIntervalsOfEveryQuantityAndDecade) {
 
 // The cutoff of tip-based data and the simulated tip are what makes the decades right: without either they are many
 // standard deviations off.
-TEST(KnownSurfaces, AreMissedWithoutTheCutoffAndTheTip) {
+TEST(KnownSurfaces, AreNotRecoveredWithoutCutoffAndTip) {
     const auto with = misfit(only(complete(), "likelihood"));
     const auto without_both = misfit(
         only(validation_with({.tip_factor = false, .tip_band = false, .threads = {2}}, "without"), "likelihood"));
@@ -85,7 +85,7 @@ TEST(KnownSurfaces, AreMissedWithoutTheCutoffAndTheTip) {
 }
 
 // THEORY §4.2: the paper's route reads slope and curvature low, segments between contour points doing most of it.
-TEST(KnownSurfaces, AreMissedByThePapersRoute) {
+TEST(KnownSurfaces, AreNotRecoveredByTheMethodOfThePaper) {
     int curvatures = 0, slopes = 0;
     for (const auto& c : only(complete(), "paper")) {
         if (c.quantity == "rms_curvature") {
@@ -105,7 +105,7 @@ TEST(KnownSurfaces, GiveTheSameBytesForAnyNumberOfThreads) {
               comparisons_csv(complete().comparisons));
 }
 
-TEST(KnownSurfaces, RefuseWhatIsNoRun) {
+TEST(KnownSurfaces, RefuseInvalidOptions) {
     EXPECT_THROW((void)run_validation("tests/reference/validation/surfaces.toml", {.runs = 0}), InvalidArgument);
     EXPECT_THROW((void)run_validation("no_recipe.toml", {}), FileError);
 }

@@ -52,7 +52,7 @@ TEST(AfmMap, ReadsTheDilatedSurfaceAtItsPixels) {
     EXPECT_TRUE((afm_map(topography::Dilator(surface, options.tip), options).heights == map.heights).all());
 }
 
-TEST(AfmMap, TrailsARampByItsSlopeTimesTheLag) {
+TEST(AfmMap, LagsARampByItsSlopeTimesTheFeedbackLag) {
     // λ z' + z = s x with z(0) = 0: z = s (x − λ (1 − exp(−x/λ)))
     auto surface = flat();
     surface.periodic = false;
@@ -87,7 +87,7 @@ TEST(AfmMap, FollowsAWaveAsAFirstOrderFilter) {
     EXPECT_NEAR(sine, amplitude * shrunk * wave * lag, 0.003 * amplitude);
 }
 
-TEST(AfmMap, StepsToTheSurfaceBehindAHole) {
+TEST(AfmMap, JumpsToTheSurfaceAfterAHole) {
     auto surface = flat(20, 4);
     surface.heights.bottomRows(10).setConstant(1e-9);
     surface.heights.row(10).setConstant(undefined);
@@ -100,7 +100,7 @@ TEST(AfmMap, StepsToTheSurfaceBehindAHole) {
     EXPECT_NEAR(map.heights(12, 2), 1e-9 * (1.0 - std::exp(-1.0)), 1e-23);
 }
 
-TEST(AfmMap, BendsAndTiltsAsAsked) {
+TEST(AfmMap, HasTheRequestedBowAndTilt) {
     auto options = small_map(65, 33);
     options.tilt_x = 0.02;
     options.tilt_y = -0.01;
@@ -142,7 +142,7 @@ TEST(AfmMap, HasWhiteNoiseAndTheSameBytesForAnyNumberOfThreads) {
     EXPECT_TRUE((afm_map(flat(), options).heights == map.heights).all());
 }
 
-TEST(AfmMap, RefusesWhatNoInstrumentDoes) {
+TEST(AfmMap, RefusesInvalidOptions) {
     const auto refuses = [](const std::function<void(AfmOptions&)>& change) {
         auto options = small_map();
         change(options);

@@ -26,7 +26,7 @@ ProjectionOptions foils(double thickness) {
     return options;
 }
 
-TEST(ProjectionBias, OfAFoilWithoutThicknessIsNone) {
+TEST(ProjectionBias, IsOneForAFoilWithoutThickness) {
     const auto bias = projection_bias(density(rough), foils(0.0));
     EXPECT_TRUE((bias.C1D == 1.0).all());
     EXPECT_TRUE((bias.C1D_standard_error == 0.0).all());
@@ -36,7 +36,7 @@ TEST(ProjectionBias, OfAFoilWithoutThicknessIsNone) {
     EXPECT_TRUE(projection_alerts(bias, "contour").empty());
 }
 
-TEST(ProjectionBias, SparesWavesLongerThanTheFoilAndAddsKinksAtTheShortEnd) {
+TEST(ProjectionBias, KeepsWavesLongerThanTheFoilAndAddsPowerAtTheShortEnd) {
     const auto bias = projection_bias(density(rough), foils(2e-9));
     const auto last = bias.C1D.size() - 1;
     EXPECT_NEAR(bias.C1D[0], 1.0, 0.03);  // 100 nm against 2 nm
@@ -68,25 +68,25 @@ TEST(ProjectionBias, GrowsWithThickness) {
     }
 }
 
-TEST(ProjectionBias, DividedOutGivesTheLineScansOfOtherSurfaces) {
+TEST(ProjectionBias, CorrectsSilhouettesOfOtherSurfacesToLineScans) {
     const auto known = projection_bias(density(rough), foils(5e-9));
     auto options = foils(5e-9);
     options.key = {3, 0};
     const auto other = projection_bias(density(rough), options);
     const Array1D corrected = other.C1D / known.C1D;
     const Array1D error = (known.C1D_standard_error.square() + other.C1D_standard_error.square()).sqrt() / known.C1D;
-    // twelve bins at four standard errors, which eight surfaces know to a quarter
+    // twelve bins at four standard errors, which eight surfaces determine to a quarter
     for (Index b = 0; b < corrected.size(); ++b) EXPECT_NEAR(corrected[b], 1.0, 5.0 * error[b]) << b;
 }
 
-TEST(ProjectionBias, FindsTheCorrelationLengthOfAGaussianSpectrum) {
+TEST(ProjectionBias, RecoversTheCorrelationLengthOfAGaussianSpectrum) {
     // C_iso = π ℓ² h² exp(−q²ℓ²/4) has the autocorrelation h² exp(−x²/ℓ²)
     const double length = 3e-9, height = 1e-9;
     const auto gaussian = [=](double q) {
         return pi * length * length * height * height * std::exp(-0.25 * q * q * length * length);
     };
     const auto bias = projection_bias(gaussian, foils(0.0));
-    // eight maps of (102.4/3)²/π patches each know h² to 1.5 %, the length to about 1 %
+    // eight maps of (102.4/3)²/π patches each determine h² to 1.5 %, the length to about 1 %
     EXPECT_NEAR(bias.correlation_length, length, 0.04 * length);
 }
 

@@ -26,25 +26,25 @@ HeightMap map_of(const std::function<double(double, double)>& height, Index nx, 
     return map;
 }
 
-TEST(Silhouette, OfAFoilWithoutThicknessIsTheLine) {
+TEST(Silhouette, OfAFoilWithoutThicknessEqualsTheLineScan) {
     const HeightMap map{tests::random_map(30, 20), {30.0, 20.0}, true, {}};
     EXPECT_TRUE((silhouette(map, 0.0, 7.0).heights == map.heights.col(7)).all());
     EXPECT_TRUE((silhouette(map, 0.0, -1.0).heights == map.heights.col(19)).all());
 }
 
-TEST(Silhouette, OfRidgesAlongTheBeamIsTheirSection) {
+TEST(Silhouette, OfRidgesAlongTheBeamEqualsTheirSection) {
     const auto map = map_of([](double x, double) { return std::sin(x); }, 30, 20);
     EXPECT_TRUE((silhouette(map, 13.0).heights == map.heights.col(0)).all());
 }
 
-TEST(Silhouette, OfCrossedWavesRisesByTheAmplitudeAcross) {
+TEST(Silhouette, OfCrossedWavesRisesByTheAmplitudeAlongTheBeam) {
     const auto map =
         map_of([](double x, double y) { return std::sin(0.3 * x) + 0.5 * std::cos(0.1 * pi * y); }, 30, 20);
     const Array1D shift = silhouette(map, 19.0, 3.0).heights - map.heights.col(10);
     EXPECT_LT((shift - 1.0).abs().maxCoeff(), 1e-15);  // cos = −1 at y = 10: 2 · 0.5
 }
 
-TEST(Silhouette, CountsTheGridPointOnTheFoilsFarSide) {
+TEST(Silhouette, IncludesTheGridPointOnTheFarFaceOfTheFoil) {
     auto map = map_of([](double, double) { return 0.0; }, 4, 10, false);
     map.size[1] = 10 * 0.1;  // 0.1 is no binary number
     map.heights.col(7).setConstant(1.0);
@@ -52,7 +52,7 @@ TEST(Silhouette, CountsTheGridPointOnTheFoilsFarSide) {
     EXPECT_EQ(silhouette(map, 0.25, 0.4).heights[0], 0.0);
 }
 
-TEST(Silhouette, PassesOverUndefinedHeights) {
+TEST(Silhouette, IgnoresUndefinedHeights) {
     auto map = map_of([](double, double y) { return y; }, 4, 10);
     map.heights(1, 5) = undefined;
     map.heights.row(2).setConstant(undefined);
@@ -62,7 +62,7 @@ TEST(Silhouette, PassesOverUndefinedHeights) {
     EXPECT_TRUE(std::isnan(seen[2]));
 }
 
-TEST(Silhouette, RefusesAFoilBeyondTheSurface) {
+TEST(Silhouette, RefusesAFoilOutsideTheSurface) {
     const auto map = map_of([](double, double y) { return y; }, 4, 10, false);
     EXPECT_NO_THROW((void)silhouette(map, 9.0));
     EXPECT_THROW((void)silhouette(map, 10.0), InvalidArgument);
@@ -96,7 +96,7 @@ TEST(SideViewContour, FollowsTheSilhouetteBetweenGridPoints) {
     EXPECT_EQ(contour.metadata.attributes.at("foil_thickness"), "6 m");
 }
 
-TEST(SideViewContour, StepsScatterAsTheirLawSays) {
+TEST(SideViewContour, StepsFollowTheirDistribution) {
     const auto map = map_of([](double, double) { return 0.0; }, 8, 8);
     for (const auto law : {ContourSteps::uniform, ContourSteps::gamma}) {
         auto options = contour_of(10000.0, 0.5);
@@ -130,7 +130,7 @@ TEST(SideViewContour, BlurDampsAWaveByItsGaussian) {
                     1e-7);  // cut at six rms radii
 }
 
-TEST(SideViewContour, HandDeviatesWithItsStrengthAndCorrelation) {
+TEST(SideViewContour, TraceNoiseHasItsRmsAndCorrelationLength) {
     const auto map = map_of([](double, double) { return 0.0; }, 8, 8);
     auto options = contour_of(30000.0, 0.5);
     options.steps = ContourSteps::regular;
@@ -148,7 +148,7 @@ TEST(SideViewContour, HandDeviatesWithItsStrengthAndCorrelation) {
     EXPECT_TRUE((projected_contour(map, options).heights == heights).all());
 }
 
-TEST(SideViewContour, CleaningCutsReentrantStretchesAndNothingElse) {
+TEST(SideViewContour, CleaningCutsOnlyReentrantStretches) {
     const HeightMap map{tests::random_map(300, 4), {300.0, 4.0}, true, {}};
     auto options = contour_of(299.0, 0.5);
     const auto straight = projected_contour(map, options);
@@ -169,7 +169,7 @@ TEST(SideViewContour, CleaningCutsReentrantStretchesAndNothingElse) {
                 3.0 / static_cast<double>(straight.positions.size()));
 }
 
-TEST(SideViewContour, RefusesWhatNoTraceIs) {
+TEST(SideViewContour, RefusesInvalidOptions) {
     auto map = map_of([](double, double) { return 0.0; }, 20, 8, false);
     const auto refuses = [&](const std::function<void(FoilContourOptions&)>& change) {
         auto options = contour_of(10.0, 0.5);

@@ -69,7 +69,7 @@ TEST(StylusScan, ShowsAWaveShorterThanTwoStepsAsItsAlias) {
         EXPECT_NEAR(scan.heights[i], amplitude * std::cos(2.0 * pi * static_cast<double>(i) / 5.0), most);
 }
 
-TEST(ReferenceScan, OfTiltAndBowIsALineAndAParabola) {
+TEST(ReferenceScan, WithTiltAndBowIsALinePlusAParabola) {
     auto options = short_scan();
     options.tilt = 1e-3;
     options.bow = 40e-9;
@@ -82,7 +82,7 @@ TEST(ReferenceScan, OfTiltAndBowIsALineAndAParabola) {
     EXPECT_NEAR(odd.heights[n / 2], 1e-3 * 0.1e-6 * static_cast<double>(n / 2) + 40e-9, 1e-20);
 }
 
-TEST(StylusScan, AddsToTheSurfaceWhatAReferenceScanShows) {
+TEST(StylusScan, AddsTheArtefactThatAReferenceScanMeasures) {
     const auto strip = rough_strip();
     auto options = short_scan();
     const auto bare = stylus_scan(strip, options);
@@ -96,7 +96,7 @@ TEST(StylusScan, AddsToTheSurfaceWhatAReferenceScanShows) {
     EXPECT_LT((full.heights - bare.heights - reference.heights).abs().maxCoeff(), 1e-20);
 }
 
-TEST(StylusScan, HasWhiteNoiseOfTheGivenStrengthFromItsKey) {
+TEST(StylusScan, HasWhiteNoiseOfTheGivenRmsFromItsKey) {
     auto options = short_scan();
     options.length = 2e-3;  // 20000 points
     options.noise_rms = 0.5e-9;
@@ -112,7 +112,7 @@ TEST(StylusScan, HasWhiteNoiseOfTheGivenStrengthFromItsKey) {
     EXPECT_NEAR(product.mean() / 0.25e-18, 0.0, 4.0 / std::sqrt(n));
 }
 
-TEST(DriveArtefact, HasItsRmsOverTheLongestWavelength) {
+TEST(DriveArtefact, HasTheRequestedRmsOverTheLongestWavelength) {
     const DriveArtefact artefact{4e-9, 1e-3, {3, 0}};
     Array1D curve(240);
     for (Index i = 0; i < 240; ++i) curve[i] = drive_artefact(artefact, 1e-3 * static_cast<double>(i) / 240.0);
@@ -121,7 +121,7 @@ TEST(DriveArtefact, HasItsRmsOverTheLongestWavelength) {
     EXPECT_NE(drive_artefact({4e-9, 1e-3, {4, 0}}, 0.1e-3), drive_artefact(artefact, 0.1e-3));
 }
 
-TEST(DriveArtefact, IsRemovedByReferencesOfTheSameSession) {
+TEST(DriveArtefact, IsRemovedByReferenceScansOfTheSameSession) {
     // what the reference's own trend leaves is a line; compared after the best line is removed from both
     const auto strip = rough_strip();
     auto options = short_scan();
@@ -145,14 +145,14 @@ TEST(DriveArtefact, IsRemovedByReferencesOfTheSameSession) {
     EXPECT_NEAR(rms(left), 0.2e-9 * std::sqrt(1.0 + 1.0 / 9.0), 0.2e-9 * 4.0 / std::sqrt(2.0 * static_cast<double>(n)));
 }
 
-TEST(StylusScan, OfAPreparedSurfaceIsTheSame) {
+TEST(StylusScan, IsTheSameWithAReusedDilator) {
     const auto strip = rough_strip();
     const auto options = short_scan();
     const topography::Dilator touched(strip, options.tip);
     EXPECT_TRUE((stylus_scan(touched, options).heights == stylus_scan(strip, options).heights).all());
 }
 
-TEST(StylusScan, RefusesWhatNoInstrumentDoes) {
+TEST(StylusScan, RefusesInvalidOptions) {
     auto strip = rough_strip();
     auto options = short_scan();
     options.noise_rms = -1e-9;

@@ -10,7 +10,7 @@
 #include "setae/loops/spring_jumps.hpp"
 #include "setae/simulation/loop_simulation.hpp"
 
-/// What the estimators of the contact point and the energy budget find in loops whose every property is known.
+/// Estimators of the contact point and of the energy budget on simulated loops with known properties.
 namespace setae::simulation::contact_point_recovery_test {
 namespace {
 
@@ -61,7 +61,7 @@ struct Pulls {
 };
 
 /// The loss of a known loop is covered by the interval stated in 90 to 98 % of the seeds.
-TEST(EnergyBudgetRecovery, CoversTheLossItStates) {
+TEST(EnergyBudgetRecovery, CoversTheTrueLoss) {
     for (const double signal_to_noise : {5.0, 20.0, 100.0}) {
         constexpr int seeds = 200;
         int covered = 0;
@@ -85,7 +85,7 @@ TEST(EnergyBudgetRecovery, CoversTheLossItStates) {
 
 /// The closed form at the stiffness of the testing machine against the laboratory's own solution of the same
 /// equilibrium.
-TEST(EnergyBudgetRecovery, KnowsTheIdealLossOfThisMachine) {
+TEST(EnergyBudgetRecovery, ClosedFormLossMatchesTheSimulationAtAnyStiffness) {
     hysteresis::HystereticSphere smooth = specimen;
     smooth.work_retraction = smooth.work_approach;
     for (const double stiffness : {3.0, 40.0, 300.0, 1e5, fixed_grips}) {
@@ -103,9 +103,9 @@ struct Case {
     double stiffness;
 };
 
-class Recovery : public testing::TestWithParam<Case> {};
+class ContactPointRecovery : public testing::TestWithParam<Case> {};
 
-TEST_P(Recovery, OfContactPointsIsHonest) {
+TEST_P(ContactPointRecovery, HasCalibratedErrorsForEveryMethod) {
     const auto [signal_to_noise, stiffness] = GetParam();
     constexpr int seeds = 100;
     std::map<ContactPointMethod, Pulls> found;
@@ -129,7 +129,7 @@ TEST_P(Recovery, OfContactPointsIsHonest) {
     EXPECT_GE(methods, signal_to_noise < 10.0 ? 5 : 6);
 }
 
-INSTANTIATE_TEST_SUITE_P(Noise, Recovery,
+INSTANTIATE_TEST_SUITE_P(Noise, ContactPointRecovery,
                          testing::Values(Case{5.0, fixed_grips}, Case{5.0, 300.0}, Case{20.0, fixed_grips},
                                          Case{20.0, 300.0}, Case{100.0, fixed_grips}, Case{100.0, 300.0}));
 

@@ -29,7 +29,7 @@ bool has_alert(const loops::LoopAnalysis& analysis, const std::string& code) {
                        [&](const Alert& alert) { return alert.code == code; });
 }
 
-TEST(LoopRecovery, FindsWhatWasPlantedWithoutNoise) {
+TEST(LoopRecovery, RecoversTrueValuesWithoutNoise) {
     for (const double stiffness : {300.0, std::numeric_limits<double>::infinity()}) {
         const SimulatedLoop made = simulated_loop(rough, {.hold_time = 5.0, .machine_stiffness = stiffness});
         const loops::LoopAnalysis analysis = analysed(made.loop, rough);
@@ -47,7 +47,7 @@ TEST(LoopRecovery, FindsWhatWasPlantedWithoutNoise) {
     }
 }
 
-TEST(LoopRecovery, FindsTheStretchInWhichTheEdgeIsPinned) {
+TEST(LoopRecovery, RecoversTheStretchWithPinnedEdge) {
     const SimulatedLoop made = simulated_loop(rough, {});
     const loops::LoopAnalysis analysis = analysed(made.loop, rough);
     ASSERT_TRUE(analysis.pinned);
@@ -59,7 +59,7 @@ TEST(LoopRecovery, FindsTheStretchInWhichTheEdgeIsPinned) {
 
 // The twentieth part of a long record that is taken for free flight reaches into the contact, which the camera shows a
 // frame late: what is no free flight is left out, and the noise stays that of the sensor.
-TEST(LoopRecovery, KnowsTheNoiseWhereTheContactBeginsEarly) {
+TEST(LoopRecovery, EstimatesNoiseWhereTheContactBeginsEarly) {
     hysteresis::HystereticSphere soft = rough;
     soft.contact_modulus = 0.25e6;
     const SimulatedLoop made = simulated_loop(soft, {.camera_rate = 2.0}, noise);
@@ -72,7 +72,7 @@ TEST(LoopRecovery, KnowsTheNoiseWhereTheContactBeginsEarly) {
 
 // Where W is almost 0, a(F) is vertical at F = 0: least squares in a alone takes noise of the force for the contact,
 // errors in both do not.
-TEST(LoopRecovery, WithoutAdhesionNeedsTheErrorsOfForce) {
+TEST(LoopRecovery, IsUnbiasedWithoutAdhesionOnlyWithErrorsOfForce) {
     const hysteresis::HystereticSphere dry{
         .radius = 1.25e-3, .contact_modulus = 1.3333e6, .work_approach = 1e-7, .work_retraction = 0.02};
     constexpr int loops = 60;
@@ -99,7 +99,7 @@ TEST(LoopRecovery, WithoutAdhesionNeedsTheErrorsOfForce) {
     EXPECT_GE(held_by_both, 51);
 }
 
-TEST(LoopRecovery, OfAReferenceFindsEqualWorkOnBothBranches) {
+TEST(LoopRecovery, FindsEqualWorkOnBothBranchesOfASmoothReference) {
     hysteresis::HystereticSphere smooth = rough;
     smooth.work_retraction = smooth.work_approach;
     const loops::LoopAnalysis analysis = analysed(simulated_loop(smooth, {}).loop, smooth);
@@ -108,7 +108,7 @@ TEST(LoopRecovery, OfAReferenceFindsEqualWorkOnBothBranches) {
     EXPECT_NEAR(analysis.loop->energy / analysis.context.ideal_smooth_sphere_loss, 1.0, 3e-3);
 }
 
-/// How often an interval holds the truth, and how far off the values are in their own standard errors.
+/// Coverage of intervals, and deviations of values in units of their standard errors.
 struct Coverage {
     int loops = 0;
     int held = 0;
@@ -122,7 +122,7 @@ struct Coverage {
     }
 };
 
-TEST(LoopRecovery, CoversThePlantedValuesWithNoiseAndDrift) {
+TEST(LoopRecovery, CoversTrueValuesWithNoiseAndDrift) {
     constexpr int loops = 40;
     std::map<std::string, Coverage> found;
     LoopArtefacts artefacts = noise;

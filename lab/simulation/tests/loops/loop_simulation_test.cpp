@@ -35,7 +35,7 @@ Index index_of_largest_force(const loops::Loop& loop) {
     return at;
 }
 
-TEST(TrueLoop, OfEqualWorksUnderFixedGripsIsTheIdealLossOfMaugis) {
+TEST(TrueLoop, HasMaugisIdealLossForEqualWorksUnderFixedGrips) {
     const hysteresis::SphereLoop truth = true_loop(smooth, {});
     const double unit = contact::jkr::maugis_units(contact_of(smooth, 0.040)).energy;
     EXPECT_NEAR(truth.energy_loss() / unit, 1.2749410291, 1e-10);
@@ -44,7 +44,7 @@ TEST(TrueLoop, OfEqualWorksUnderFixedGripsIsTheIdealLossOfMaugis) {
     EXPECT_EQ(truth.edge_loss, 0.0);
 }
 
-TEST(TrueLoop, PartsAtFiveSixthsUnderFixedGripsAndAtThreeHalvesUnderALoad) {
+TEST(TrueLoop, PullsOffAtFiveSixthsUnderFixedGripsThreeHalvesUnderLoad) {
     const double force = pi * rough.radius * rough.work_retraction;
     const hysteresis::SphereLoop stiff = true_loop(rough, {});
     EXPECT_NEAR(stiff.separation.force / force, -5.0 / 6.0, 1e-12);
@@ -55,7 +55,7 @@ TEST(TrueLoop, PartsAtFiveSixthsUnderFixedGripsAndAtThreeHalvesUnderALoad) {
     EXPECT_NEAR(soft.smallest_force / force, -1.5, 1e-12);
 }
 
-TEST(TrueLoop, PartsWhereTheContactIsAsSoftAsTheMachine) {
+TEST(TrueLoop, PullsOffWhereContactStiffnessEqualsMachineStiffness) {
     constexpr double stiffness = 40.0;
     const hysteresis::SphereLoop truth = true_loop(rough, {.machine_stiffness = stiffness});
     const contact::jkr::Contact retraction = contact_of(rough, rough.work_retraction);
@@ -66,7 +66,7 @@ TEST(TrueLoop, PartsWhereTheContactIsAsSoftAsTheMachine) {
     EXPECT_NEAR(dF / dd / stiffness, -1.0, 1e-7);
 }
 
-TEST(TrueLoop, JumpsInAlongTheMachinesLine) {
+TEST(TrueLoop, JumpsInAlongTheLineOfMachineStiffness) {
     constexpr double stiffness = 40.0;
     const contact::jkr::State state = true_loop(rough, {.machine_stiffness = stiffness}).after_jump_in;
     EXPECT_NEAR(state.force / (-stiffness * state.displacement), 1.0, 1e-12);
@@ -75,7 +75,7 @@ TEST(TrueLoop, JumpsInAlongTheMachinesLine) {
         1.0, 1e-10);
 }
 
-TEST(TrueLoop, OfAContactTooSmallForItsAdhesionPartsStraightFromThePinnedState) {
+TEST(TrueLoop, SmallStickyContactPullsOffFromThePinnedState) {
     hysteresis::HystereticSphere sticky = rough;
     sticky.work_retraction = 20.0;
     const hysteresis::SphereLoop truth = true_loop(sticky, {.maximum_force = 1e-5});
@@ -86,7 +86,7 @@ TEST(TrueLoop, OfAContactTooSmallForItsAdhesionPartsStraightFromThePinnedState) 
     EXPECT_NEAR(loop_area(simulated.loop) / truth.energy_loss(), 1.0, 1e-3);
 }
 
-TEST(SimulatedLoop, EnclosesTheEnergyOfItsBalance) {
+TEST(SimulatedLoop, EnclosesTheTrueEnergyLoss) {
     for (const double stiffness : {30.0, 300.0, std::numeric_limits<double>::infinity()}) {
         const LoadingProtocol protocol{.force_rate = 100.0, .camera_rate = 1.0, .machine_stiffness = stiffness};
         const SimulatedLoop simulated = simulated_loop(rough, protocol);
@@ -137,7 +137,7 @@ TEST(SimulatedLoop, FollowsJkrOnBothBranches) {
     EXPECT_GT(retraction, 100);
 }
 
-TEST(SimulatedLoop, HoldsAtTheTurningPoint) {
+TEST(SimulatedLoop, RestsAtTheTurningPointForTheHoldTime) {
     const SimulatedLoop held = simulated_loop(smooth, {.hold_time = 5.0});
     const auto at_rest = (held.loop.force > held.truth.turning_point.force * (1.0 - 1e-12)).count();
     EXPECT_GE(at_rest, 50);
@@ -145,12 +145,12 @@ TEST(SimulatedLoop, HoldsAtTheTurningPoint) {
     EXPECT_EQ(held.loop.force.size() - simulated_loop(smooth, {}).loop.force.size(), 50);
 }
 
-TEST(SimulatedLoop, ShowsTheRadiusInCameraFramesOnly) {
+TEST(SimulatedLoop, HasTheRadiusInCameraFramesOnly) {
     const loops::Loop loop = simulated_loop(smooth, {.force_rate = 10.0, .camera_rate = 2.5}).loop;
     for (Index i = 0; i < loop.force.size(); ++i) EXPECT_EQ(std::isnan(loop.contact_radius[i]), i % 4 != 0) << i;
 }
 
-TEST(SimulatedLoop, AddsTheArtefactsAskedFor) {
+TEST(SimulatedLoop, AddsTheRequestedArtefacts) {
     const LoadingProtocol protocol{.camera_rate = 10.0};
     const loops::Loop plain = simulated_loop(smooth, protocol).loop;
     const LoopArtefacts artefacts{
@@ -165,7 +165,7 @@ TEST(SimulatedLoop, AddsTheArtefactsAskedFor) {
     EXPECT_LT((sloped.force - plain.force - 0.5 * plain.displacement).abs().maxCoeff(), 1e-18);
 }
 
-TEST(SimulatedLoop, HasNoiseOfTheStandardDeviationAskedFor) {
+TEST(SimulatedLoop, HasNoiseOfTheRequestedStandardDeviation) {
     const LoadingProtocol protocol{.camera_rate = 10.0};
     const loops::Loop plain = simulated_loop(smooth, protocol).loop;
     const LoopArtefacts artefacts{
@@ -186,7 +186,7 @@ TEST(SimulatedLoop, HasNoiseOfTheStandardDeviationAskedFor) {
     EXPECT_LT(std::abs(product) / (1e-7 * 2e-10), 5.0 / std::sqrt(static_cast<double>(n)));
 }
 
-TEST(SimulatedLoop, OfTheSameKeyIsTheSame) {
+TEST(SimulatedLoop, DependsOnTheKeyOnly) {
     const LoopArtefacts artefacts{.force_noise = 1e-7, .key = {.seed = 7}};
     const loops::Loop first = simulated_loop(smooth, {}, artefacts).loop,
                       again = simulated_loop(smooth, {}, artefacts).loop;
@@ -195,7 +195,7 @@ TEST(SimulatedLoop, OfTheSameKeyIsTheSame) {
         (first.force == simulated_loop(smooth, {}, {.force_noise = 1e-7, .key = {.seed = 8}}).loop.force).all());
 }
 
-TEST(SimulatedLoop, RefusesWhatCannotBe) {
+TEST(SimulatedLoop, RefusesImpossibleOptions) {
     const auto message = [](const hysteresis::HystereticSphere& specimen, const LoadingProtocol& protocol,
                             const LoopArtefacts& artefacts = {}) {
         try {

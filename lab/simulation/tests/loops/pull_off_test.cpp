@@ -7,7 +7,7 @@
 #include "setae/loops/analysis.hpp"
 #include "setae/simulation/loop_simulation.hpp"
 
-/// What pull-off tells of machines of every stiffness.
+/// Pull-off in machines of any stiffness.
 namespace setae::simulation::pull_off_test {
 namespace {
 
@@ -29,12 +29,12 @@ loops::PullOff pull_off_of(double stiffness, double force_rate = 10.0, double di
     return *analysis.pull_off;
 }
 
-TEST(PullOff, TheSmallestForceTellsTheWorkInAMachineOfAnyStiffness) {
+TEST(PullOff, SmallestForceGivesTheWorkAtAnyMachineStiffness) {
     for (const double stiffness : {20.0, 100.0, 1e3, 1e5, infinite})
         EXPECT_NEAR(pull_off_of(stiffness).work_of_adhesion.value / specimen.work_retraction, 1.0, 2e-3) << stiffness;
 }
 
-TEST(PullOff, TheLastForceTellsItInAStiffMachineAlone) {
+TEST(PullOff, LastForceGivesTheWorkOnlyInAStiffMachine) {
     // samples end up to a step before the fold, where F rises as the root of the way left
     for (const double stiffness : {1e5, infinite}) {
         const loops::PullOff pull_off = pull_off_of(stiffness, 100.0);
@@ -48,7 +48,7 @@ TEST(PullOff, TheLastForceTellsItInAStiffMachineAlone) {
     }
 }
 
-TEST(PullOff, StiffnessOfTheMachineLeavesOutWhatTheMotorMoved) {
+TEST(PullOff, MachineStiffnessExcludesTheMotionOfTheMotor) {
     // at 0.2 samples a second the motor moves 300 nm in the step that the jump falls into
     for (const double stiffness : {20.0, 100.0, 500.0})
         for (const double rate : {10.0, 1.0, 0.2})

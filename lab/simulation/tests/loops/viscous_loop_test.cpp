@@ -19,7 +19,7 @@ constexpr LoopArtefacts noise{.force_noise = 1e-7, .displacement_noise = 5e-10, 
 const loops::LensAndCounterBody bodies{.radius = 1.25e-3,
                                        .counter_youngs_modulus = std::numeric_limits<double>::infinity()};
 
-TEST(ViscousLoop, HasTheLawOfSpeedThatItWasMadeWith) {
+TEST(ViscousLoop, FitRecoversTheTrueCrackSpeedLaw) {
     const hysteresis::ViscousBody body{.edge = hysteresis::EdgeSpeed{.reference_speed = 1e-6, .exponent = 0.6},
                                        .relaxation = {}};
     const auto made = simulated_loop(specimen, {.camera_rate = 5.0}, noise, body);
@@ -35,7 +35,7 @@ TEST(ViscousLoop, HasTheLawOfSpeedThatItWasMadeWith) {
     EXPECT_GT(made.truth.speed_loss, 0.3 * made.truth.energy_loss());
 }
 
-TEST(ViscousLoop, WithARelaxingBulkIsFoundWhereTheRelaxationIsTold) {
+TEST(ViscousLoop, FitRecoversARelaxingBulkFromStatedRelaxation) {
     const hysteresis::ViscousBody body{.edge = {}, .relaxation = {{0.1, 15.0}, {0.05, 60.0}}};
     const auto made = simulated_loop(specimen, {.hold_time = 30.0, .camera_rate = 2.0}, noise, body);
     const auto stated_value = loops::analyse(made.loop, bodies, {.relaxation = body.relaxation});
@@ -53,7 +53,7 @@ TEST(ViscousLoop, WithARelaxingBulkIsFoundWhereTheRelaxationIsTold) {
     EXPECT_NEAR(stated_value.loop->energy / untold.loop->energy, 1.0, 1e-3) << "the loop loses what it loses";
 }
 
-TEST(ViscousLoop, TellsHowItsMachineMoved) {
+TEST(ViscousLoop, AnalysisRecoversTheMotionOfTheMachine) {
     for (const double stiffness : {100.0, std::numeric_limits<double>::infinity()}) {
         const auto made = simulated_loop(
             specimen,
@@ -71,7 +71,7 @@ TEST(ViscousLoop, TellsHowItsMachineMoved) {
     EXPECT_EQ(drive->hold_time, 0.0);
 }
 
-TEST(ViscousLoop, WithoutTimeCannotRelax) {
+TEST(ViscousLoop, WithoutTimeCannotBeAnalysedWithRelaxation) {
     const auto made = simulated_loop(specimen, {});
     auto timeless = made.loop;
     timeless.time = Array1D();

@@ -38,7 +38,7 @@ MicrographOptions exact(long width, long height) {
 
 double standard_deviation(const Array2D& values) { return std::sqrt((values - values.mean()).square().mean()); }
 
-TEST(PolygonCoverage, SumsToThePolygonsAreaEvenWithOverhangs) {
+TEST(PolygonCoverage, SumsToThePolygonAreaEvenWithOverhangs) {
     // a mushroom: the curve runs back over itself; shoelace area of what is below within 0 … 40 × 0 … 30, corners at −½
     const auto curve = curve_of({{-3.0, 20.3},
                                  {15.2, 19.7},
@@ -70,7 +70,7 @@ TEST(PolygonCoverage, SumsToThePolygonsAreaEvenWithOverhangs) {
     EXPECT_NEAR(coverage(29, 12), 1.0, 1e-12);
 }
 
-TEST(PolygonCoverage, OfOnePixelIsItsShare) {
+TEST(PolygonCoverage, OfOnePixelEqualsTheCoveredShare) {
     // the line y = x/2 through the pixel (0, 0), whose square is ±½: half of it; pixel (0, 1), x in ½ … 1½: ½ − ½ = 0
     // at its middle
     const auto curve = curve_of({{-4.0, -2.0}, {4.0, 2.0}});
@@ -82,14 +82,14 @@ TEST(PolygonCoverage, OfOnePixelIsItsShare) {
     EXPECT_NEAR(coverage(2, 0), 1.0, 1e-15);
 }
 
-TEST(PolygonCoverage, OfACurveAboveTheWindowIsAllOfIt) {
+TEST(PolygonCoverage, IsOneBelowACurveAboveTheWindow) {
     const Array2D coverage =
         coverage_below(curve_of({{-4.0, -7.0}, {1.3, -2.0}, {1.3, -9.0}, {9.0, -3.0}}), {0, 0, 6, 5});
     EXPECT_TRUE((coverage - 1.0).abs().maxCoeff() < 1e-14);
     EXPECT_EQ(coverage_below(curve_of({{-4.0, 7.0}, {1.3, 12.0}, {9.0, 6.0}}), {0, 0, 6, 5}).abs().maxCoeff(), 0.0);
 }
 
-TEST(SignedDistance, OfARoofIsThatToItsNearerSideOrRidge) {
+TEST(SignedDistance, ToARoofIsTheDistanceToItsNearerSideOrRidge) {
     const auto curve = curve_of({{-30.0, 50.0}, {20.0, 0.0}, {70.0, 50.0}});
     const Array2D distance = signed_distance(curve, {0, 0, 41, 41}, 12.0);
     EXPECT_NEAR(distance(10, 20), -10.0 / std::sqrt(2.0), 1e-12);
@@ -99,7 +99,7 @@ TEST(SignedDistance, OfARoofIsThatToItsNearerSideOrRidge) {
     EXPECT_EQ(distance(0, 0), 12.0);
 }
 
-TEST(Micrograph, EdgeLiesWhereTheCurveDoes) {
+TEST(Micrograph, EdgeLiesOnTheCurve) {
     // the sum of 1 − I down a column is the curve's mean depth over it: blur and an odd fringe leave it where it is
     const auto curve = curve_of({{-60.0, 40.0}, {160.0, 62.0}});
     auto options = exact(100, 100);
@@ -112,7 +112,7 @@ TEST(Micrograph, EdgeLiesWhereTheCurveDoes) {
     }
 }
 
-TEST(Micrograph, BlurHasItsStandardDeviation) {
+TEST(Micrograph, BlurHasTheRequestedStandardDeviation) {
     // the edge's profile is an error function of the blur and of one pixel's square: variances add
     auto options = exact(60, 60);
     options.blur = 2.0;
@@ -129,7 +129,7 @@ TEST(Micrograph, BlurHasItsStandardDeviation) {
     EXPECT_NEAR(std::sqrt(square - mean * mean), 2.0, 1e-3);
 }
 
-TEST(Micrograph, FringeHasItsFirstLineAtItsWidthAndIsOdd) {
+TEST(Micrograph, FringeIsOddWithItsFirstLineAtTheFringeWidth) {
     auto options = exact(30, 80);
     options.fringe_amplitude = 0.4;
     options.fringe_width = 5.0;
@@ -141,7 +141,7 @@ TEST(Micrograph, FringeHasItsFirstLineAtItsWidthAndIsOdd) {
     for (long d = 0; d < 30; ++d) EXPECT_NEAR(fringe(40 + d, 7), -fringe(40 - d, 7), 1e-6) << d;
 }
 
-TEST(Micrograph, NoiseKeepsItsStandardDeviationHoweverBlurred) {
+TEST(Micrograph, NoiseHasTheRequestedStandardDeviationWithAndWithoutBlur) {
     for (const double blur : {0.0, 1.0}) {
         MicrographOptions options{.width = 300, .height = 300, .noise = 0.5, .noise_blur = blur, .key = {7, 0}};
         const auto curve = wave(150.0, 20.0, 90.0, 300.0);
@@ -156,7 +156,7 @@ TEST(Micrograph, NoiseKeepsItsStandardDeviationHoweverBlurred) {
     }
 }
 
-TEST(Micrograph, TextureAndLatticeLieWithinTheSampleAlone) {
+TEST(Micrograph, TextureAndLatticeLieInTheSampleOnly) {
     auto options = exact(240, 200);
     options.key = {3, 0};
     const auto curve = curve_of({{-60.0, 60.5}, {400.0, 60.5}});
@@ -185,7 +185,7 @@ TEST(Micrograph, DriftRisesFromCornerToCorner) {
     EXPECT_NEAR(pixels(100, 100), 0.4, 1e-6);
 }
 
-TEST(Micrograph, DependsOnTheKeyAlone) {
+TEST(Micrograph, DependsOnTheKeyOnly) {
     const auto curve = wave(30.0, 6.0, 40.0, 64.0);
     MicrographOptions options{.width = 64, .height = 64, .lattice_amplitude = 0.2, .texture = 0.1, .key = {5, 2}};
     const auto first = render_micrograph(curve, options), again = render_micrograph(curve, options);
@@ -194,7 +194,7 @@ TEST(Micrograph, DependsOnTheKeyAlone) {
     EXPECT_FALSE((render_micrograph(curve, options) == first).all());
 }
 
-TEST(Micrograph, RefusesWhatItCannotRender) {
+TEST(Micrograph, RefusesInvalidOptions) {
     const auto curve = wave(30.0, 6.0, 40.0, 64.0);
     const MicrographOptions good{.width = 64, .height = 64};
     const auto refused = [&](auto change) {

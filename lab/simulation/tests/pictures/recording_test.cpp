@@ -32,7 +32,7 @@ contact_line::ContactLine edge() {
 
 // What is found in the recording is the edge that was rendered, to the noise of a place that is stated and a tenth of a
 // pixel
-TEST(Recording, ShowsTheEdgeItWasMadeOf) {
+TEST(Recording, MeasurementRecoversTheRenderedEdge) {
     const setae::tests::TemporaryFolder folder;
     const auto path = folder.path("recording.tif");
     const auto shape = write_recording(path, edge(), {.pixel_size = pixel, .frame_rate = 5.0});
@@ -44,7 +44,7 @@ TEST(Recording, ShowsTheEdgeItWasMadeOf) {
     EXPECT_NEAR(found.pixel_size / pixel, 1.0, 1e-6);  // as the file states it
     ASSERT_EQ(found.time.size(), 11);
     EXPECT_NEAR(found.time[10] - found.time[0], 2.0, 1e-9);
-    // places are told about the mean centre of the frames' ellipses
+    // places are relative to the mean centre of the ellipses of all frames
     const double dx = found.centre_x - 0.5 * static_cast<double>(shape.width - 1),
                  dy = found.centre_y - 0.5 * static_cast<double>(shape.height - 1);
     EXPECT_LT(std::hypot(dx, dy), 0.4);
@@ -68,7 +68,7 @@ TEST(Recording, HasTheSameBytesForAnyNumberOfThreads) {
     EXPECT_EQ(bytes::read_file(folder.path("1.tif")), bytes::read_file(folder.path("3.tif")));
 }
 
-TEST(Recording, RefusesWhatNoCameraShows) {
+TEST(Recording, RefusesInvalidOptions) {
     const setae::tests::TemporaryFolder folder;
     const auto path = folder.path("recording.tif");
     const auto refused = [&](const RecordingOptions& options) {

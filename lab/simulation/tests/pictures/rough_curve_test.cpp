@@ -14,7 +14,7 @@ namespace {
 
 double rms(const Array1D& values) { return std::sqrt((values - values.mean()).square().mean()); }
 
-TEST(RoughCurve, SpansThePictureAndHasTheHeightsAskedFor) {
+TEST(RoughCurve, SpansThePictureWithTheRequestedHeights) {
     double mean_square = 0.0;
     constexpr int seeds = 40;
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
@@ -43,7 +43,7 @@ TEST(RoughCurve, HasNoWavesBelowItsCutoff) {
     EXPECT_NEAR(rms(more) / rms(bend), std::pow(3.0, 1.2), 0.8);
 }
 
-TEST(RoughCurve, TurnsBackAtEveryBulgeByItsDepth) {
+TEST(RoughCurve, HasAnOverhangOfTheStatedDepthAtEveryBulge) {
     const auto rough = rough_curve({.width = 800,
                                     .height = 400,
                                     .rms_height = 4.0,
@@ -73,7 +73,7 @@ TEST(RoughCurve, TurnsBackAtEveryBulgeByItsDepth) {
     }
 }
 
-TEST(RoughCurve, CanBeRenderedWithItsOverhangs) {
+TEST(RoughCurve, WithOverhangsCanBeRendered) {
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
         const auto rough =
             rough_curve({.width = 500, .height = 300, .rms_height = 8.0, .tilt = 0.35, .bulges = 5, .key = {seed, 0}});
@@ -81,7 +81,7 @@ TEST(RoughCurve, CanBeRenderedWithItsOverhangs) {
     }
 }
 
-TEST(RoughCurve, IsTurnedByItsTilt) {
+TEST(RoughCurve, IsRotatedByItsTilt) {
     const auto level = rough_curve({.width = 300, .height = 300, .key = {4, 0}}).curve,
                tilted = rough_curve({.width = 300, .height = 300, .tilt = 0.3, .key = {4, 0}}).curve;
     const auto slope = [](const PixelCurve& c) {
@@ -91,7 +91,7 @@ TEST(RoughCurve, IsTurnedByItsTilt) {
     EXPECT_NEAR(slope(tilted), std::tan(0.3), 0.2);
 }
 
-TEST(RoughCurve, DependsOnTheKeyAloneAndRefusesWhatIsNoCurve) {
+TEST(RoughCurve, DependsOnTheKeyOnlyAndRefusesInvalidOptions) {
     const RoughCurveOptions good{.width = 200, .height = 200, .bulges = 1, .key = {1, 2}};
     EXPECT_TRUE((rough_curve(good).curve.y == rough_curve(good).curve.y).all());
     const auto refused = [&](auto change) {

@@ -22,7 +22,7 @@ KnownSurface stretched(double stretch, double angle) {
             .anisotropy = {stretch, angle}};
 }
 
-TEST(LineSpectrum, IsTheAbelIntegralUpToItsEnd) {
+TEST(LineSpectrum, IsTheAbelIntegralUpToItsUpperEnd) {
     const LineSpectrum C1D(stretched(1.0, 0.0));
     Array1D q(9);
     q << 1e3, 1e6, 5e6, 7e6, 1e8, 1e10, 1.4e10, 1.49e10, 1.4999e10;
@@ -31,7 +31,7 @@ TEST(LineSpectrum, IsTheAbelIntegralUpToItsEnd) {
     EXPECT_EQ(C1D(1.5e10), 0.0);
 }
 
-TEST(LineSpectrum, OfAStretchedSurfaceIsTheIntegralOfItsSpectrumAcrossX) {
+TEST(LineSpectrum, OfAnAnisotropicSurfaceIsTheIntegralOfItsSpectrumAcrossX) {
     constexpr double stretch = 1.7, angle = 0.6;
     const LineSpectrum C1D(stretched(stretch, angle));
     const auto C_iso = spectra::density(model);
@@ -49,7 +49,7 @@ TEST(LineSpectrum, OfAStretchedSurfaceIsTheIntegralOfItsSpectrumAcrossX) {
     }
 }
 
-TEST(TrueSurfaceValues, OfAStretchedSurfaceIsThatOfItsModes) {
+TEST(TrueSurfaceValues, OfAnAnisotropicSurfaceMatchTheSumOverItsModes) {
     constexpr spectra::SelfAffine small{
         .plateau = 1e-27, .rolloff_wavevector = 2e8, .hurst_exponent = 0.8, .short_wavevector = 3e9};
     const KnownSurface surface{.C_iso = spectra::density(small),
@@ -69,7 +69,7 @@ TEST(TrueSurfaceValues, OfAStretchedSurfaceIsThatOfItsModes) {
                 2.0 * std::pow(flat.parameters.rms_slope, 2));
 }
 
-TEST(TrueSurfaceValues, OfABandHasTheWavesOfTheBand) {
+TEST(TrueSurfaceValues, IntegrateOnlyTheWavesOfABand) {
     const KnownSurface surface = stretched(1.0, 0.0);
     const auto whole = true_surface_values(surface).parameters,
                band = true_surface_values(surface, {3e6, 1.5e10}).parameters;

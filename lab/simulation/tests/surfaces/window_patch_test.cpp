@@ -23,7 +23,7 @@ KnownSurface self_affine(double rolloff, double shortest) {
             .short_wavelength = shortest * length};
 }
 
-TEST(SplitSpectrum, AddsUpToTheWhole) {
+TEST(SplitSpectrum, SumsToTheWholeSpectrum) {
     const auto C_iso = self_affine(1.0, 0.01).C_iso;
     const auto parts = split_spectrum(C_iso, 1e8);
     for (const double q : {1e6, 0.8e8, 1e8, 1.3e8, 5e8})
@@ -33,7 +33,7 @@ TEST(SplitSpectrum, AddsUpToTheWhole) {
     EXPECT_NEAR(parts.longer(1e8) / C_iso(1e8), 0.5, 1e-12);
 }
 
-TEST(LongWaves, BetweenTheirPointsAreTheSameSurface) {
+TEST(LongWaves, InterpolateTheSameSurfaceBetweenGridPoints) {
     // a finer grid of the same size and seed shows the same modes: an independent interpolation
     const double end = 2.0 * pi * 8.0 / length;
     const auto parts = split_spectrum(self_affine(10.0, 0.01).C_iso, end / std::sqrt(2.0));
@@ -56,7 +56,7 @@ TEST(LongWaves, BetweenTheirPointsAreTheSameSurface) {
     EXPECT_EQ(map.heights.leftCols(20).abs().maxCoeff(), 0.0);
 }
 
-TEST(WindowPatch, HoldsWavesFarLongerThanItself) {
+TEST(WindowPatch, ContainsWavesFarLongerThanItself) {
     // roll-off at 50 windows: ⟨(h(x + d) − h(x))²⟩ = (2/π) ∫ C1D (1 − cos qd) dq at half a window; a map of its own
     // modes alone would turn back within it
     const KnownSurface surface = self_affine(50.0, 0.05);
@@ -81,7 +81,7 @@ TEST(WindowPatch, HoldsWavesFarLongerThanItself) {
     EXPECT_NEAR(sum / maps / expected, 1.0, 3.0 * 0.11);
 }
 
-TEST(StylusScan, WithoutTipKeepsTheVarianceOfWavesBetweenItsPoints) {
+TEST(StylusScan, WithoutTipKeepsTheVarianceOfWavesShorterThanItsStep) {
     // points 0.25 of the roll-off apart still scatter by the whole rms height
     const KnownSurface surface = self_affine(0.02, 1e-4);
     const StylusProtocol protocol{
@@ -94,7 +94,7 @@ TEST(StylusScan, WithoutTipKeepsTheVarianceOfWavesBetweenItsPoints) {
     EXPECT_NEAR(sum / 20.0 / variance, 1.0, 3.0 * std::sqrt(2.0 / 1000.0));
 }
 
-TEST(AfmMap, WithoutTipKeepsTheVarianceOfWavesBetweenItsPixels) {
+TEST(AfmMap, WithoutTipKeepsTheVarianceOfWavesShorterThanItsPixels) {
     const KnownSurface surface = self_affine(0.05, 1e-3);
     const AfmProtocol protocol{.sizes = {length, length, length, length}, .pixels = {32}, .tip_radius = 0.0};
     const double variance = std::pow(true_surface_values(surface).parameters.rms_height, 2);
@@ -103,7 +103,7 @@ TEST(AfmMap, WithoutTipKeepsTheVarianceOfWavesBetweenItsPixels) {
     EXPECT_NEAR(sum / 4.0 / variance, 1.0, 3.0 * std::sqrt(2.0 / (4.0 * 400.0)));
 }
 
-TEST(TemContour, HasTheCurvatureOfItsSurface) {
+TEST(TemContour, HasTheCurvatureOfTheSurface) {
     // second differences a third of the shortest wave apart weigh the end of the spectrum: 10 % less with eight points
     // a wave
     const KnownSurface surface = self_affine(1.0, 4e-4);
@@ -129,14 +129,14 @@ TEST(TemContour, HasTheCurvatureOfItsSurface) {
     EXPECT_NEAR(sum / static_cast<double>(count) / expected, 1.0, 0.03);
 }
 
-TEST(TemContour, OfAThickFoilLiesHigherThanALine) {
+TEST(TemContour, OfAThickFoilLiesHigherThanALineScan) {
     const KnownSurface surface = self_affine(0.05, 2e-3);
     TemProtocol protocol{.lengths = {100e-9}, .step = 1e-9, .foil_thickness = 50e-9};
     const auto thick = tem_contour(surface, LineSpectrum(surface), protocol, 0, {7, 8});
     EXPECT_GT(thick.heights.mean(), true_surface_values(surface).parameters.rms_height);
 }
 
-TEST(StylusStrip, OfEachLengthKeepsTheOrderOfTheProtocol) {
+TEST(StylusStrip, KeepsTheOrderOfTheProtocol) {
     const KnownSurface surface = self_affine(1.0, 4e-4);
     const StylusProtocol protocol{
         .lengths = {10e-6, 20e-6, 10e-6}, .steps = {0.5e-6, 0.5e-6, 0.25e-6}, .tip_radius = 5e-6, .tilt = 0.5};
@@ -150,7 +150,7 @@ TEST(StylusStrip, OfEachLengthKeepsTheOrderOfTheProtocol) {
     EXPECT_NEAR(scans[2].heights[39] / (0.5 * 9.75e-6), 1.0, 0.01);
 }
 
-TEST(StylusStrip, OfARollOffBeyondTheScanIsMadeInLanes) {
+TEST(StylusStrip, UsesIndependentLanesForARolloffBeyondTheScan) {
     const KnownSurface surface = self_affine(1000.0, 4e-4);
     const StylusProtocol protocol{.lengths = {50e-6, 50e-6}, .steps = {0.5e-6}, .tip_radius = 5e-6};
     const auto scans = stylus_scans(surface, LineSpectrum(surface), protocol, {9, 1});

@@ -17,7 +17,7 @@
 namespace setae::core_test {
 namespace {
 
-TEST(ParseQuantity, ReadsWhatPeopleWrite) {
+TEST(ParseQuantity, ReadsUsualSpellings) {
     EXPECT_DOUBLE_EQ(parse_quantity("37 mJ/m2", dimension::surface_energy), 0.037);
     EXPECT_DOUBLE_EQ(parse_quantity("37mJ/m²", dimension::surface_energy), 0.037);
     EXPECT_DOUBLE_EQ(parse_quantity("37 mN/m", dimension::surface_energy), 0.037);
@@ -31,7 +31,7 @@ TEST(ParseQuantity, ReadsWhatPeopleWrite) {
     EXPECT_DOUBLE_EQ(parse_quantity("0.5", dimension::none), 0.5);
 }
 
-TEST(ParseQuantity, KnowsEverySpellingOfMicro) {
+TEST(ParseQuantity, ReadsEverySpellingOfMicro) {
     for (const std::string text : {"5 um", "5 \u00b5m", "5 \u03bcm", "5 ~m", "5 micron", "5 microns"})
         EXPECT_DOUBLE_EQ(parse_quantity(text, dimension::length), 5e-6) << text;
 }
@@ -41,7 +41,7 @@ TEST(ParseQuantity, RefusesAMissingUnit) {
         (void)parse_quantity("37", dimension::surface_energy);
         FAIL();
     } catch (const InvalidArgument& error) {
-        EXPECT_STREQ(error.what(), "'37' has no unit; write for instance \"37 J/m2\"");
+        EXPECT_STREQ(error.what(), "'37' has no unit; expected an energy per area with its unit, such as \"40 mJ/m2\"");
     }
 }
 
@@ -60,7 +60,7 @@ TEST(ParseUncertainQuantity, ReadsValueAndStandardError) {
     EXPECT_EQ(parse_uncertain_quantity("1 MPa", dimension::pressure).standard_error, 0.0);
 }
 
-TEST(ParseQuantity, RefusesWhatIsOutsideItsDomain) {
+TEST(ParseQuantity, RefusesValuesOutsideItsDomain) {
     const auto refusal = [](std::string_view text, const Expected& expected) {
         try {
             (void)parse_uncertain_quantity(text, expected);
@@ -83,7 +83,7 @@ TEST(ParseQuantity, RefusesWhatIsOutsideItsDomain) {
         EXPECT_NE(refusal(error, dimension::length).find("an uncertainty >= 0"), std::string::npos) << error;
 }
 
-TEST(ParseUnit, KnowsForcesByWeightAndInches) {
+TEST(ParseUnit, ReadsWeightForcesAndInches) {
     // CGPM 1901: 9.80665 m/s²; international yard and pound 1959: 25.4 mm, 0.45359237 kg
     for (const auto& [text, newton] :
          {std::pair("gf", 9.80665e-3), std::pair("mgf", 9.80665e-6), std::pair("kgf", 9.80665),
@@ -108,7 +108,7 @@ TEST(ParseUnit, KnowsForcesByWeightAndInches) {
         EXPECT_THROW((void)parse_unit(none), InvalidArgument) << none;
 }
 
-TEST(SiUnit, SpellsDerivedUnits) {
+TEST(SiUnit, FormatsDerivedUnits) {
     EXPECT_EQ(si_unit(dimension::surface_energy), "J/m2");
     EXPECT_EQ(si_unit(dimension::power_spectrum_1d), "m3");
     EXPECT_EQ(si_unit(dimension::wavevector), "1/m");
@@ -135,25 +135,25 @@ TEST(ScaledComplementaryErrorFunction, AgreesWithTabulatedValues) {
     EXPECT_NEAR(scaled_complementary_error_function(1e6) * 1e6 * std::sqrt(3.14159265358979323846), 1.0, 1e-12);
 }
 
-TEST(PairwiseSum, KeepsDigitsOfManySmallTerms) {
+TEST(PairwiseSum, KeepsPrecisionForManySmallTerms) {
     const Array1D tenth = Array1D::Constant(1'000'000, 0.1);
     EXPECT_NEAR(pairwise_sum(tenth), 1e5, 1e-9);
 }
 
-TEST(NearestMatch, FindsAMisspeltKeyAndOnlyThat) {
+TEST(NearestMatch, FindsTheMisspeltKeyOnly) {
     const std::vector<std::string> keys{"surfaces", "elastomers", "experiments"};
     EXPECT_EQ(nearest_match("surface", keys), "surfaces");
     EXPECT_EQ(nearest_match("elastomer", keys), "elastomers");
     EXPECT_EQ(nearest_match("xyz", keys), "");
 }
 
-TEST(FormatErrorMessage, BeginsWithWhere) {
+TEST(FormatErrorMessage, BeginsWithFileAndPosition) {
     EXPECT_STREQ(FormatError("a.txt", {.line = 12}, "got 'x', expected a number").what(),
                  "a.txt:12: got 'x', expected a number");
     EXPECT_STREQ(FormatError("a.di", {.offset = 4096}, "truncated").what(), "a.di: at byte 4096: truncated");
 }
 
-TEST(Utf8Length, KnowsCharactersFromOtherBytes) {
+TEST(Utf8Length, DistinguishesCharactersFromInvalidBytes) {
     EXPECT_EQ(utf8_length("a"), 1);
     EXPECT_EQ(utf8_length("\u00b5m"), 2);
     EXPECT_EQ(utf8_length("\u2212"), 3);
@@ -163,7 +163,7 @@ TEST(Utf8Length, KnowsCharactersFromOtherBytes) {
         EXPECT_EQ(utf8_length(broken), 0);
 }
 
-TEST(Text, IsShownWithoutWhatMovesATerminal) {
+TEST(Text, IsPrintedWithoutControlCharacters) {
     EXPECT_EQ(valid_utf8("a\xff\xc3\xa4\xe2\x82"), "a\uFFFDä\uFFFD\uFFFD");
     EXPECT_EQ(printable("red \x1b[31m\n\tb\r\x07\xff"), "red  [31m\n\tb  \uFFFD");
     EXPECT_EQ(one_line("a\nb\tc"), "a b c");
@@ -172,7 +172,7 @@ TEST(Text, IsShownWithoutWhatMovesATerminal) {
     EXPECT_EQ(one_line(""), "");
 }
 
-TEST(Reason, IsWhatAUserCanActOn) {
+TEST(Reason, NamesFileAndCause) {
     EXPECT_EQ(reason_of(FileError("a.csv: no such file")), "a.csv: no such file");
     EXPECT_EQ(reason_of(FileError("a.csv: no such file"), "a.csv"), "a.csv: no such file");
     EXPECT_EQ(reason_of(UndefinedDataError("no heights"), "a.csv"), "a.csv: no heights");
@@ -183,7 +183,7 @@ TEST(Reason, IsWhatAUserCanActOn) {
               std::string::npos);
 }
 
-TEST(ShellWord, QuotesWhatAShellWouldTakeApart) {
+TEST(ShellWord, QuotesSpecialCharacters) {
     EXPECT_EQ(shell_word("study.toml"), "study.toml");
     EXPECT_EQ(shell_word("my study.toml"), "'my study.toml'");
     EXPECT_EQ(shell_word("it's"), "'it'\\''s'");

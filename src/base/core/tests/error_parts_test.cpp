@@ -8,7 +8,7 @@
 namespace setae::error_parts_test {
 namespace {
 
-TEST(ErrorParts, OfAFormatErrorAreItsOwn) {
+TEST(ErrorParts, OfAFormatErrorAreFilePositionAndCause) {
     const auto of_text = error_parts(
         FormatError("b/loop.csv", {.offset = {}, .line = 12}, "'x' is no number; expected metres; mend it").what(),
         true);
@@ -26,7 +26,7 @@ TEST(ErrorParts, OfAFormatErrorAreItsOwn) {
     EXPECT_EQ(of_bytes.expected, "8 bytes more");
 }
 
-TEST(ErrorParts, OfAWrongUnitHaveNoFile) {
+TEST(ErrorParts, OfAWrongUnitLackAFile) {
     try {
         (void)parse_quantity("3 kg", dimension::length);
         FAIL() << "no exception";

@@ -13,7 +13,7 @@ TEST(DisplayWidth, CountsCharacters) {
     EXPECT_EQ(display_width("a\xff"), 2u) << "a byte that is no UTF-8";
 }
 
-TEST(Wrapped, BreaksAtBlanks) {
+TEST(Wrapped, BreaksLinesAtSpaces) {
     EXPECT_EQ(wrapped("one two three", 7), "one two\nthree");
     EXPECT_EQ(wrapped("one two three", 8, 2), "one two\n  three");
     EXPECT_EQ(wrapped("unbreakable text", 5), "unbreakable\ntext");
@@ -21,7 +21,7 @@ TEST(Wrapped, BreaksAtBlanks) {
     EXPECT_EQ(wrapped("", 5), "");
 }
 
-TEST(Shortened, SaysThatSomethingIsLeftOut) {
+TEST(Shortened, EndsInAnEllipsis) {
     EXPECT_EQ(shortened("abcdef", 6), "abcdef");
     EXPECT_EQ(shortened("abcdefg", 6), "abcde…");
     EXPECT_EQ(shortened("µµµµ", 3), "µµ…");

@@ -10,7 +10,7 @@
 namespace setae {
 namespace {
 
-TEST(LogGamma, IsThatOfFactorialsAndHalves) {
+TEST(LogGamma, MatchesFactorialsAndHalfIntegers) {
     EXPECT_DOUBLE_EQ(log_gamma(5.0), std::log(24.0));
     EXPECT_NEAR(log_gamma(0.5), 0.5 * std::log(pi), 1e-15);
     EXPECT_NEAR(log_gamma(-0.5), std::log(2.0 * std::sqrt(pi)), 1e-15);

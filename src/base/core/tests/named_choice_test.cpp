@@ -21,7 +21,7 @@ std::string refusal(const std::string& wanted) {
     return {};
 }
 
-TEST(NamedChoice, TakesNumbersFromZero) {
+TEST(NamedChoice, AcceptsNumbersFromZero) {
     EXPECT_EQ(chosen_by_name("0", names, "channel"), 0u);
     EXPECT_EQ(chosen_by_name("4", names, "channel"), 4u);
     EXPECT_EQ(
@@ -30,14 +30,14 @@ TEST(NamedChoice, TakesNumbersFromZero) {
     EXPECT_NE(refusal("99999999999999999999999").find("no channel 9"), std::string::npos);
 }
 
-TEST(NamedChoice, TakesNamesAndTheirBeginningsWithoutRegardToCase) {
+TEST(NamedChoice, AcceptsNamesAndPrefixesInAnyCase) {
     EXPECT_EQ(chosen_by_name("height (RETRACE)", names, "channel"), 1u);
     EXPECT_EQ(chosen_by_name(" height (t", names, "channel"), 0u);
     EXPECT_EQ(chosen_by_name("phase", names, "channel"), 2u) << "a whole name goes before a beginning";
     EXPECT_EQ(chosen_by_name("phase i", names, "channel"), 3u);
 }
 
-TEST(NamedChoice, NamesWhatIsAmbiguousOrMissing) {
+TEST(NamedChoice, NamesAmbiguousAndMissingChoices) {
     EXPECT_EQ(
         refusal("hei"),
         "channel 'hei' is ambiguous: 0 'Height (trace)', 1 'Height (retrace)'; give the whole name or the number");
@@ -46,7 +46,7 @@ TEST(NamedChoice, NamesWhatIsAmbiguousOrMissing) {
     EXPECT_NE(refusal("").find("no channel ''"), std::string::npos);
 }
 
-TEST(NamedChoice, ShowsTheFirstOfManyNames) {
+TEST(NamedChoice, ListsTheFirstOfManyNames) {
     const std::vector<std::string> many(100, "frame");
     const auto shown = numbered_names(many);
     EXPECT_NE(shown.find("11 'frame', … 99"), std::string::npos);

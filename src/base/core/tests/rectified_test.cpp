@@ -11,7 +11,7 @@
 namespace setae::rectified_test {
 namespace {
 
-TEST(Rectified, HasTheDeviationOfDrawnNumbers) {
+TEST(Rectified, HasTheStandardDeviationOfRandomDraws) {
     std::mt19937_64 random(5);
     std::normal_distribution<double> normal;
     constexpr int count = 400'000;
@@ -27,7 +27,7 @@ TEST(Rectified, HasTheDeviationOfDrawnNumbers) {
     }
 }
 
-TEST(Rectified, HasItsClosedValues) {
+TEST(Rectified, MatchesClosedForms) {
     EXPECT_NEAR(rectified_share(-1.1, 1.0), 0.2356, 1e-4);
     EXPECT_NEAR(rectified_share(0.0, 1.0), std::sqrt(0.5 - 0.5 / std::acos(-1.0)), 1e-14);
     EXPECT_DOUBLE_EQ(rectified_share(20.0, 1.0), 1.0);
@@ -46,7 +46,7 @@ TEST(Rectified, FloorsValueAndInterval) {
 }
 
 // 95 % intervals of max(0, X) cover it as often as those of X cover X, for any position of the floor.
-TEST(Rectified, IntervalsHoldTheRectifiedValue) {
+TEST(Rectified, IntervalsCoverTheRectifiedValue) {
     std::mt19937_64 random(6);
     std::normal_distribution<double> normal;
     constexpr int count = 20'000;

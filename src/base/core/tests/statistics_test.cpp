@@ -17,7 +17,7 @@
 namespace setae::statistics_test {
 namespace {
 
-TEST(FExceedance, AgreesWithItsClosedForms) {
+TEST(FExceedance, MatchesClosedForms) {
     // 2 and n degrees of freedom: (1 + 2x/n)^(−n/2); 1 and n: the two tails of Student's t
     EXPECT_NEAR(f_exceedance(3.0, 2.0, 10.0), std::pow(1.6, -5.0), 1e-14);
     const double t = student_t_quantile(0.975, 7.0);
@@ -26,7 +26,7 @@ TEST(FExceedance, AgreesWithItsClosedForms) {
     EXPECT_THROW((void)f_exceedance(-1.0, 3.0, 4.0), InvalidArgument);
 }
 
-TEST(SampleMean, HasTheErrorThatItsScatterTells) {
+TEST(SampleMean, HasTheStandardErrorOfItsScatter) {
     // of 1, 2, 3, 4: 5/2 ± √(5/12)
     const auto mean = sample_mean(Array1D::LinSpaced(4, 1.0, 4.0), "samples");
     EXPECT_DOUBLE_EQ(mean.value, 2.5);
@@ -39,7 +39,7 @@ TEST(SampleMean, HasTheErrorThatItsScatterTells) {
     EXPECT_FALSE(alone.degrees_of_freedom);
 }
 
-TEST(StudentTQuantile, AgreesWithItsClosedForms) {
+TEST(StudentTQuantile, MatchesClosedForms) {
     // one degree of freedom: tan(π(p − ½)); two: (2p − 1)/√(2p(1 − p)); Abramowitz & Stegun 26.7
     for (const double p : {0.6, 0.9, 0.975, 0.999}) {
         EXPECT_NEAR(student_t_quantile(p, 1.0) / std::tan(pi * (p - 0.5)), 1.0, 1e-12) << p;
@@ -52,11 +52,11 @@ TEST(StudentTQuantile, AgreesWithItsClosedForms) {
     EXPECT_THROW((void)student_t_quantile(0.5, 0.0), InvalidArgument);
 }
 
-TEST(NormalProbability, InvertsItsQuantile) {
+TEST(NormalProbability, InvertsTheQuantile) {
     for (const double p : {0.001, 0.3, 0.5, 0.975}) EXPECT_NEAR(normal_probability(normal_quantile(p)), p, 1e-14);
 }
 
-TEST(ChiSquaredExceedance, AgreesWithItsClosedForms) {
+TEST(ChiSquaredExceedance, MatchesClosedForms) {
     EXPECT_NEAR(chi_squared_exceedance(3.0, 2.0), std::exp(-1.5), 1e-14);
     EXPECT_NEAR(chi_squared_exceedance(1.96 * 1.96, 1.0), 2.0 * normal_probability(-1.96), 1e-14);
     EXPECT_EQ(chi_squared_exceedance(0.0, 3.0), 1.0);
@@ -65,21 +65,21 @@ TEST(ChiSquaredExceedance, AgreesWithItsClosedForms) {
     EXPECT_THROW((void)chi_squared_exceedance(1.0, 0.0), InvalidArgument);
 }
 
-TEST(Satterthwaite, OfEqualTermsAddsTheirFreedom) {
+TEST(Satterthwaite, AddsDegreesOfFreedomOfEqualTerms) {
     EXPECT_NEAR(satterthwaite_degrees_of_freedom(std::array{VarianceTerm{2.0, 4.0}, VarianceTerm{2.0, 4.0}}), 8.0,
                 1e-12);
     EXPECT_NEAR(satterthwaite_degrees_of_freedom(std::array{VarianceTerm{1.0, 3.0}, VarianceTerm{1.0}}), 12.0, 1e-12);
     EXPECT_TRUE(std::isinf(satterthwaite_degrees_of_freedom(std::array{VarianceTerm{1.0}})));
 }
 
-TEST(SortedQuantile, RunsLinearlyBetweenNumbers) {
+TEST(SortedQuantile, InterpolatesLinearly) {
     const std::array numbers{1.0, 2.0, 4.0};
     EXPECT_EQ(sorted_quantile(numbers, 0.0), 1.0);
     EXPECT_EQ(sorted_quantile(numbers, 0.75), 3.0);
     EXPECT_EQ(sorted_quantile(numbers, 1.0), 4.0);
 }
 
-TEST(Propagated, BalanceOfAdhesionAgreesWithTwentyThousandDraws) {
+TEST(Propagated, FullContactBalanceMatchesTwentyThousandDraws) {
     // W_app = W_int r − γ1 (r − 1) − E u with the published ± of a polished surface on a soft elastomer, r, u exact
     constexpr double ratio = 1.07125, energy = 0.177e-9;
     const auto balance = [](const Array1D& x) { return x[0] * ratio - x[1] * (ratio - 1.0) - x[2] * energy; };
@@ -108,7 +108,7 @@ TEST(Propagated, BalanceOfAdhesionAgreesWithTwentyThousandDraws) {
     EXPECT_NEAR(deviation / linear.standard_error, 1.0, 4.0 / std::sqrt(2.0 * draws));
 }
 
-TEST(Propagated, SeesTheCovarianceOfAFit) {
+TEST(Propagated, UsesTheCovarianceOfAFit) {
     // slope and intercept of a line, fully anticorrelated: at x = 2 they cancel
     Array2D covariance(2, 2);
     covariance << 1.0, -2.0, -2.0, 4.0;
@@ -119,7 +119,7 @@ TEST(Propagated, SeesTheCovarianceOfAFit) {
     EXPECT_THROW((void)propagated([](const Array1D& p) { return p[0]; }, line, Array2D::Zero(1, 1)), InvalidArgument);
 }
 
-TEST(JackknifeEstimate, OfAMeanIsItsStandardError) {
+TEST(JackknifeEstimate, OfAMeanHasTheStandardErrorOfTheMean) {
     // values 1, 2, 4, 9 without each: (16 − v)/3; s²/n = 38/3/4
     const std::vector<LeaveOneOut> strata{{5.0, 14.0 / 3.0, 4.0, 7.0 / 3.0}};
     const auto estimate = jackknife_estimate(4.0, strata);
@@ -129,7 +129,7 @@ TEST(JackknifeEstimate, OfAMeanIsItsStandardError) {
     EXPECT_TRUE(std::isnan(jackknife_estimate(4.0, std::vector<LeaveOneOut>{{1.0}}).standard_error));
 }
 
-TEST(BcaInterval, OfSymmetricReplicasIsThePercentileOne) {
+TEST(BcaInterval, OfSymmetricReplicasEqualsThePercentileInterval) {
     std::vector<double> replicas;
     for (int i = -500; i < 500; ++i) replicas.push_back(i + 0.5);
     const std::vector<LeaveOneOut> symmetric{{-1.0, 0.0, 1.0}};
@@ -144,7 +144,7 @@ TEST(BcaInterval, OfSymmetricReplicasIsThePercentileOne) {
     EXPECT_THROW((void)percentile_interval({1.0}), InvalidArgument);
 }
 
-TEST(BootstrapTInterval, TurnsTheQuantilesOfTheStudentisedRound) {
+TEST(BootstrapTInterval, ReversesTheStudentisedQuantiles) {
     const std::vector<double> replicas{0.0, 1.0, 2.0, 5.0}, errors{1.0, 1.0, 1.0, 1.0};
     // studentised −1, 0, 1, 4 about 1 with SE 2: from 1 − 2·4 to 1 + 2·1
     const auto interval = tests::bootstrap_t_interval({1.0, 2.0}, replicas, errors, 1.0 - 1e-12);
@@ -153,7 +153,7 @@ TEST(BootstrapTInterval, TurnsTheQuantilesOfTheStudentisedRound) {
     EXPECT_THROW((void)tests::bootstrap_t_interval({1.0, 2.0}, replicas, {}, 0.95), InvalidArgument);
 }
 
-TEST(Estimate, MakesItsIntervalFromItsFreedom) {
+TEST(Estimate, IntervalUsesDegreesOfFreedom) {
     EXPECT_FALSE(interval_of({1.0}));
     EXPECT_NEAR(interval_of({1.0, 2.0})->upper, 1.0 + 2.0 * 1.959964, 1e-6);
     Estimate few{1.0, 2.0};
@@ -162,7 +162,7 @@ TEST(Estimate, MakesItsIntervalFromItsFreedom) {
     EXPECT_NEAR(interval_of(scaled(few, -3.0))->lower, -3.0 - 6.0 * std::tan(0.475 * pi), 1e-9);
 }
 
-TEST(Difference, AddsVariancesAndKeepsWhatIsUnknown) {
+TEST(Difference, AddsVariancesAndKeepsUnknownErrorsUnknown) {
     EXPECT_NEAR(difference({5.0, 3.0}, {1.0, 4.0}).standard_error, 5.0, 1e-12);
     EXPECT_EQ(difference({5.0, 3.0}, {1.0, 4.0}).value, 4.0);
     EXPECT_TRUE(std::isnan(difference({5.0, 3.0}, {1.0}).standard_error));

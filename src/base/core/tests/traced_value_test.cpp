@@ -17,7 +17,7 @@ TracedValue input(const char* name, double value, double error) {
 
 // JCGM 100:2008, H.2: resistance, reactance and impedance from one current, voltage and phase. V and I are perfectly
 // correlated through one calibration, so their ratio does not depend on it.
-TEST(TracedValue, OfARatioOfTwoValuesWithOneCalibrationDoesNotRestOnIt) {
+TEST(TracedValue, RatioOfTwoValuesCancelsTheirCommonCalibration) {
     const auto gain = input("gain", 1.0, 0.02);
     const TracedValue voltage{5.0, combined({{5.0, gain.components}})},
         current{2.0, combined({{2.0, gain.components}})};
@@ -26,7 +26,7 @@ TEST(TracedValue, OfARatioOfTwoValuesWithOneCalibrationDoesNotRestOnIt) {
     EXPECT_NEAR(covariance(voltage, current), 5.0 * 2.0 * 0.02 * 0.02, 1e-15);
 }
 
-TEST(TracedValue, AddsIndependentInputsInSquares) {
+TEST(TracedValue, AddsVariancesOfIndependentInputs) {
     const auto a = input("a", 1.0, 3.0), b = input("b", 2.0, 4.0);
     const TracedValue sum{3.0, combined({{1.0, a.components}, {1.0, b.components}})};
     EXPECT_DOUBLE_EQ(sum.standard_error(), 5.0);
@@ -35,7 +35,7 @@ TEST(TracedValue, AddsIndependentInputsInSquares) {
 }
 
 // ν = (Σ v)²/Σ v²/ν_i: 25²/(9²/4 + 0)
-TEST(TracedValue, HasTheFreedomOfItsInputs) {
+TEST(TracedValue, HasTheDegreesOfFreedomOfItsInputs) {
     const TracedValue a({.value = 0.0, .standard_error = 3.0, .degrees_of_freedom = 4.0}, "a");
     const auto b = input("b", 0.0, 4.0);
     const TracedValue sum{0.0, combined({{1.0, a.components}, {1.0, b.components}})};
@@ -43,7 +43,7 @@ TEST(TracedValue, HasTheFreedomOfItsInputs) {
     EXPECT_FALSE(b.estimate().degrees_of_freedom);
 }
 
-TEST(TracedValue, BudgetsByInputWithWhatHalvingGains) {
+TEST(TracedValue, BudgetListsInputsAndTheGainOfHalvingEach) {
     const auto a = input("a", 0.0, 3.0), b = input("b", 0.0, 4.0);
     const auto rows = budget_of({0.0, combined({{1.0, a.components}, {1.0, b.components}})});
     ASSERT_EQ(rows.size(), 2U);
@@ -53,7 +53,7 @@ TEST(TracedValue, BudgetsByInputWithWhatHalvingGains) {
     EXPECT_DOUBLE_EQ(rows[1].standard_error, 3.0);
 }
 
-TEST(TracedValue, RefusesOneNameWithTwoShapes) {
+TEST(TracedValue, RefusesOneNameWithTwoSizes) {
     const Components one{{"s", {Array1D::Ones(1)}}}, two{{"s", {Array1D::Ones(2)}}};
     EXPECT_THROW((void)covariance(one, two), InvalidArgument);
     EXPECT_THROW((void)combined({{1.0, one}, {1.0, two}}), InvalidArgument);

@@ -12,7 +12,7 @@ namespace {
 
 std::string of(double value, double error, double factor = 1.0) { return uncertain_number({value, error}, factor); }
 
-TEST(UncertainNumber, HasTwoDigitsOfItsErrorAndTheSamePlace) {
+TEST(UncertainNumber, ShowsTwoDigitsOfTheErrorAndAlignsTheValue) {
     EXPECT_EQ(of(37.0, 3.7), "37.0 ± 3.7");
     EXPECT_EQ(of(37.012, 0.00312), "37.0120 ± 0.0031");
     EXPECT_EQ(of(351.2, 120.0), "350 ± 120");
@@ -24,7 +24,7 @@ TEST(UncertainNumber, HasTwoDigitsOfItsErrorAndTheSamePlace) {
     EXPECT_EQ(of(1e-30, 2e-31), "(1.00 ± 0.20)×10⁻³⁰");
 }
 
-TEST(UncertainNumber, WithoutErrorHasFourDigits) {
+TEST(UncertainNumber, WithoutErrorShowsFourDigits) {
     EXPECT_EQ(of(37.0123, 0.0), "37.01");
     EXPECT_EQ(of(37.0123, undefined), "37.01");
     EXPECT_EQ(of(1.5e9, 0.0), "1.500×10⁹");
@@ -34,7 +34,7 @@ TEST(UncertainNumber, WithoutErrorHasFourDigits) {
     EXPECT_EQ(of(37.0, std::numeric_limits<double>::infinity()), "37.00 ± infinite");
 }
 
-TEST(UncertainNumber, WithItsInterval) {
+TEST(UncertainNumber, ShowsItsInterval) {
     const Estimate work{.value = 36.9756, .standard_error = 0.1512, .interval = Interval{36.67, 37.284}};
     EXPECT_EQ(number_with_interval(work), "36.98 [36.67, 37.28]");
     EXPECT_EQ(full_number(work), "36.98 ± 0.15 [36.67, 37.28]");
@@ -42,7 +42,7 @@ TEST(UncertainNumber, WithItsInterval) {
     EXPECT_EQ(number_with_interval({2.0}), "2.000");
 }
 
-TEST(FormatUncertain, PutsValueAndErrorInOneUnit) {
+TEST(FormatUncertain, UsesOneUnitForValueAndError) {
     EXPECT_EQ(format_uncertain({9.5668e6, 2.29e5}, "1/m"), "9.57 ± 0.23 µm⁻¹");
     EXPECT_EQ(format_uncertain({3.7e-2, 3.7e-3}, "J/m2"), "37.0 ± 3.7 mJ/m²");
     EXPECT_EQ(format_uncertain({2e-22, 3e-9}, "m"), "0.0 ± 3.0 nm");
@@ -53,7 +53,7 @@ TEST(FormatUncertain, PutsValueAndErrorInOneUnit) {
     EXPECT_EQ(format_uncertain({undefined}, "m"), "–");
 }
 
-TEST(ProbabilityText, IsWhatPapersPrint) {
+TEST(ProbabilityText, FormatsAsInPapers) {
     EXPECT_EQ(probability_text(1.0), "1");
     EXPECT_EQ(probability_text(0.5734), "0.57");
     EXPECT_EQ(probability_text(4.1e-33), "4·10⁻³³");

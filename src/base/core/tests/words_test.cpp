@@ -8,13 +8,13 @@
 namespace setae::words_test {
 namespace {
 
-TEST(Counted, AgreesWithItsNumber) {
+TEST(Counted, UsesSingularAndPlural) {
     EXPECT_EQ(counted(0, "pair", "pairs"), "no pairs");
     EXPECT_EQ(counted(1, "pair", "pairs"), "1 pair");
     EXPECT_EQ(counted(3, "pair", "pairs"), "3 pairs");
 }
 
-TEST(Listed, NamesFiveOfMany) {
+TEST(Listed, ShortensLongLists) {
     EXPECT_EQ(listed({}), "");
     EXPECT_EQ(listed({"A"}), "A");
     EXPECT_EQ(listed({"A", "B", "C"}), "A, B and C");
@@ -22,7 +22,7 @@ TEST(Listed, NamesFiveOfMany) {
     EXPECT_EQ(listed({"A", "B", "C", "D", "E", "F", "G"}), "A, B, C, D, E and 2 more");
 }
 
-TEST(Folded, LeavesCaseAndAccentsOut) {
+TEST(Folded, RemovesCaseAndAccents) {
     EXPECT_EQ(folded("Déplacement"), "deplacement");
     EXPECT_EQ(folded("De\u0301placement"), "deplacement");
     EXPECT_EQ(folded("GRÖSSE Größe Ÿ ł"), "grosse grosse y l");

@@ -5,6 +5,8 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -112,6 +114,7 @@ public:
 
     void flag(const Row& row, bool value) override { add(row, value ? "true" : "false"); }
     void whole(const Row& row, long long value) override { add(row, std::to_string(value)); }
+    void whole(const Row& row, std::uint64_t value) override { add(row, std::to_string(value)); }
     void number(const Row& row, double value) override { add(row, shown(value)); }
     void value(const Row& row, double value) override { add(row, shown(value) + " " + std::string(row.unit)); }
     void quantity(const Row& row, const Estimate& e) override {
@@ -142,7 +145,7 @@ std::string recorded(const Sample& sample) {
     return sink.text_;
 }
 
-TEST(Fields, ComeInTheOrderOfTheirRowsWithUnitsAndReasons) {
+TEST(Fields, AreWrittenInRowOrderWithUnitsAndReasons) {
     EXPECT_EQ(
         recorded({}),
         "flag=true;whole=3;number=0.5;force=0.002 N;stiffness=5±nan N/m;energy=1±0.1 J;area=4±0.5 m2;text=words;part={;texts=[;texts=a;texts=b;]}"
@@ -152,14 +155,14 @@ TEST(Fields, ComeInTheOrderOfTheirRowsWithUnitsAndReasons) {
         "found={;x=5;name=found;}by_name={;model:by_name=6±nan J/m2;}none_by_name=null();twice=1;of_its_own_unit=0.5 m/s;");
 }
 
-TEST(Fields, OfNumbersThatAreNoneAreHandedOn) {
+TEST(Fields, PassOnUndefinedAndInfiniteNumbers) {
     Sample sample;
     sample.number = std::nan("");
     sample.force = INFINITY;
     EXPECT_NE(recorded(sample).find("number=nan;force=inf N;"), std::string::npos);
 }
 
-TEST(Fields, KnowTheirKind) {
+TEST(Fields, HaveTheKindOfTheirMember) {
     const auto kind = [](std::string_view name) {
         for (const auto& row : Described<Sample>::rows)
             if (row.name == name) return row.kind;
@@ -193,7 +196,7 @@ static_assert(complete<Whole>);
 
 namespace {
 
-TEST(Fields, OfABaseStandAmongItsOwn) {
+TEST(Fields, OfABaseComeBeforeDerivedFields) {
     Recorded sink;
     const Whole whole{{4.0, "base"}, 2};
     put(&whole, Described<Whole>::description, sink);
@@ -205,6 +208,8 @@ struct Held {
     std::vector<std::pair<std::string, Point>> points{{"a", {1.0, "first"}}};
     std::vector<std::pair<std::string, int>> counts{{"a", 2}};
     std::vector<std::pair<std::string, std::string>> labels{{"a", "one"}};
+    std::map<std::string, int> sorted{{"b", 4}, {"a", 3}};
+    std::map<std::string, int> none;
     std::vector<Quantity> list{{.quantity = "force", .estimate = {.value = 3.0}, .unit = "N"}};
     Boxed<Point> boxed, no_box;
 };
@@ -221,6 +226,8 @@ struct Described<Held> {
         field<&T::points>("points", "points by name"),
         field<&T::counts>("counts", "whole numbers by name"),
         field<&T::labels>("labels", "texts by name"),
+        field<&T::sorted>("sorted", "whole numbers in the order of their names"),
+        field<&T::none>("none", "whole numbers by name, of which there are none"),
         field<&T::list>("list", "quantities"),
         quantities_among<T>(possible_quantities, [](const T& of) -> const auto& { return of.list; }),
         quantity_fields<T>([](const T& of) -> const Quantity& { return of.list.front(); }),
@@ -235,25 +242,54 @@ static_assert(complete<Held>);
 
 namespace {
 
-TEST(Fields, HoldValuesByNameAndQuantitiesUnderTheirOwn) {
+TEST(Fields, WriteMapsByNameAndQuantitiesByTheirNames) {
     Recorded sink;
     Held held;
     held.boxed = Point{5.0, "boxed"};
     put(&held, Described<Held>::description, sink);
     EXPECT_EQ(sink.text_,
-              "points={;a:points={;x=1;name=first;}}counts={;a:counts=2;}labels={;a:labels=one;}list=[;list=3 N;]"
+              "points={;a:points={;x=1;name=first;}}counts={;a:counts=2;}labels={;a:labels=one;}"
+              "sorted={;a:sorted=3;b:sorted=4;}none={;}list=[;list=3 N;]"
               "force=3 N;force 3;later=[;]by_name_later={;}boxed={;x=5;name=boxed;}no_box=null();");
     EXPECT_EQ(Described<Held>::rows[0].kind, Kind::objects_of);
     EXPECT_EQ(Described<Held>::rows[1].kind, Kind::whole_of);
     EXPECT_EQ(Described<Held>::rows[2].kind, Kind::text_of);
-    EXPECT_EQ(Described<Held>::rows[3].kind, Kind::quantities);
+    EXPECT_EQ(Described<Held>::rows[3].kind, Kind::whole_of);
+    EXPECT_EQ(Described<Held>::rows[5].kind, Kind::quantities);
 }
 
-TEST(Fields, RefuseAQuantityThatNoRowAnnounces) {
+TEST(Fields, RefuseAnUndeclaredQuantity) {
     Recorded sink;
     Held held;
     held.list.front().quantity = "speed";
     EXPECT_THROW(put(&held, Described<Held>::description, sink), InternalError);
+}
+
+/// Values whose output differs from that of other numbers.
+struct Odd {
+    std::uint64_t seed = std::numeric_limits<std::uint64_t>::max();
+    double work = 2.0;
+};
+
+}  // namespace
+
+template <>
+struct Described<Odd> {
+    static constexpr std::array rows{field<&Odd::seed>("seed", "of random numbers"),
+                                     field<&Odd::work>("work", "a number without its unit").in_unit("J/m2")};
+    static constexpr Description description{"", "odd values", rows};
+};
+static_assert(complete<Odd>);
+
+namespace {
+
+TEST(Fields, HaveSeedsOf64BitsAndNumbersWithoutTheirUnit) {
+    Recorded sink;
+    const Odd odd;
+    put(&odd, Described<Odd>::description, sink);
+    EXPECT_EQ(sink.text_, "seed=18446744073709551615;work=2;");
+    EXPECT_EQ(Described<Odd>::rows[1].kind, Kind::number);
+    EXPECT_EQ(Described<Odd>::rows[1].unit, "J/m2");
 }
 
 /// Lists of lists, and what has its names from elsewhere.

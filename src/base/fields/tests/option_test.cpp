@@ -47,7 +47,7 @@ struct Asked<Wanted> {
 namespace option_test {
 namespace {
 
-TEST(Option, KnowsWhereItsValueIsKept) {
+TEST(Option, ValueIsKeptInItsMember) {
     Wanted wanted;
     *std::get<std::string*>(Asked<Wanted>::options[0].place(&wanted)) = "2 mm";
     *std::get<std::optional<double>*>(Asked<Wanted>::options[1].place(&wanted)) = 0.4;
@@ -59,7 +59,7 @@ TEST(Option, KnowsWhereItsValueIsKept) {
     EXPECT_EQ(wanted.left_out, std::vector<long>{12});
 }
 
-TEST(Option, SaysWhatItMayBe) {
+TEST(Option, DescribesItsDomain) {
     const auto& [radius, ratio, free, excluded, note, table, order, step] = Asked<Wanted>::options;
     EXPECT_EQ(radius.usual_unit, "mm");
     EXPECT_EQ(ratio.domain->upper, 0.5);
@@ -72,20 +72,20 @@ TEST(Option, SaysWhatItMayBe) {
     EXPECT_EQ(step.word, "steps");
 }
 
-TEST(Option, HasASentenceOfHelp) {
+TEST(Option, HasAHelpSentence) {
     EXPECT_EQ(help_of(Asked<Wanted>::options[0]), "radius of the sphere, such as \"1 mm\"; default: that of the file");
     EXPECT_EQ(help_of(Asked<Wanted>::options[2]), "free edges");
     EXPECT_EQ(help_of(Asked<Wanted>::options[4]), "note on a frame, such as \"12: glare\"; may be repeated");
 }
 
-TEST(Option, TakesSeveralValuesInOneWordOrOneAtATimeAndFiles) {
+TEST(Option, DescribesListsRepetitionAndInputFiles) {
     const auto& [radius, ratio, free, excluded, note, table, order, step] = Asked<Wanted>::options;
     EXPECT_EQ(excluded.separator, ',');
     EXPECT_TRUE(note.named_each_time && !excluded.named_each_time);
     EXPECT_TRUE(table.is_input && !note.is_input);
 }
 
-TEST(Spelled, NamesOptionsAsAFrontEndDoes) {
+TEST(Spelled, WritesOptionsInTheStyleOfTheFrontEnd) {
     const auto typed = [](std::string_view name, std::string_view value) {
         if (name != "poisson_ratio" && name != "layer") return std::string();
         return "--" + std::string(name) + (value.empty() ? "" : " \"" + std::string(value) + "\"");

@@ -56,7 +56,7 @@ constexpr auto view = view_of<Contact>({{"full"},
                                         {"v", "edge.speed", 1e-6},
                                         {"v of the other", "other.speed", Errors::left_out}});
 
-TEST(View, PicksFieldsAtTheEndOfTheirPathsInItsOwnUnits) {
+TEST(View, SelectsFieldsByPathAndConvertsUnits) {
     const auto picked = cells(Contact{.edge = Edge{}}, view);
     ASSERT_EQ(picked.size(), 5u);
     EXPECT_EQ(std::get<std::string>(picked[0].value), "yes");
@@ -67,14 +67,14 @@ TEST(View, PicksFieldsAtTheEndOfTheirPathsInItsOwnUnits) {
     EXPECT_TRUE(std::isnan(std::get<double>(picked[4].value))) << "the speed of one edge is not that of another";
 }
 
-TEST(View, OfWhatIsMissingHasEmptyWordsAndNumbersThatAreNone) {
+TEST(View, OfMissingPartsHasEmptyTextsAndUndefinedNumbers) {
     const auto picked = cells(Contact{}, view);
     EXPECT_EQ(std::get<std::string>(picked[2].value), "");
     EXPECT_TRUE(std::isnan(std::get<double>(picked[3].value)));
     EXPECT_TRUE(std::isnan(picked[3].standard_error));
 }
 
-TEST(View, FindsFieldsThatStandAmongOthers) {
+TEST(View, FindsFieldsOfInlinedParts) {
     static constexpr auto of_marked = view_of<Marked>({{"mark"}, {"in contact", "share"}, {"edge", "edge.name"}});
     Marked marked;
     marked.edge = Edge{};
@@ -84,7 +84,7 @@ TEST(View, FindsFieldsThatStandAmongOthers) {
     EXPECT_EQ(std::get<std::string>(picked[2].value), "receding");
 }
 
-TEST(View, KnowsWhichColumnsHaveErrors) {
+TEST(View, DistinguishesColumnsWithErrors) {
     EXPECT_FALSE(has_error(view[1]));
     EXPECT_TRUE(has_error(view[3]));
     EXPECT_FALSE(has_error(view[4]));

@@ -6,7 +6,7 @@
 namespace setae::fourier::fast_length_test {
 namespace {
 
-TEST(FastLength, IsTheLeastProductOfTwoThreeAndFive) {
+TEST(FastLength, IsTheSmallestProductOfTwosThreesAndFives) {
     EXPECT_EQ(fast_length(0), 1);
     EXPECT_EQ(fast_length(1), 1);
     EXPECT_EQ(fast_length(7), 8);

@@ -57,7 +57,7 @@ INSTANTIATE_TEST_SUITE_P(EvenAndOdd, InverseShapes,
                                          std::tuple{8, 6}, std::tuple{7, 9}, std::tuple{16, 35}, std::tuple{33, 40},
                                          std::tuple{5, 130}));
 
-TEST(InverseMapTransform, MakesTheRowsAskedFor) {
+TEST(InverseMapTransform, ComputesTheRequestedRows) {
     const auto half = half_spectrum(some_map(40, 27));
     const Array2D whole = inverse(half, 27, 1);
     Array2D map(40, 27);
@@ -69,7 +69,7 @@ TEST(InverseMapTransform, MakesTheRowsAskedFor) {
     EXPECT_TRUE((map.topRows(3) == whole.topRows(3)).all());
 }
 
-TEST(InverseMapTransform, OfOneModeIsItsWave) {
+TEST(InverseMapTransform, OfOneModeIsAWave) {
     ComplexMap half = ComplexMap::Zero(5, 12);
     half(3, 2) = {0.5, -0.25};
     const auto map = inverse(half, 9, 1);

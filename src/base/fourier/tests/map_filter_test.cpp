@@ -72,7 +72,7 @@ TEST_P(Filtered, MapIsTheConvolution) {
     EXPECT_NEAR(form_found, form, 1e-12 * std::abs(form));
 }
 
-TEST_P(Filtered, MapIsTheSameInFloatButForItsRounding) {
+TEST_P(Filtered, MapInSinglePrecisionDiffersByRoundingOnly) {
     const Array2D x = Array2D::Random(GetParam().nx, GetParam().ny);
     const auto [y, form] = filtered<double>(GetParam(), x);
     const auto [rounded, rounded_form] = filtered<float>(GetParam(), x);
@@ -80,12 +80,12 @@ TEST_P(Filtered, MapIsTheSameInFloatButForItsRounding) {
     EXPECT_NEAR(rounded_form, form, 1e-5 * std::abs(form));
 }
 
-INSTANTIATE_TEST_SUITE_P(OfEvenAndOddSides, Filtered,
+INSTANTIATE_TEST_SUITE_P(EvenAndOddSides, Filtered,
                          ::testing::Values(Case{8, 8, 8, 8}, Case{7, 5, 7, 5}, Case{6, 9, 12, 18}, Case{5, 8, 10, 8},
                                            Case{1, 12, 1, 12}, Case{9, 1, 18, 1}, Case{1, 1, 1, 1},
                                            Case{20, 30, 39, 30}));
 
-TEST(MapFilter, TakesAKernelInPlaceOfItsTransform) {
+TEST(MapFilter, KernelMultiplierEqualsTheTransformedKernel) {
     const Index px = 12, py = 10;
     const MapFilter filter(5, 4, px, py);
     const Multiplier by_sums = filter.multiplier([&](Index k, Index m) { return transform(k, m, px, py); });

@@ -44,7 +44,7 @@ ComplexMap transformed_map(const Array2D& map, int threads = 1) {
     });
 }
 
-TEST(PaddedMapTransform, IsThatOfTheMapWithItsZeros) {
+TEST(PaddedMapTransform, EqualsTheTransformOfTheZeroPaddedMap) {
     Array2D map = Array2D::Zero(30, 21);
     map.topRows(11) = random_map(11, 21);
     const auto padded = collect(11, 30, [&](const auto& consume) {
@@ -101,7 +101,7 @@ TEST(MapTransform, GivesTheSameBytesForAnyNumberOfThreads) {
     EXPECT_TRUE((transformed_lines(map, 1) == transformed_lines(map, 3)).all());
 }
 
-TEST(MapTransform, SeesWhatPrepareMakesOfALine) {
+TEST(MapTransform, TransformsPreparedLines) {
     const auto map = random_map(12, 5);
     fourier::transform_lines(
         map, [](Index j, double* line) { std::fill_n(line, 12, static_cast<double>(j)); },
@@ -158,6 +158,6 @@ TEST(ComplexTransform, ForwardThenBackwardIsNTimesTheInput) {
     for (std::size_t k = 0; k < n; ++k) EXPECT_LT(std::abs(values[k] / 60.0 - original[k]), 1e-13);
 }
 
-TEST(RealTransform, RefusesNoPoints) { EXPECT_THROW(fourier::RealTransform(0), InvalidArgument); }
+TEST(RealTransform, RefusesZeroPoints) { EXPECT_THROW(fourier::RealTransform(0), InvalidArgument); }
 
 }  // namespace map_transform_test

@@ -43,24 +43,24 @@ double largest_error(const Array1D& x, const Array1D& c, const Array1D& q) {
     return error / c.abs().sum();
 }
 
-TEST(NonuniformTransform, MeetsTheSumTo1e13OfTheCoefficientsWherePhasesAreExact) {
+TEST(NonuniformTransform, MatchesTheSumTo1e13WherePhasesAreExact) {
     const auto x = random_array(3000, -1.0, 1.0, 1);
     const auto c = random_array(3000, -1.0, 1.0, 2);
     EXPECT_LT(largest_error(x, c, random_array(500, -400.0, 400.0, 3)), 1e-13);
 }
 
-TEST(NonuniformTransform, MeetsTheSumForPositiveCoefficients) {
+TEST(NonuniformTransform, MatchesTheSumForPositiveCoefficients) {
     const auto x = random_array(3000, -1.0, 1.0, 1);
     EXPECT_LT(largest_error(x, Array1D::Ones(3000), random_array(500, -400.0, 400.0, 3)), 1e-13);
 }
 
-TEST(NonuniformTransform, ErrsByThePhasesRoundingOnlyOverFiveDecades) {
+TEST(NonuniformTransform, ErrorIsPhaseRoundingOverFiveDecades) {
     const auto x = random_array(3000, 0.0, 1.0, 4);
     const auto c = random_array(3000, -1.0, 1.0, 5);
     EXPECT_LT(largest_error(x, c, log_spaced(300, 6.0, 6e5)), 1e-13 + 1.2e-16 * 6e5);
 }
 
-TEST(NonuniformTransform, IsTheSumWhereFewTermsMakeItCheaper) {
+TEST(NonuniformTransform, EqualsTheDirectSumForFewTerms) {
     const auto x = random_array(7, 0.0, 1.0, 6);
     const auto c = random_array(7, -1.0, 1.0, 7);
     const auto q = log_spaced(9, 1.0, 1e4);
@@ -77,12 +77,12 @@ TEST(NonuniformTransform, SplitsRangesTooWideForOneGrid) {
         EXPECT_LT(std::abs(result[j] - exact_sum(x, c, q[j])), (1e-13 + 1.2e-16 * 8e6) * c.abs().sum());
 }
 
-TEST(NonuniformTransform, OfOnePointIsAPhase) {
+TEST(NonuniformTransform, OfOnePointIsAPhaseFactor) {
     const Array1D x = Array1D::Constant(1, 0.25), c = Array1D::Constant(1, 2.0), q = Array1D::Constant(1, 3.0);
     EXPECT_LT(std::abs(nonuniform_transform(x, c, q)[0] - std::polar(2.0, -0.75)), 1e-15);
 }
 
-TEST(NonuniformTransform, AtOneWavevectorOfManyCoincidingPointsIsTheirSum) {
+TEST(NonuniformTransform, AddsManyCoincidingPoints) {
     const Array1D x = Array1D::Constant(5000, 0.5), c = Array1D::Ones(5000), q = Array1D::Constant(5000, 2.0);
     EXPECT_LT(std::abs(nonuniform_transform(x, c, q)[7] - std::polar(5000.0, -1.0)), 5000.0 * 1e-13);
 }
@@ -95,7 +95,7 @@ TEST(NonuniformTransform, GivesTheSameBytesForAnyNumberOfThreads) {
     EXPECT_TRUE((one == two).all());
 }
 
-TEST(NonuniformTransform, RefusesSizesThatDifferAndNaN) {
+TEST(NonuniformTransform, RefusesUnequalSizesAndNaN) {
     EXPECT_THROW((void)nonuniform_transform(Array1D::Zero(3), Array1D::Zero(2), Array1D::Ones(1)), InvalidArgument);
     EXPECT_THROW((void)nonuniform_transform(Array1D::Zero(1), Array1D::Constant(1, NAN), Array1D::Ones(1)),
                  InvalidArgument);

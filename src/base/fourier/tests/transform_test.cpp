@@ -8,7 +8,7 @@
 namespace setae::fourier::transform_test {
 namespace {
 
-TEST(Transform, RefusesLengthsBeyondWhatItsPlannerCounts) {
+TEST(Transform, RefusesLengthsBeyondTheRangeOfThePlanner) {
     constexpr Index beyond = Index{1} << 31;
     for (const Index n : {Index{0}, Index{-1}, beyond, 4 * beyond + 8}) {
         EXPECT_THROW(RealTransform{n}, InvalidArgument) << n;

@@ -13,13 +13,13 @@
 namespace setae::numerics::minimum_test {
 namespace {
 
-TEST(Minimum, IsThatOfTheOneValley) {
+TEST(Minimum, FindsTheMinimumOfAParabola) {
     const auto minimum = minimum_between([](double x) { return (x - 0.3) * (x - 0.3) + 2.0; }, -1.0, 4.0, 26);
     EXPECT_NEAR(minimum.place, 0.3, 1e-7);
     EXPECT_NEAR(minimum.value, 2.0, 1e-13);
 }
 
-TEST(Minimum, OfWhateverValuesEnds) {
+TEST(Minimum, TerminatesForUndefinedAndInfiniteValues) {
     for (const double value : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
                                -std::numeric_limits<double>::infinity(), 0.0}) {
         int asked = 0;
@@ -33,7 +33,7 @@ TEST(Minimum, OfWhateverValuesEnds) {
     }
 }
 
-TEST(Minimum, IsStopped) {
+TEST(Minimum, CanBeCancelled) {
     std::atomic<bool> cancelled{false};
     const parallel::CancellationScope scope(cancelled);
     int asked = 0;

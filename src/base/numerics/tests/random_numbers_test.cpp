@@ -15,7 +15,7 @@ namespace random_numbers_test {
 using namespace setae;
 using namespace setae::numerics;
 
-TEST(RandomBits, AreThePublishedAnswersOfPhilox) {
+TEST(RandomBits, MatchThePublishedPhiloxVectors) {
     // Random123's kat_vectors: philox4x32 10, counter and key zero
     EXPECT_EQ(random_bits({0, 0}, 0), 0xe169c58d6627e8d5U);
     EXPECT_EQ(random_bits({0, 0}, 1), 0x9b00dbd8bc57ac4cU);
@@ -30,7 +30,7 @@ TEST(RandomBits, HaveTheSeedAsKeyAndTheStreamInTheCounter) {
     EXPECT_EQ(random_bits(key, 2 * block + 1), static_cast<std::uint64_t>(bits[3]) << 32 | bits[2]);
 }
 
-TEST(NormalNumbers, AreBoxMullerOfTheirBits) {
+TEST(NormalNumbers, AreBoxMullerTransformsOfTheBits) {
     // the library's logarithm and polar are an independent evaluation; angle (π/2)(k + f) from the top two bits and the
     // rest
     const RandomKey key{7, 3};
@@ -44,7 +44,7 @@ TEST(NormalNumbers, AreBoxMullerOfTheirBits) {
     }
 }
 
-TEST(NormalNumbers, AreTheSameOneByOneAndInBlocks) {
+TEST(NormalNumbers, AreEqualOneByOneAndInBlocks) {
     const RandomKey key{1, 2};
     for (const std::uint64_t first : {0U, 1U, 6U, 257U}) {
         const auto normal = normal_numbers(key, first, 301);
@@ -79,7 +79,7 @@ TEST(NormalNumbers, FollowTheNormalDistributionFunction) {
     EXPECT_LT(distance * std::sqrt(static_cast<double>(n)), 1.95);  // Kolmogorov: exceeded once in a thousand
 }
 
-TEST(UniformNumbers, LieStrictlyInsideAndFillTheInterval) {
+TEST(UniformNumbers, LieStrictlyInsideAndCoverTheInterval) {
     constexpr Index n = 200000;
     Array1D u(n);
     for (Index i = 0; i < n; ++i) u[i] = uniform_number({3, 3}, static_cast<std::uint64_t>(i));
@@ -89,7 +89,7 @@ TEST(UniformNumbers, LieStrictlyInsideAndFillTheInterval) {
     EXPECT_LT(std::abs((u - 0.5).square().mean() - 1.0 / 12.0), 4.0 / std::sqrt(180.0 * n));
 }
 
-TEST(Substreams, AreUnrelatedToEachOtherAndToTheirParent) {
+TEST(Substreams, AreUncorrelatedWithEachOtherAndTheirParent) {
     constexpr Index n = 100000;
     const RandomKey parent{5, 0};
     const RandomKey children[] = {

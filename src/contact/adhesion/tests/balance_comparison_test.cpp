@@ -39,7 +39,7 @@ std::vector<PairPoint> pairs(const TrueValues& planted, std::uint64_t seed = 1) 
     return all;
 }
 
-TEST(StrainedInterfaceFit, GivesBackWhatWasPlanted) {
+TEST(StrainedInterfaceFit, RecoversTrueParameters) {
     for (const double change : {-0.02, 0.0, 0.015}) {
         const auto fit = fit_strained_interface(pairs({.change = change}));
         EXPECT_NEAR(fit.interface_change.value, change, 1e-7);
@@ -49,7 +49,7 @@ TEST(StrainedInterfaceFit, GivesBackWhatWasPlanted) {
 }
 
 // Standard errors are the scatter of 400 repetitions to 4 of its standard errors, 3.5 % each.
-TEST(StrainedInterfaceFit, ErrorsAreTheScatterOfRepetitions) {
+TEST(StrainedInterfaceFit, StandardErrorsMatchTheScatterOfRepetitions) {
     constexpr int repetitions = 400;
     double sum = 0.0, squares = 0.0, products = 0.0, work_squares = 0.0, stated = 0.0, stated_work = 0.0, rho = 0.0;
     for (int i = 0; i < repetitions; ++i) {
@@ -78,13 +78,13 @@ TEST(StrainedInterfaceFit, RefusesOneAreaRatio) {
     EXPECT_THROW((void)fit_strained_interface(same), InvalidArgument);
 }
 
-TEST(BalanceScore, PrefersTheBalanceThatWasPlanted) {
+TEST(BalanceScore, PrefersTheTrueBalance) {
     const auto planted = pairs({.change = 0.02, .scatter = 0.0005});
     const auto modified = score_balance(planted), strained = score_strained_interface(planted);
     EXPECT_GT(strained.log_likelihood - modified.log_likelihood, 10.0);
     EXPECT_LT(strained.left_out_deviation, 0.5 * modified.left_out_deviation);
     EXPECT_EQ(strained.parameters, 2);
-    // where nothing was planted the second parameter gains what chance gives: a χ² of one degree of freedom, halved
+    // without a true change the second parameter gains half a χ² of one degree of freedom
     double gained = 0.0;
     constexpr int repetitions = 200;
     for (std::uint64_t seed = 0; seed < repetitions; ++seed) {
@@ -95,7 +95,7 @@ TEST(BalanceScore, PrefersTheBalanceThatWasPlanted) {
 }
 
 // By hand: three pairs of slope 1 and offset 0 measured 1, 2 and 6 on surfaces a, a, b.
-TEST(BalanceScore, LeavesSurfacesOut) {
+TEST(BalanceScore, HasLeaveOneSurfaceOutErrors) {
     std::vector<PairPoint> points(3);
     const double measured[] = {1.0, 2.0, 6.0};
     for (int i = 0; i < 3; ++i) {
@@ -111,7 +111,7 @@ TEST(BalanceScore, LeavesSurfacesOut) {
     EXPECT_NEAR(score.left_out_deviation, std::sqrt((25.0 + 16.0 + 4.5 * 4.5) / 3.0), 1e-12);
 }
 
-TEST(BalanceScore, OfFreeEnergiesHasTheirParametersAndSaysNothingOfOtherSurfaces) {
+TEST(BalanceScore, OfFreeEnergiesHasNoLeaveOneSurfaceOutError) {
     std::vector<FreeEnergyPoint> points;
     for (const auto& pair : pairs({.scatter = 0.0005}))
         points.push_back({.pair = {.surface = pair.surface,

@@ -20,8 +20,8 @@ PairPoint line_at(double offset, Components inputs) {
     return line;
 }
 
-// 20 000 draws know a standard deviation to 0.5 %; far above the floor errors add in squares
-TEST(BalanceDraws, AgreeWithLinearPropagationWhereNothingIsFloored) {
+// 20 000 draws determine a standard deviation to 0.5 %; far above the floor variances add
+TEST(BalanceDraws, AgreeWithLinearPropagationAboveTheFloor) {
     const TracedValue work{W, one("work", 0.003)};
     const auto draws = draw_balances(work, {}, {line_at(0.01, one("modulus", 0.004))}, 20000, 3);
     EXPECT_FALSE(draws.work_of_adhesion);
@@ -31,7 +31,7 @@ TEST(BalanceDraws, AgreeWithLinearPropagationWhereNothingIsFloored) {
 
 // A balance at 0 ± s: half of the draws lie on the floor, and the other half is half a normal distribution,
 // √(1/2 − 1/2π) s
-TEST(BalanceDraws, StopAtTheFloor) {
+TEST(BalanceDraws, AreLimitedAtTheFloor) {
     const auto draws = draw_balances(W, {}, {line_at(W, one("modulus", 0.002))}, 20000, 3);
     const auto& floored = draws.predictions.front();
     EXPECT_EQ(floored.interval.lower, 0.0);

@@ -24,14 +24,14 @@ spectra::Spectrum power_law(double lower, double upper, Index nodes = 4001) {
     return curve;
 }
 
-TEST(ContactShares, OfAPowerLawHaveTheirClosedForm) {
+TEST(ContactShares, OfAPowerLawMatchTheClosedForm) {
     const double lower = 1e4, upper = 1e10, diameter = 100e-6, first = 2.0 * pi / diameter;
     const auto shares = contact_shares(power_law(lower, upper), {.contact_diameter = diameter});
     EXPECT_NEAR(shares.energy, (1.0 / first - 1.0 / upper) / (1.0 / lower - 1.0 / upper), 1e-5);
     EXPECT_NEAR(shares.squared_slope, std::log(upper / first) / std::log(upper / lower), 1e-5);
 }
 
-TEST(ContactShares, OfOneWaveOnALayerAreItsStiffness) {
+TEST(ContactShares, OfOneWaveOnALayerEqualItsStiffnessRatio) {
     const double q = 2e5, h = 10e-6;
     const auto shares = contact_shares(power_law(q, 1.001 * q, 11), {.thickness = h, .poisson_ratio = 0.45});
     EXPECT_NEAR(shares.energy / contact::layer::stiffness_ratio(1.0005 * q * h, 0.45), 1.0, 1e-5);
@@ -41,7 +41,7 @@ TEST(ContactShares, OfOneWaveOnALayerAreItsStiffness) {
     EXPECT_NEAR(contact_shares(power_law(2e5, 2.1e5, 11), {.thickness = 700e-6}).energy, 1.0, 1e-12);
 }
 
-TEST(ContactShares, ScaleParametersAndTheirSpreadAlike) {
+TEST(ContactShares, ScaleParametersAndTheirScatterEqually) {
     roughness::SpectralParameters parameters{.rms_slope = 0.5, .elastic_energy_per_modulus = 1e-8};
     roughness::ParameterSpread spread;
     spread.replicas = {parameters};
@@ -50,14 +50,14 @@ TEST(ContactShares, ScaleParametersAndTheirSpreadAlike) {
     EXPECT_DOUBLE_EQ(seen.spread.replicas.front().elastic_energy_per_modulus, 5e-9);
 }
 
-TEST(ContactShares, RefuseContactsWithoutWaves) {
+TEST(ContactShares, RefuseContactsWithoutModes) {
     EXPECT_THROW((void)contact_shares(power_law(1e6, 1e9), {.contact_diameter = 1e-9}), InvalidArgument);
     EXPECT_THROW((void)contact_shares(power_law(1e6, 1e9), {.contact_diameter = 0.0}), InvalidArgument);
     EXPECT_THROW((void)contact_shares(power_law(1e6, 1e9), {.thickness = -1.0}), InvalidArgument);
 }
 
 // One wave: U = E* q h²/8 and W of a nearly flat surface; it closes as patches of its energies and height do.
-TEST(ScaleBalance, ClosesAsSimulatedPatchesDo) {
+TEST(ScaleBalance, MatchesFullContactOfSimulatedPatches) {
     const double q = 2.0 * pi / 20e-6, height = 50e-9, modulus = 1e6;
     auto curve = power_law(q, 1.0001 * q, 3);
     curve.density *= height * height / 2.0 / std::pow(roughness::spectral_parameters(curve).rms_height, 2);

@@ -39,7 +39,7 @@ GeneralisedFreeEnergies generalised(const std::vector<FreeEnergyPoint>& list) {
     return fit_free_energies_generalised(list, fit_with_free_energies(list)).value();
 }
 
-TEST(FreeEnergies, RecoverWhatEachSurfaceStores) {
+TEST(FreeEnergies, RecoverTheStoredEnergyOfEachSurface) {
     const auto fit = fit_with_free_energies(points(0.0));
     EXPECT_NEAR(fit.work_of_adhesion, W, 1e-6);
     EXPECT_NEAR(fit.r_squared, 1.0, 1e-6);
@@ -86,7 +86,7 @@ TEST(FreeEnergies, AtTheFloorHaveAOneSidedInterval) {
     EXPECT_TRUE(fit.energies[1].energy_per_modulus.uncertain());
 }
 
-TEST(FreeEnergies, AskMorePairsThanParametersAndSeveralModuli) {
+TEST(FreeEnergies, RequireMorePairsThanParametersAndSeveralModuli) {
     const auto all = points(1e-4);
     std::vector<FreeEnergyPoint> of_one_elastomer;
     for (const auto& point : all)
@@ -99,7 +99,7 @@ TEST(FreeEnergies, AskMorePairsThanParametersAndSeveralModuli) {
 
 // W ± with γ1 shared is larger than without, and rests on it by name: the derivative by refits of pairs that are off as
 // γ1 would make them, every surface storing something.
-TEST(FreeEnergies, CarryWhatPairsShare) {
+TEST(FreeEnergies, PropagateSharedInputs) {
     auto list = points(1e-4);
     for (auto& point : list) {
         point.pair.measured.value -= 1e-9 * point.contact_modulus.value;
@@ -118,8 +118,8 @@ TEST(FreeEnergies, CarryWhatPairsShare) {
     EXPECT_TRUE(fit.traced_work_of_adhesion.components.contains("E of " + list.front().pair.elastomer));
 }
 
-// Truths drawn with lens, γ1 and moduli as uncertain as told, one surface storing nothing.
-TEST(FreeEnergies, IntervalsHoldTheTruth) {
+// True values drawn with the stated errors of lens, γ1 and moduli; one surface stores no energy.
+TEST(FreeEnergies, IntervalsCoverTrueValues) {
     constexpr int draws = 100;
     constexpr double noise = 8e-4;
     std::mt19937 random(5);

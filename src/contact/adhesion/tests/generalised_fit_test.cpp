@@ -36,7 +36,7 @@ std::vector<PairPoint> pairs(int surfaces, int elastomers, double noise) {
 // One W, one surface energy for all: y_i = W r_i − γ1 (r_i − 1) − U_i. With equal own noise σ and γ1 ± s shared,
 // V = σ² + s² (r − 1)(r − 1)ᵀ; by Sherman and Morrison the information on W is
 //   rᵀV⁻¹r = [Σr² − s² (Σ r (r − 1))²/(σ² + s² Σ(r − 1)²)]/σ²
-TEST(GeneralisedFit, CarriesASharedSurfaceEnergyInClosedForm) {
+TEST(GeneralisedFit, MatchesTheClosedFormForASharedSurfaceEnergy) {
     constexpr double sigma = 0.001;
     auto list = pairs(4, 3, sigma);
     double rr = 0.0, rg = 0.0, gg = 0.0;
@@ -51,7 +51,7 @@ TEST(GeneralisedFit, CarriesASharedSurfaceEnergyInClosedForm) {
                  information = (rr - s2 * rg * rg / (sigma * sigma + s2 * gg)) / (sigma * sigma);
     EXPECT_NEAR(fit.work_of_adhesion.value, W, 1e-12);
     EXPECT_NEAR(fit.work_of_adhesion.standard_error() * std::sqrt(information), 1.0, 1e-9);
-    // ordinary least squares would have dW/dγ1 = Σ r (r − 1)/Σ r²; here γ1 is fitted along, as far as data tell it
+    // ordinary least squares would have dW/dγ1 = Σ r (r − 1)/Σ r²; here γ1 is fitted as far as the data determine it
     EXPECT_LT(std::abs(fit.work_of_adhesion.components.at("gamma").directions[0]), gamma_error * rg / rr);
 }
 
@@ -70,7 +70,7 @@ TEST(GeneralisedFit, WithoutSharedInputsIsWeightedLeastSquares) {
 }
 
 // One surface, slopes 1: y = W + noise; REML's τ² + σ² is the sample's variance with n − 1
-TEST(GeneralisedFit, ScatterOfOneGroupIsTheSamplesOwn) {
+TEST(GeneralisedFit, ScatterOfOneGroupIsTheSampleVariance) {
     std::vector<PairPoint> list;
     const std::vector<double> values{38e-3, 41e-3, 43e-3, 37e-3, 42e-3};
     double mean = 0.0, squares = 0.0;
@@ -87,7 +87,7 @@ TEST(GeneralisedFit, ScatterOfOneGroupIsTheSamplesOwn) {
 
 // A gain of 10 % common to all measured values moves W by 10 %, not by the little that taking errors of measured values
 // themselves would: Peelle's puzzle.
-TEST(GeneralisedFit, ASharedGainDoesNotPullDown) {
+TEST(GeneralisedFit, IsUnbiasedForASharedGainError) {
     auto list = pairs(4, 3, 0.002);
     std::mt19937 random(4);
     std::normal_distribution<double> normal;
@@ -109,7 +109,7 @@ struct Coverage {
     int held = 0, left_out_held = 0, left_out = 0;
 };
 
-/// Truths drawn with everything uncertain as the study says; how often the intervals hold them.
+/// True values drawn with the stated errors; coverage of the intervals.
 Coverage coverage_of(bool correlated, double surface_effect) {
     constexpr int draws = 400;
     std::mt19937 random(17);
@@ -147,7 +147,7 @@ Coverage coverage_of(bool correlated, double surface_effect) {
     return result;
 }
 
-TEST(GeneralisedFit, IntervalsHoldTheTruthWhereInputsAreShared) {
+TEST(GeneralisedFit, IntervalsCoverTrueValuesForSharedInputs) {
     const auto whole = coverage_of(true, 0.0);
     EXPECT_NEAR(whole.held / 400.0, 0.95, 0.033);
     EXPECT_NEAR(whole.left_out_held / double(whole.left_out), 0.95, 0.033);
@@ -155,13 +155,13 @@ TEST(GeneralisedFit, IntervalsHoldTheTruthWhereInputsAreShared) {
     EXPECT_LT(coverage_of(false, 0.0).held / 400.0, 0.85);
 }
 
-TEST(GeneralisedFit, KnowsScatterOfWholeSurfaces) {
+TEST(GeneralisedFit, AccountsForScatterBetweenSurfaces) {
     const auto whole = coverage_of(true, 0.003);
     EXPECT_GT(whole.held / 400.0, 0.90);
     EXPECT_GT(whole.left_out_held / double(whole.left_out), 0.88);
 }
 
-TEST(GeneralisedFit, FollowsPairsThroughTheFloor) {
+TEST(GeneralisedFit, HandlesFlooredPairs) {
     auto list = pairs(4, 4, 0.0005);
     for (auto& p : list) {
         if (p.surface == "s3") p.offset += 0.06;
@@ -174,7 +174,7 @@ TEST(GeneralisedFit, FollowsPairsThroughTheFloor) {
 
 // Derivatives of W to each input against refits of data made with that input off; without noise, where the weights'
 // own dependence on W does not enter.
-TEST(GeneralisedFit, HasTheDerivativesOfFiniteDifferences) {
+TEST(GeneralisedFit, DerivativesMatchFiniteDifferences) {
     auto list = pairs(4, 3, 0.001);
     for (auto& p : list) {
         p.offset_inputs = one("gamma", gamma_error * (p.slope - 1.0));
@@ -189,8 +189,8 @@ TEST(GeneralisedFit, HasTheDerivativesOfFiniteDifferences) {
                 const auto at = of.find(input);
                 return at == of.end() ? 0.0 : by * at->second.directions[0];
             };
-            // the study says what it said; the data come from an input that is off
-            p.measured.value += part(p.in_unitputs) / p.measured.value * p.prediction(fit.work_of_adhesion.value);
+            // the stated input is unchanged; the data follow a different value
+            p.measured.value += part(p.measured_inputs) / p.measured.value * p.prediction(fit.work_of_adhesion.value);
             p.measured.value -= part(p.slope_inputs) * fit.work_of_adhesion.value - part(p.offset_inputs);
         }
         return fit_generalised(there, ModelScatter{}).work_of_adhesion.value;
@@ -203,7 +203,7 @@ TEST(GeneralisedFit, HasTheDerivativesOfFiniteDifferences) {
 
 // Slope 1, effects of n surfaces alone: W is their mean, so that W − (W_true + s_k) has the variance τ_s² (1 − 1/n) on
 // a surface of the fit and τ_s² (1 + 1/n) on another.
-TEST(Departure, KnowsTheEffectsThatTheFitRestsOn) {
+TEST(Departure, UsesEffectsEstimatedByTheFit) {
     auto list = pairs(4, 3, 1e-9);
     for (auto& p : list) {
         p.slope = 1.0;
@@ -220,7 +220,7 @@ TEST(Departure, KnowsTheEffectsThatTheFitRestsOn) {
     EXPECT_NEAR(error_on("new"), 1.0 + 1.0 / 4.0, 1e-6);
 }
 
-TEST(Departure, OfPairsAndOfWhatTheFitDoesNotKnowIsAnew) {
+TEST(Departure, DrawsNewEffectsForUnknownSurfaces) {
     const auto fit =
         fit_generalised(pairs(4, 3, 0.001), ModelScatter{.pair = 0.001, .surface = 0.002, .elastomer = 0.003});
     const PairPoint known{.surface = "s1", .elastomer = "e2", .slope = 1.0},
@@ -268,8 +268,8 @@ double held_of_new_pairs(const ModelScatter& scatter, bool with_departure) {
     return static_cast<double>(held) / all;
 }
 
-// Two surfaces cannot tell what surfaces scatter by; three can, and leaving one out does not make that unknown
-TEST(Departure, OfALeftOutSurfaceIsWhatAllSurfacesScatterBy) {
+// Two surfaces do not determine the scatter between surfaces; three do, also if one is left out
+TEST(Departure, OfALeftOutSurfaceUsesTheScatterOfAllSurfaces) {
     auto list = pairs(3, 4, 0.0003);
     const double effects[] = {0.004, -0.005, 0.003};
     for (std::size_t i = 0; i < list.size(); ++i) list[i].measured.value += effects[i / 4] + (i % 2 ? 2e-4 : -2e-4);
@@ -286,7 +286,7 @@ TEST(Departure, OfALeftOutSurfaceIsWhatAllSurfacesScatterBy) {
     }
 }
 
-TEST(Departure, IntervalsHoldPairsThatScatter) {
+TEST(Departure, IntervalsCoverScatteredPairs) {
     for (const auto& scatter : {ModelScatter{.pair = 0.002}, ModelScatter{0.001, 0.001, 0.001}})
         EXPECT_NEAR(held_of_new_pairs(scatter, true), 0.95, 0.03);
     EXPECT_LT(held_of_new_pairs({.pair = 0.002}, false), 0.7) << "scatter that is left out must show";
@@ -295,7 +295,7 @@ TEST(Departure, IntervalsHoldPairsThatScatter) {
 // What the published pairs that come into full contact leave of W_ret where nothing is added to W_app: all of them far
 // above 0. A search along one axis after the other from 0 ends at (0, 93.2, 0.9) with -20.289. Maximum and height by
 // a grid and Nelder and Mead in numpy and scipy.
-TEST(GeneralisedFit, FindsTheHighestSummitOfTheScatter) {
+TEST(GeneralisedFit, FindsTheGlobalMaximumOfTheScatter) {
     struct Row {
         const char *surface, *elastomer;
         double value, error;
@@ -316,7 +316,7 @@ TEST(GeneralisedFit, FindsTheHighestSummitOfTheScatter) {
     EXPECT_NEAR(fit.restricted_log_likelihood, -19.32748, 1e-5);
 }
 
-TEST(GeneralisedFit, IsNeverBelowAGridOfTheScatter) {
+TEST(GeneralisedFit, LikelihoodIsNeverBelowAGridSearch) {
     std::mt19937 random(11);
     std::normal_distribution<double> normal;
     std::uniform_real_distribution<double> uniform;

@@ -12,7 +12,7 @@ namespace {
 
 Components one(const std::string& name, double size) { return {{name, {Array1D::Constant(1, size)}}}; }
 
-/// Pairs of one elastomer on rougher and rougher surfaces, W = 37 mJ/m² and γ1 as given; the study is told 25 ± 5
+/// Pairs of one elastomer on rougher and rougher surfaces, W = 37 mJ/m² and γ1 as given; the study states 25 ± 5
 /// mJ/m².
 std::vector<PairPoint> pairs_of(double surface_energy, double noise) {
     std::vector<PairPoint> list;
@@ -26,8 +26,8 @@ std::vector<PairPoint> pairs_of(double surface_energy, double noise) {
 }
 
 // Weighted straight line: measured = W r − γ (r − 1) is linear in W and γ, so that the line's own γ and its standard
-// error are what the pairs alone say.
-TEST(InputProfile, FindsTheInputThatThePairsSay) {
+// error follow from the pairs only.
+TEST(InputProfile, RecoversTheInputFromThePairs) {
     constexpr double noise = 1e-4;
     const auto pairs = pairs_of(0.031, noise);
     const auto fit = fit_generalised(pairs, ModelScatter{});
@@ -46,7 +46,7 @@ TEST(InputProfile, FindsTheInputThatThePairsSay) {
 }
 
 // ∂W/∂γ1 = Σ r (r − 1)/Σ r² where all pairs weigh alike.
-TEST(InputProfile, MovesWAsItsDerivativeSays) {
+TEST(InputProfile, ChangesWAsTheDerivative) {
     const auto pairs = pairs_of(0.025, 1e-4);
     const auto profile = profile_inputs(pairs, fit_generalised(pairs, ModelScatter{}), {"surface_energy"}).at(0);
     double rr = 0.0, rd = 0.0;
@@ -59,7 +59,7 @@ TEST(InputProfile, MovesWAsItsDerivativeSays) {
         EXPECT_NEAR(point.work_of_adhesion.value - 0.037, point.shift * 0.005 * rd / rr, 1e-9);
 }
 
-TEST(InputProfile, OfWhatThePairsDoNotTellHasNoMaximum) {
+TEST(InputProfile, OfAnUndeterminedInputHasNoMaximum) {
     auto pairs = pairs_of(0.025, 1e-4);
     for (auto& p : pairs) {
         p.in_unitputs = one("lens", 0.01 * p.measured.value);

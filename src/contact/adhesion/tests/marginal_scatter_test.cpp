@@ -23,7 +23,7 @@ std::vector<PairLabels> square(int side) {
 
 // One pair without errors of its own: the three levels add in squares, r ~ N(0, τ² + τ_s² + τ_e²). Many nodes against
 // an integral over τ by a fine rule in p, τ = tan(π p/2), level by level.
-TEST(MarginalScatter, OfOnePairIsTheIntegralOverItsScatter) {
+TEST(MarginalScatter, OfOnePairEqualsTheIntegralOverItsScatter) {
     constexpr double r = 1.3, pi = 3.14159265358979;
     constexpr int n = 120;
     double sum = 0.0;
@@ -39,7 +39,7 @@ TEST(MarginalScatter, OfOnePairIsTheIntegralOverItsScatter) {
     EXPECT_NEAR(found[0], std::log(sum / n / n / n), 0.01);
 }
 
-TEST(MarginalScatter, ConvergesInItsNodes) {
+TEST(MarginalScatter, ConvergesWithTheNumberOfNodes) {
     std::mt19937 random(3);
     std::normal_distribution<double> normal;
     const auto labels = square(4);
@@ -60,7 +60,7 @@ TEST(MarginalScatter, ConvergesInItsNodes) {
 }
 
 // What all surfaces share is no scatter: sixteen residuals of 60 ± 3 are far likelier as a bias.
-TEST(MarginalScatter, DoesNotHideABias) {
+TEST(MarginalScatter, DistinguishesABiasFromScatter) {
     const auto labels = square(4);
     const MarginalScatter scatter(labels, 8.0);
     const MatrixXd own = MatrixXd::Identity(16, 16) * 9.0;
@@ -72,7 +72,7 @@ TEST(MarginalScatter, DoesNotHideABias) {
     EXPECT_GT(scatter.log_densities(biased, shifted)[0], scatter.log_densities(own, shifted)[0] + 1.0);
 }
 
-TEST(MarginalScatter, KnowsTheScatterThatWasPlanted) {
+TEST(MarginalScatter, RecoversTheTrueScatter) {
     const auto labels = square(8);
     std::mt19937 random(5);
     std::normal_distribution<double> normal;
@@ -87,7 +87,7 @@ TEST(MarginalScatter, KnowsTheScatterThatWasPlanted) {
     EXPECT_LT(found.elastomer, 3.0);
 }
 
-TEST(MarginalScatter, RefusesWhatIsOutsideItsDomain) {
+TEST(MarginalScatter, RefusesValuesOutsideItsDomain) {
     EXPECT_THROW(MarginalScatter({}, 1.0), InvalidArgument);
     EXPECT_THROW(MarginalScatter({{"s", "e"}}, 0.0), InvalidArgument);
     const MarginalScatter scatter({{"s", "e"}}, 1.0);

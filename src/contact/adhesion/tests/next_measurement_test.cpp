@@ -26,7 +26,7 @@ std::vector<PairPoint> smooth_pairs(double noise, double lens) {
     return list;
 }
 
-TEST(NextMeasurement, PromisesWhatTheVarianceOfAMeanSays) {
+TEST(NextMeasurement, PredictsTheVarianceOfAMean) {
     constexpr double noise = 4e-4, lens = 3e-4;
     const auto pairs = smooth_pairs(noise, lens);
     const auto fit = fit_generalised(pairs, ModelScatter{});
@@ -41,7 +41,7 @@ TEST(NextMeasurement, PromisesWhatTheVarianceOfAMeanSays) {
     EXPECT_NEAR(next[1].gain, 1.0 - next[1].standard_error / fit.work_of_adhesion.standard_error(), 1e-12);
 }
 
-TEST(NextMeasurement, GoesByTheHourWhereAllHoursAreKnown) {
+TEST(NextMeasurement, RanksByGainPerHourIfAllHoursAreGiven) {
     const auto pairs = smooth_pairs(4e-4, 3e-4);
     const auto fit = fit_generalised(pairs, ModelScatter{});
     const auto next =
@@ -50,7 +50,7 @@ TEST(NextMeasurement, GoesByTheHourWhereAllHoursAreKnown) {
     EXPECT_EQ(next[0].candidate.kind, Kind::loop);
 }
 
-TEST(NextMeasurement, OfAPredictionKnowsWhatOnlyThatRestsOn) {
+TEST(NextMeasurement, OfAPredictionIncludesItsOwnInputs) {
     const auto pairs = smooth_pairs(4e-4, 3e-4);
     PairPoint line{.surface = "rough", .elastomer = "e0", .slope = 1.3, .offset = 0.01};
     line.slope_inputs = one(roughness::spectrum_input("rough"), 0.1);
@@ -63,7 +63,7 @@ TEST(NextMeasurement, OfAPredictionKnowsWhatOnlyThatRestsOn) {
 }
 
 // What both fits share drops out of their difference: the lens of all pairs, and the noise of the same measured values.
-TEST(NextMeasurement, OfADifferenceKnowsOnlyWhatDiffers) {
+TEST(NextMeasurement, OfADifferenceCancelsCommonInputs) {
     const auto pairs = smooth_pairs(4e-4, 3e-4);
     auto others = pairs;
     for (auto& pair : others) {
@@ -80,7 +80,7 @@ TEST(NextMeasurement, OfADifferenceKnowsOnlyWhatDiffers) {
 }
 
 // Doing it: the scatter of W over drawn data with one pair measured twice is what was promised.
-TEST(NextMeasurement, KeepsItsPromise) {
+TEST(NextMeasurement, PredictedErrorMatchesTheScatterAfterMeasuring) {
     constexpr int draws = 4000;
     constexpr double noise = 4e-4, lens = 3e-4;
     const auto nominal = smooth_pairs(noise, lens);

@@ -28,7 +28,7 @@ std::vector<PairPoint> pairs(double work, double error = 0.0) {
     return result;
 }
 
-TEST(WorkFit, RecoversAnExactWorkThroughFlooredPairs) {
+TEST(WorkFit, RecoversAnExactWorkWithFlooredPairs) {
     const auto points = pairs(0.02);
     ASSERT_EQ(points[15].measured.value, 0.0) << "the case must hold a floored pair";
     const auto fit = fit_work_of_adhesion(points);
@@ -53,8 +53,8 @@ TEST(WorkFit, FindsTheGlobalMinimumOfABruteForceSearch) {
     EXPECT_NEAR(fit_work_of_adhesion(points).work_of_adhesion.value, best, 1e-6);
 }
 
-TEST(WorkFit, CoversTheTruthAsOftenAsItSays) {
-    // 95 % of intervals W ± 2.13 SE (t, 15 degrees of freedom) hold the truth: 400 draws, 3σ = 3.3 %
+TEST(WorkFit, IntervalsHaveTheStatedCoverage) {
+    // 95 % of intervals W ± 2.13 SE (t, 15 degrees of freedom) cover the true value: 400 draws, 3σ = 3.3 %
     std::mt19937 random(11);
     std::normal_distribution<double> noise(0.0, 0.003);
     int plain = 0, weighted = 0, refused = 0;
@@ -115,7 +115,7 @@ std::vector<PairPoint> table(const std::vector<std::vector<double>>& measured) {
 
 // Residuals {4 2 0; 2 0 −2; 0 −2 −4} mJ/m². Sums over surfaces 6, 0, −6: 72 · 3/2; over elastomers the same; over pairs
 // 48 · 9/8. (108 + 108 − 54)/9² = 2 (mJ/m²)²
-TEST(WorkFit, ClusteredErrorsAddTheWaysAndTakeOffTheirIntersection) {
+TEST(WorkFit, ClusteredErrorsAddGroupingsMinusTheirIntersection) {
     const auto fit = fit_work_of_adhesion(table({{84e-3, 82e-3, 80e-3}, {82e-3, 80e-3, 78e-3}, {80e-3, 78e-3, 76e-3}}));
     EXPECT_NEAR(fit.work_of_adhesion.value, 80e-3, 1e-15);
     EXPECT_NEAR(fit.clustered.standard_error, std::sqrt(2.0) * 1e-3, 1e-12);
@@ -125,9 +125,9 @@ TEST(WorkFit, ClusteredErrorsAddTheWaysAndTakeOffTheirIntersection) {
     EXPECT_NEAR(one_way.clustered.standard_error, std::sqrt(144.0) / 6.0 * 1e-3, 1e-12);
 }
 
-// Four surfaces and five elastomers that each shift all their pairs by 3 mJ/m²: independent errors hold the truth in
-// about half of all cases.
-TEST(WorkFit, ClusteredIntervalsHoldTheTruthWhereSurfacesAndElastomersShift) {
+// Four surfaces and five elastomers that each shift all their pairs by 3 mJ/m²: independent errors cover the true value
+// in about half of all cases.
+TEST(WorkFit, ClusteredIntervalsCoverTheTrueWorkWithGroupShifts) {
     constexpr int draws = 400;
     constexpr double shift = 3e-3, noise = 1e-3;
     std::mt19937 random(3);

@@ -11,7 +11,7 @@
 namespace setae::adhesion::partial_contact_test {
 namespace {
 
-TEST(UnloadedContact, IsFullAndGainsTheBalanceWhereLittleIsStored) {
+TEST(UnloadedContact, IsFullContactWithTheBalanceForSmallStoredEnergy) {
     for (const double e : {0.0, 0.03, 0.07, 0.1}) {
         EXPECT_NEAR(unloaded_contact(e).gain, 1.0 - e, 1e-6);
         EXPECT_NEAR(unloaded_contact(e).area_fraction, 1.0, 1e-3);
@@ -19,7 +19,7 @@ TEST(UnloadedContact, IsFullAndGainsTheBalanceWhereLittleIsStored) {
 }
 
 // partial contact is a choice that full contact leaves open: it never gains less
-TEST(UnloadedContact, GainsNoLessThanTheBalanceAndLessTheMoreIsStored) {
+TEST(UnloadedContact, GainIsAtLeastTheBalanceAndFallsWithStoredEnergy) {
     double last = 1.0, area = 1.0;
     for (double e = 0.01; e < 10.0; e *= 1.05) {
         const auto contact = unloaded_contact(e);
@@ -34,13 +34,13 @@ TEST(UnloadedContact, GainsNoLessThanTheBalanceAndLessTheMoreIsStored) {
 }
 
 // `setae lab conform`, docs/validation/conformity.md
-TEST(UnloadedContact, HasTheSimulatedNumbers) {
+TEST(UnloadedContact, MatchesSimulatedPatches) {
     EXPECT_NEAR(unloaded_contact(0.5).gain, 0.51, 0.01);
     EXPECT_NEAR(unloaded_contact(1.0).gain, 0.20, 0.01);
     EXPECT_NEAR(unloaded_contact(1.0).area_fraction, 0.56, 0.01);
 }
 
-TEST(UnloadedContact, ClosesByItselfOrUnderEverMorePressure) {
+TEST(UnloadedContact, ClosingPressureIncreasesWithStoredEnergy) {
     EXPECT_EQ(unloaded_contact(closing_energy_share).closing_pressure, 0.0);
     EXPECT_NEAR(unloaded_contact(closing_energy_share).area_fraction, 0.99, 1e-6);
     double last = 0.0;
@@ -52,7 +52,7 @@ TEST(UnloadedContact, ClosesByItselfOrUnderEverMorePressure) {
     }
 }
 
-TEST(PartialBalance, IsBalance7WhereContactIsFullAndPositiveWhereThatLeavesNothing) {
+TEST(PartialBalance, EqualsTheFullContactBalanceAndStaysPositive) {
     EXPECT_NEAR(partial_balance(0.04, 0.002), modified_balance(0.04, 0.0, {1.0, 0.002}).raw, 1e-9);
     EXPECT_GT(partial_balance(0.04, 0.05), 0.0);
     EXPECT_EQ(partial_balance(-0.01, 0.05), 0.0);
@@ -74,7 +74,7 @@ std::vector<PartialContactPoint> planted(double work) {
     return pairs;
 }
 
-TEST(ScorePartialContact, GivesThePlantedWorkBack) {
+TEST(ScorePartialContact, RecoversTheTrueWork) {
     for (const double work : {0.03, 0.05}) {
         const auto score = score_partial_contact(planted(work));
         EXPECT_NEAR(score.work_of_adhesion, work, 1e-7);

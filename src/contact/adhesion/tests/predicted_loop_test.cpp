@@ -28,7 +28,7 @@ SoftSide soft(double error = 0.0) {
     return {"soft", {{.value = modulus, .standard_error = error}, "modulus"}, gamma_1};
 }
 
-TEST(PredictedLoop, LosesWhatEquationTenSays) {
+TEST(PredictedLoop, MatchesTheTrueAreaLoss) {
     const Side side;
     const auto loop = predict_loop(side.rough(), soft(), W_int, press);
     ASSERT_TRUE(loop);
@@ -77,7 +77,7 @@ TEST(PredictedLoop, TendsToJkrAsRoughnessTendsToZero) {
 }
 
 // by (10) a smooth sphere loses W_int πa², a³ = 9πR²W/(2E*) without preload, and JKR's far less
-TEST(PredictedLoop, ByEquationTenHasNoSmoothLimit) {
+TEST(PredictedLoop, ByTrueAreaLossHasNoSmoothLimit) {
     const Side smooth{.parameters = {.rms_slope = 1e-5}};
     const auto loop = predict_loop(smooth.rough(), soft(), W_int, {.radius = radius, .preload = 0.0});
     ASSERT_TRUE(loop);
@@ -89,7 +89,7 @@ TEST(PredictedLoop, ByEquationTenHasNoSmoothLimit) {
     EXPECT_LT(loop->reversible.energy_loss.value, 0.7 * loop->conformal_loss.energy_loss.value);
 }
 
-TEST(PredictedLoop, CarriesTheErrorsOfItsInputs) {
+TEST(PredictedLoop, PropagatesErrorsOfItsInputs) {
     const Side side;
     const TracedValue work({.value = W_int, .standard_error = 1e-3}, "work");
     const auto both = predict_loop(side.rough(), soft(0.02e6), work, press),
@@ -107,7 +107,7 @@ TEST(PredictedLoop, CarriesTheErrorsOfItsInputs) {
 }
 
 // U_el/(A W) = 2.4: contact of next to no area, which holds next to nothing
-TEST(PredictedLoop, OfPartialContactHasItsWork) {
+TEST(PredictedLoop, OfPartialContactUsesTheWorkOfPartialContact) {
     const Side rough{.parameters = {.rms_slope = 0.35, .elastic_energy_per_modulus = 1e-7}};
     const auto loop = predict_loop(rough.rough(), soft(), W_int, press);
     ASSERT_TRUE(loop);
@@ -117,7 +117,7 @@ TEST(PredictedLoop, OfPartialContactHasItsWork) {
     EXPECT_NEAR(loop->reversible.work_retraction.value, work, 1e-15);
 }
 
-TEST(PredictedLoop, IsNoneWhereNoContactForms) {
+TEST(PredictedLoop, IsEmptyWithoutContact) {
     const Side side;
     const SoftSide stiff_skin{"soft", modulus, 1.0};  // stretching costs more than W_int gains
     EXPECT_FALSE(predict_loop(side.rough(), stiff_skin, W_int, press));

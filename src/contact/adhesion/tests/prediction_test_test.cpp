@@ -27,7 +27,7 @@ TEST(PredictionTest, OfIndependentErrorsIsTheSumOfSquares) {
     EXPECT_NEAR(test.pairs[2].standardised(), -1.0, 1e-12);
 }
 
-TEST(PredictionTest, OfAFittedWorkLeavesItsDirectionOut) {
+TEST(PredictionTest, OfAFittedWorkRemovesOneDegreeOfFreedom) {
     // all residuals alike are what another W_int explains
     const Array1D measured{{2.0, 3.0, 4.0}}, predicted{{1.0, 2.0, 3.0}}, slopes = Array1D::Ones(3);
     const Array2D covariance = Eigen::MatrixXd::Identity(3, 3).array();
@@ -37,7 +37,7 @@ TEST(PredictionTest, OfAFittedWorkLeavesItsDirectionOut) {
     EXPECT_NEAR(prediction_test(pairs_of(measured, predicted), covariance, std::nullopt).chi_squared, 3.0, 1e-12);
 }
 
-TEST(PredictionTest, ExtraScatterBringsChiSquaredToItsFreedom) {
+TEST(PredictionTest, ExtraScatterBringsChiSquaredToTheDegreesOfFreedom) {
     const Array1D measured{{4.0, -3.0, 5.0, -2.0}}, predicted = Array1D::Zero(4);
     const Array2D covariance = Eigen::MatrixXd::Identity(4, 4).array();
     const auto test = prediction_test(pairs_of(measured, predicted), covariance, std::nullopt);
@@ -49,7 +49,7 @@ TEST(PredictionTest, ExtraScatterBringsChiSquaredToItsFreedom) {
     EXPECT_GT(test.probability_with_scatter, 0.3);
 }
 
-TEST(PredictionTest, RefusesWhatTestsNothing) {
+TEST(PredictionTest, RefusesDataWithoutDegreesOfFreedom) {
     const Array1D one = Array1D::Ones(1);
     EXPECT_THROW((void)prediction_test(pairs_of(one, one), Array2D::Ones(2, 2), std::nullopt), InvalidArgument);
     EXPECT_THROW((void)prediction_test(pairs_of(one, one), Array2D::Ones(1, 1), one), InvalidArgument);

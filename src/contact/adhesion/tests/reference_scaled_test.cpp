@@ -28,7 +28,7 @@ std::vector<PairPoint> pairs() {
     return list;
 }
 
-TEST(ReferenceScaled, IsOneWhereReferencesAreAlikeAndRefusesACommonWork) {
+TEST(ReferenceScaled, IsOneForTrueReferencesAndRejectsACommonWork) {
     static constexpr double references[] = {0.040, 0.037, 0.039, 0.051};
     auto scaled = pairs();
     for (std::size_t i = 0; i < scaled.size(); ++i)
@@ -42,7 +42,7 @@ TEST(ReferenceScaled, IsOneWhereReferencesAreAlikeAndRefusesACommonWork) {
     EXPECT_GT(factor.r_squared, common.r_squared);
 }
 
-TEST(ReferenceScaled, SlopeIsTheReferencesTimesTheAreas) {
+TEST(ReferenceScaled, SlopeIsReferenceWorkTimesAreaRatio) {
     const auto pair = pairs()[5];
     const auto scaled = reference_scaled_point(pair, {Estimate{.value = 0.037, .standard_error = 0.001}, "reference"});
     EXPECT_DOUBLE_EQ(scaled.slope, 0.037 * pair.slope);

@@ -25,7 +25,7 @@ topography::HeightMap wave(Index nx, Index ny, int kx, int ky, double amplitude)
     return map;
 }
 
-TEST(StoredEnergy, OfACosineIsItsClosedForm) {
+TEST(StoredEnergy, OfACosineMatchesTheClosedForm) {
     // E* q h0²/8, any direction, odd and even grids
     for (const auto& [nx, ny] : {std::pair<Index, Index>{64, 48}, {63, 49}})
         for (const auto& [kx, ky] : {std::pair{3, 0}, {0, 5}, {4, -7}}) {
@@ -34,14 +34,14 @@ TEST(StoredEnergy, OfACosineIsItsClosedForm) {
         }
 }
 
-TEST(StoredEnergy, OfAMapIgnoresOffset) {
+TEST(StoredEnergy, OfAMapIsIndependentOfOffset) {
     auto map = wave(32, 32, 2, 1, 5e-9);
     const double energy = stored_energy(1e6, map);
     map.heights += 1e-6;
     EXPECT_NEAR(stored_energy(1e6, map) / energy, 1.0, 1e-9);
 }
 
-TEST(StoredEnergy, StaysBelowTheCauchySchwarzBound) {
+TEST(StoredEnergy, IsBelowTheCauchySchwarzBound) {
     const spectra::SelfAffine model{5e-27, 2.0 * pi / 2e-6, 0.8, 2.0 * pi / 72.2e-9};
     Array1D q(3);
     q << 2.0 * pi, model.rolloff_wavevector, model.short_wavevector;
@@ -61,7 +61,7 @@ roughness::CumulativeParameters rough(double factor) {
         {q, spectra::isotropic_power_spectrum(model, q), {q[0], q[199]}, spectra::Density::C_iso});
 }
 
-TEST(ScaleBalance, RunsFromNothingToTheWhole) {
+TEST(ScaleBalance, IncreasesFromZeroToTheTotal) {
     const auto below = rough(1.0);
     const auto balance = scale_balance(below, 1e6, 0.037, 0.025);
     const auto last = balance.wavevector.size() - 1;
@@ -78,7 +78,7 @@ TEST(ScaleBalance, RunsFromNothingToTheWhole) {
     EXPECT_NEAR(balance.stored[last], 0.0, 1e-15);
 }
 
-TEST(ScaleBalance, BridgesFromTheLongestWavelengthsOnWhenStiff) {
+TEST(ScaleBalance, OfAStiffBodyBridgesFromTheLongestWavelengths) {
     EXPECT_FALSE(scale_balance(rough(1.0), 1e5, 0.037, 0.025).bridging);
     const auto stiff = scale_balance(rough(1.0), 1e7, 0.037, 0.025);
     ASSERT_TRUE(stiff.bridging);

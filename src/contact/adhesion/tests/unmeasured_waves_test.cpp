@@ -33,7 +33,7 @@ double work_of(const roughness::SpectralParameters& parameters) {
     return modified_balance(W_int, 0.025, {parameters.area_ratio(), 1e6 * parameters.elastic_energy_per_modulus}).raw;
 }
 
-TEST(UnmeasuredWaves, GiveTheWorkOfTheWholeSpectrumWhereItGoesOn) {
+TEST(UnmeasuredWaves, RecoverTheWorkOfTheWholePowerLaw) {
     const double longest = 4.99e-6, shortest = 5e-9;
     const auto part = seen(1e-6, 1e-7), whole = seen(longest, shortest);
     const auto within = roughness::spectral_parameters(part);
@@ -50,7 +50,7 @@ TEST(UnmeasuredWaves, GiveTheWorkOfTheWholeSpectrumWhereItGoesOn) {
     EXPECT_GT(found->interval->upper, truth);
 }
 
-TEST(UnmeasuredWaves, AreNothingWhereNoEndIsKnown) {
+TEST(UnmeasuredWaves, AreEmptyWithoutKnownLimits) {
     const auto within = roughness::spectral_parameters(seen(1e-6, 1e-7));
     const roughness::ParameterSpread spread;
     EXPECT_FALSE(work_with_unmeasured_waves({"A", within, spread}, soft(), W_int, {within, {}, {}}));

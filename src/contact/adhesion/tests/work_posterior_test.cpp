@@ -60,7 +60,7 @@ private:
 };
 
 // Pairs that agree to their own noise: least squares weighted by it, W = Σ r y/Σ r², ± σ/√Σ r²
-TEST(WorkPosterior, OfExactPairsIsLeastSquares) {
+TEST(WorkPosterior, OfExactPairsEqualsLeastSquares) {
     std::mt19937_64 random(2);
     std::normal_distribution<double> normal(0.0, 1e-5);
     std::vector<PairPoint> list;
@@ -84,7 +84,7 @@ TEST(WorkPosterior, OfExactPairsIsLeastSquares) {
 
 // Two pairs of one surface, known far better than the surface: W = (y + o)/r, its ± that of the inputs, which pull on
 // both alike. Noise counts as an input that no other pair has, or as the pair's own.
-TEST(WorkPosterior, OfOneSurfaceMeasuredExactlyIsWhatItsSpectrumAllows) {
+TEST(WorkPosterior, OfOneSurfaceMeasuredExactlyHasTheErrorOfItsSpectrum) {
     const double r = 1.163, r_error = 0.017, energy = 0.526e-9, energy_error = 0.032e-9, gamma_error = 0.001;
     for (const double own : {0.0, 1e-7, 2e-5}) {
         std::vector<PairPoint> list;
@@ -109,7 +109,7 @@ TEST(WorkPosterior, OfOneSurfaceMeasuredExactlyIsWhatItsSpectrumAllows) {
     }
 }
 
-TEST(WorkPosterior, HasOneWidth) {
+TEST(WorkPosterior, IntervalAndStandardErrorAreConsistent) {
     const WorkPosterior posterior(Design(4).pairs(0.005, 0.005, 0.005));
     const auto& found = posterior.work_of_adhesion();
     ASSERT_TRUE(found.interval);
@@ -124,7 +124,7 @@ TEST(WorkPosterior, HasOneWidth) {
     EXPECT_NEAR(total, 1.0, 1e-9);
 }
 
-TEST(WorkPosterior, DrawsWhatItSays) {
+TEST(WorkPosterior, DrawsMatchTheStatedPosterior) {
     const auto list = Design(5).pairs(0.005, 0.005, 0.005);
     const WorkPosterior posterior(list);
     const auto draws = posterior.draw(list, 4000, 7);
@@ -137,7 +137,7 @@ TEST(WorkPosterior, DrawsWhatItSays) {
     EXPECT_NE(other.predictions[3].standard_error, again.predictions[3].standard_error);
 }
 
-TEST(WorkPosterior, TracesWhatItRestsOn) {
+TEST(WorkPosterior, StandardErrorIsTracedToItsInputs) {
     const auto list = Design(6).pairs(0.005, 0.0, 0.0);
     const WorkPosterior posterior(list);
     const auto traced = traced_work(posterior, list);
@@ -147,7 +147,7 @@ TEST(WorkPosterior, TracesWhatItRestsOn) {
 }
 
 // The suite's share of docs/validation/estimators.md: 95 of 100 within binomial limits
-TEST(WorkPosterior, HoldsTheTruthAsOftenAsItSays) {
+TEST(WorkPosterior, IntervalsHaveTheStatedCoverage) {
     constexpr int sets = 60;
     int held = 0;
     for (int set = 0; set < sets; ++set) {
@@ -157,9 +157,9 @@ TEST(WorkPosterior, HoldsTheTruthAsOftenAsItSays) {
     EXPECT_GE(held, 52);  // 0.2 % of the time by chance at 95 %
 }
 
-// Own noise, errors of areas and of energies of any size, few pairs or many: the truth lies within four ±, and ± is
-// neither nothing nor more than all errors together
-TEST(WorkPosterior, HoldsTheTruthForErrorsOfAnySize) {
+// Own noise, errors of areas and of energies of any size, few pairs or many: the true value is within four standard
+// errors, which are neither nothing nor more than all errors together
+TEST(WorkPosterior, CoversTheTrueWorkForErrorsOfAnySize) {
     std::mt19937_64 random(11);
     std::normal_distribution<double> normal;
     std::uniform_real_distribution<double> uniform;
@@ -188,7 +188,7 @@ TEST(WorkPosterior, HoldsTheTruthForErrorsOfAnySize) {
         const auto found = WorkPosterior(list).work_of_adhesion();
         const double all = own + r_error * W + energy_error * 2.7e6 * 1.6e-9;
         EXPECT_LT(std::abs(found.value - W), 4.0 * found.standard_error) << set << " " << found.value;
-        if (list.size() > 4) EXPECT_LT(found.standard_error, 3.0 * all) << set;  // of fewer, scatter has the say
+        if (list.size() > 4) EXPECT_LT(found.standard_error, 3.0 * all) << set;  // for fewer, scatter dominates
         EXPECT_GT(found.standard_error, 0.02 * std::max(own, std::min(r_error * (W - gamma_1), 1e-3))) << set;
     }
 }

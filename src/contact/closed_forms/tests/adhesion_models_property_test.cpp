@@ -24,7 +24,7 @@ AdhesiveContact any_contact() {
 }
 
 // away from the folds, where inverses lose half the digits, and for a long range from what rounding leaves of the load
-RC_GTEST_PROP(MaugisDugdaleProperty, RadiusUndoesForceAndDisplacement, ()) {
+RC_GTEST_PROP(MaugisDugdaleProperty, RadiusInvertsForceAndDisplacement, ()) {
     const AdhesiveContact plain = any_contact();
     const double lambda = power_of_ten(-8, 8);
     const maugis_dugdale::Contact contact{.radius = plain.radius,
@@ -48,7 +48,7 @@ RC_GTEST_PROP(MaugisDugdaleProperty, PullOffWeakensFromDmtToJkrAsTheRangeShrinks
     RC_ASSERT(maugis_dugdale::reduced_state(power_of_ten(-3, 1), lambda).force >= pull_off - 1e-14);
 }
 
-RC_GTEST_PROP(LargeStrainProperty, RadiusUndoesForceAndDisplacementOutsideTheFold, ()) {
+RC_GTEST_PROP(LargeStrainProperty, RadiusInvertsForceAndDisplacementOutsideTheFold, ()) {
     AdhesiveContact contact = any_contact();
     contact.work_of_adhesion = contact.contact_modulus * contact.radius * power_of_ten(-8, 2);
     const double load_fold = large_strain::pull_off_at_fixed_load(contact).contact_radius;
@@ -64,14 +64,14 @@ RC_GTEST_PROP(LargeStrainProperty, RadiusUndoesForceAndDisplacementOutsideTheFol
                  1.0) < 1e-10);
 }
 
-RC_GTEST_PROP(DmtProperty, RadiusUndoesForceAndDisplacement, ()) {
+RC_GTEST_PROP(DmtProperty, RadiusInvertsForceAndDisplacement, ()) {
     const AdhesiveContact contact = any_contact();
     const double a = jkr::maugis_units(contact).length * power_of_ten(-1, 3);
     RC_ASSERT(std::abs(dmt::contact_radius_at_force(dmt::force(a, contact), contact) / a - 1.0) < 1e-10);
     RC_ASSERT(std::abs(dmt::contact_radius_at_displacement(dmt::displacement(a, contact), contact) / a - 1.0) < 1e-14);
 }
 
-RC_GTEST_PROP(TransitionProperty, RadiusUndoesForce, ()) {
+RC_GTEST_PROP(TransitionProperty, RadiusInvertsForce, ()) {
     const transition::RadiusCurve curve{.zero_load_radius = power_of_ten(-10, -2),
                                         .pull_off_force = -power_of_ten(-12, 0),
                                         .transition_share = 1e-3 * *rc::gen::inRange(0, 1001)};
@@ -80,7 +80,7 @@ RC_GTEST_PROP(TransitionProperty, RadiusUndoesForce, ()) {
     RC_ASSERT(std::abs(transition::contact_radius(transition::force(a, curve), curve) / a - 1.0) < 1e-10);
 }
 
-RC_GTEST_PROP(CrackSpeedProperty, SpeedUndoesEnergyReleaseRate, ()) {
+RC_GTEST_PROP(CrackSpeedProperty, SpeedInvertsEnergyReleaseRate, ()) {
     const crack_speed::Law law{
         .threshold = power_of_ten(-3, 2), .reference_speed = power_of_ten(-10, -2), .exponent = power_of_ten(-1, 0)};
     const double v = law.reference_speed * power_of_ten(-2, 4);

@@ -20,7 +20,7 @@ TEST(CrackSpeed, DoublesTheEnergyReleaseRateAtTheReferenceSpeed) {
     EXPECT_NEAR(energy_release_rate(32.0 * 2e-7, rubber), 0.05 * 9.0, 1e-15);
 }
 
-TEST(CrackSpeed, UndoesEnergyReleaseRate) {
+TEST(CrackSpeed, InvertsEnergyReleaseRate) {
     for (const double v : {1e-9, 1e-7, 1e-6, 1e-3})
         EXPECT_NEAR(speed(energy_release_rate(v, rubber), rubber) / v, 1.0, 1e-10) << v;
     EXPECT_EQ(speed(0.05, rubber), 0.0);

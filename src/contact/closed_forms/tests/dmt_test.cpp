@@ -16,7 +16,7 @@ namespace {
 /// An AFM's tip on a stiff solid.
 constexpr AdhesiveContact tip{.radius = 20e-9, .contact_modulus = 60e9, .work_of_adhesion = 0.1};
 
-TEST(Dmt, IsHertzUnderTheLoadAndTheAttraction) {
+TEST(Dmt, IsHertzUnderLoadPlusAttraction) {
     const SphereOnFlat bodies{.radius = tip.radius, .contact_modulus = tip.contact_modulus};
     const double attraction = 2.0 * pi * 20e-9 * 0.1;
     for (const double load : {0.0, 1e-9, 1e-6}) {
@@ -26,7 +26,7 @@ TEST(Dmt, IsHertzUnderTheLoadAndTheAttraction) {
     EXPECT_NEAR(force_at_displacement(1e-10, tip), hertz::force(1e-10, bodies) - attraction, 1e-14 * attraction);
 }
 
-TEST(Dmt, InversesUndoForceAndDisplacement) {
+TEST(Dmt, InversesRecoverForceAndDisplacement) {
     for (const double a : {1e-10, 1e-9, 5e-9}) {
         EXPECT_NEAR(contact_radius_at_displacement(displacement(a, tip), tip) / a, 1.0, 1e-14);
         EXPECT_NEAR(force_at_displacement(displacement(a, tip), tip) / force(a, tip), 1.0, 1e-13);
@@ -35,7 +35,7 @@ TEST(Dmt, InversesUndoForceAndDisplacement) {
     for (const double a : {1e-9, 5e-9}) EXPECT_NEAR(contact_radius_at_force(force(a, tip), tip) / a, 1.0, 1e-10);
 }
 
-TEST(Dmt, PartsAtTwoPiRadiusWork) {
+TEST(Dmt, PullsOffAtTwoPiRadiusWork) {
     const ContactState state = pull_off(tip);
     EXPECT_DOUBLE_EQ(state.force, -2.0 * pi * 20e-9 * 0.1);
     EXPECT_EQ(contact_radius_at_force(state.force, tip), 0.0);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr ElasticSolid diamond{.youngs_modulus = 1100e9, .poisson_ratio = 0.06};
 
-TEST(ContactModulus, OfRubberAgainstARigidBodyIsFourThirdsOfItsYoungsModulus) {
+TEST(ContactModulus, OfRubberOnARigidBodyIsFourThirdsOfYoungsModulus) {
     const ElasticSolid rigid{.youngs_modulus = std::numeric_limits<double>::infinity()};
     EXPECT_DOUBLE_EQ(contact_modulus({.youngs_modulus = 3e6, .poisson_ratio = 0.5}, rigid), 4e6);
 }
@@ -23,7 +23,7 @@ TEST(ContactModulus, IsSymmetricInTheTwoBodies) {
     EXPECT_DOUBLE_EQ(contact_modulus(rubber, diamond), contact_modulus(diamond, rubber));
 }
 
-TEST(YoungsModulusFrom, UndoesContactModulus) {
+TEST(YoungsModulusFrom, InvertsContactModulus) {
     const ElasticSolid glass{.youngs_modulus = 71e9, .poisson_ratio = 0.17};
     for (const double modulus : {1e3, 1e6, 10e9}) {
         const double combined = contact_modulus({.youngs_modulus = modulus, .poisson_ratio = 0.4}, glass);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr SphereOnFlat contact{.radius = 4.0, .contact_modulus = 5.0};
 
-TEST(Hertz, ForceUndoesPenetration) { EXPECT_NEAR(force(penetration(7.0, contact), contact), 7.0, 1e-14); }
+TEST(Hertz, ForceInvertsPenetration) { EXPECT_NEAR(force(penetration(7.0, contact), contact), 7.0, 1e-14); }
 
 TEST(Hertz, EnergyIsTheWorkOfTheForce) {
     // dU/dd = F: central difference, error O(h²)
@@ -18,7 +18,7 @@ TEST(Hertz, EnergyIsTheWorkOfTheForce) {
     EXPECT_NEAR((energy(d + h, contact) - energy(d - h, contact)) / (2.0 * h), force(d, contact), 1e-9);
 }
 
-TEST(Hertz, NothingHappensWithoutForce) { EXPECT_EQ(contact_radius(0.0, contact), 0.0); }
+TEST(Hertz, IsZeroWithoutForce) { EXPECT_EQ(contact_radius(0.0, contact), 0.0); }
 
 TEST(Hertz, RefusesTensionAndImpossibleSpheres) {
     EXPECT_THROW((void)contact_radius(-1.0, contact), InvalidArgument);

@@ -22,7 +22,7 @@ Contact any_contact() {
 
 // The square root at a fold turns rounding of 1e-16 in force or displacement into 1e-8 in radius, so radii stay 1 %
 // away.
-RC_GTEST_PROP(JkrProperty, RadiusUndoesForceAndDisplacementOutsideTheFold, ()) {
+RC_GTEST_PROP(JkrProperty, RadiusInvertsForceAndDisplacementOutsideTheFold, ()) {
     const Contact contact = any_contact();
     const double excess = 1.0 + power_of_ten(-2, 6);
     const double at_load = excess * pull_off_at_fixed_load(contact).contact_radius;
@@ -32,7 +32,7 @@ RC_GTEST_PROP(JkrProperty, RadiusUndoesForceAndDisplacementOutsideTheFold, ()) {
               1e-12);
 }
 
-RC_GTEST_PROP(JkrProperty, RadiusUndoesForceAndDisplacementInsideTheFold, ()) {
+RC_GTEST_PROP(JkrProperty, RadiusInvertsForceAndDisplacementInsideTheFold, ()) {
     const Contact contact = any_contact();
     const double share = 1e-3 * *rc::gen::inRange(1, 990);
     const double at_load = share * pull_off_at_fixed_load(contact).contact_radius;
@@ -44,7 +44,7 @@ RC_GTEST_PROP(JkrProperty, RadiusUndoesForceAndDisplacementInsideTheFold, ()) {
     RC_ASSERT(std::abs(from_displacement / at_grips - 1.0) < 1e-11);
 }
 
-RC_GTEST_PROP(JkrProperty, IsTheSameInMaugisUnits, ()) {
+RC_GTEST_PROP(JkrProperty, IsUniversalInMaugisUnits, ()) {
     const Contact contact = any_contact();
     const MaugisUnits scales = maugis_units(contact);
     const double radius = power_of_ten(-1, 2);

@@ -17,7 +17,7 @@ namespace {
 constexpr Contact lens{.radius = 1.25e-3, .contact_modulus = 0.92e6, .work_of_adhesion = 0.05};
 constexpr SphereOnFlat bodies{.radius = lens.radius, .contact_modulus = lens.contact_modulus};
 
-TEST(JkrRadius, AtForceUndoesForceOnBothBranches) {
+TEST(JkrRadius, AtForceInvertsForceOnBothBranches) {
     const double fold = pull_off_at_fixed_load(lens).contact_radius;
     for (const double factor : {1.0 + 1e-6, 1.001, 1.5, 3.0, 30.0}) {
         const double a = fold * factor;
@@ -29,7 +29,7 @@ TEST(JkrRadius, AtForceUndoesForceOnBothBranches) {
     }
 }
 
-TEST(JkrRadius, AtDisplacementUndoesDisplacementOnBothBranches) {
+TEST(JkrRadius, AtDisplacementInvertsDisplacementOnBothBranches) {
     const double fold = pull_off_at_fixed_grips(lens).contact_radius;
     for (const double factor : {1.0 + 1e-6, 1.001, 1.5, 3.0, 30.0, 1e4}) {
         const double a = fold * factor;
@@ -95,7 +95,7 @@ TEST(JkrRadius, OfSeriesEqualsThatOfEachValue) {
     EXPECT_EQ(displacement_at_force(loads, lens)[3], displacement_at_force(loads[3], lens));
 }
 
-TEST(JkrState, ImpliesItsRadiusWithoutWorkOfAdhesion) {
+TEST(JkrState, DeterminesTheRadiusWithoutWorkOfAdhesion) {
     const double fold = pull_off_at_fixed_grips(lens).contact_radius;
     for (const double factor : {0.3, 1.0, 1.7, 2.5, 3.0, 40.0}) {
         const double a = fold * factor;
@@ -123,7 +123,7 @@ TEST(JkrEnergy, HasForceAndEnergyReleaseRateAsDerivatives) {
     EXPECT_NEAR(release, lens.work_of_adhesion - energy_release_rate_at_displacement(a, d, bodies), 1e-7);
 }
 
-TEST(JkrPullOff, GivesBackTheWorkOfAdhesionUnderEitherControl) {
+TEST(JkrPullOff, RecoversTheWorkOfAdhesionUnderEitherControl) {
     EXPECT_NEAR(work_of_adhesion_from_pull_off(pull_off_at_fixed_load(lens).force, lens.radius), 0.05, 1e-15);
     EXPECT_NEAR(work_of_adhesion_from_pull_off(pull_off_at_fixed_grips(lens).force, lens.radius, Control::fixed_grips),
                 0.05, 1e-15);
@@ -137,7 +137,7 @@ TEST(JkrPullOff, LiesOnTheEquilibriumCurve) {
     }
 }
 
-TEST(JkrLoopLoss, IsTheEnergyDroppedInTheTwoJumps) {
+TEST(JkrLoopLoss, IsTheEnergyReleasedInTheTwoJumps) {
     const LoopLoss loss = ideal_loop_loss(lens);
     const State in = jump_in_at_fixed_grips(lens);
     const State out = pull_off_at_fixed_grips(lens);
@@ -155,7 +155,7 @@ TEST(Jkr, RefusesValuesOutsideItsDomain) {
     EXPECT_THROW((void)work_of_adhesion_from_pull_off(1.0, 0.0), InvalidArgument);
 }
 
-TEST(Jkr, SaysWhatToCheckWhereAQuantityCannotBeComputed) {
+TEST(Jkr, ErrorNamesWhatToCheck) {
     try {
         (void)force(std::nan(""), lens);
         ADD_FAILURE() << "a contact radius that is no number was taken";

@@ -42,7 +42,7 @@ TEST(LargeStrain, TendsToJkrWithTheSquareOfTheRadius) {
                 1e-4);
 }
 
-TEST(LargeStrainRadius, AtForceUndoesForceOnBothBranches) {
+TEST(LargeStrainRadius, AtForceInvertsForceOnBothBranches) {
     const double fold = pull_off_at_fixed_load(gel).contact_radius;
     for (const double factor : {1.01, 1.2, 1.5, 1.7}) {
         const double a = fold * factor;
@@ -54,7 +54,7 @@ TEST(LargeStrainRadius, AtForceUndoesForceOnBothBranches) {
     }
 }
 
-TEST(LargeStrainRadius, AtDisplacementUndoesDisplacementOnBothBranches) {
+TEST(LargeStrainRadius, AtDisplacementInvertsDisplacementOnBothBranches) {
     const double fold = pull_off_at_fixed_grips(gel).contact_radius;
     for (const double factor : {1.01, 1.5, 3.0}) {
         const double a = fold * factor;
@@ -67,7 +67,7 @@ TEST(LargeStrainRadius, AtDisplacementUndoesDisplacementOnBothBranches) {
     }
 }
 
-TEST(LargeStrainRadius, StaysBelowTheSphereRadius) {
+TEST(LargeStrainRadius, IsBelowTheSphereRadius) {
     const double unit = gel.contact_modulus * gel.radius * gel.radius;
     EXPECT_LT(contact_radius_at_force(10.0 * unit, gel), gel.radius);
     EXPECT_TRUE(std::isnan(contact_radius_at_force(100.0 * unit, gel)));
@@ -85,7 +85,7 @@ TEST(LargeStrainRadius, IsUndefinedBeyondTheFolds) {
     EXPECT_TRUE(std::isnan(contact_radius_at_force(-1e-9, dry)));
 }
 
-TEST(LargeStrainPullOff, IsTheLeastOfTheCurve) {
+TEST(LargeStrainPullOff, IsTheMinimumOfTheCurve) {
     for (const double w : {1e-6, 1e-2, 1.0, 100.0, 1e6}) {
         const Contact contact{.radius = 2.0, .contact_modulus = 3.0, .work_of_adhesion = 6.0 * w};
         const State load = pull_off_at_fixed_load(contact), grips = pull_off_at_fixed_grips(contact);

@@ -22,7 +22,7 @@ const Layer& rubber() {
     return layer;
 }
 
-TEST(LayerStiffness, HasItsLimits) {
+TEST(LayerStiffness, HasTheLimitsOfThinAndThickLayers) {
     EXPECT_NEAR(stiffness_ratio(30.0, 0.5), 1.0, 1e-15);
     EXPECT_NEAR(stiffness_ratio(19.999, 0.3), 1.0, 1e-13);
     EXPECT_NEAR(stiffness_ratio(1e-3, 0.5) * 2e-9 / 3.0, 1.0, 1e-5);  // Reynolds: 3 µ u/(q² h³)
@@ -34,7 +34,7 @@ TEST(LayerStiffness, HasItsLimits) {
     EXPECT_THROW((void)stiffness_ratio(1.0, 0.6), InvalidArgument);
 }
 
-TEST(Layer, OfGreatThicknessIsAHalfSpace) {
+TEST(Layer, OfLargeThicknessIsAHalfSpace) {
     const Layer thick(1.0, 0.5);
     for (const double a : {1e-5, 1e-4}) {
         // first order: 1 + 1.13 a/h
@@ -47,7 +47,7 @@ TEST(Layer, OfGreatThicknessIsAHalfSpace) {
         EXPECT_NEAR(factor, 1.0, 1e-12);
 }
 
-TEST(Layer, LeavesThePublishedPolynomialAtSecondOrder) {
+TEST(Layer, DeviatesFromThePublishedPolynomialAtSecondOrder) {
     // Dimitriadis et al. 2002, Eq. 12 (ν = 1/2): F over Hertz's at the same δ, χ = √(Rδ)/h; the first order agrees
     // within the 1 % of their fit, and what is missing grows as χ²
     const auto published = [](double chi) {
@@ -77,7 +77,7 @@ TEST(Layer, OfIncompressibleRubberTendsToThinFilmFlow) {
     EXPECT_NEAR(edge_width(4.0) / edge_width(5.0), 1.0, 0.01);
 }
 
-TEST(Layer, StiffnessGrowsByTheSquareOfTheEdgeFactor) {
+TEST(Layer, StiffnessIncreasesWithTheSquareOfTheEdgeFactor) {
     // energy release G = −½ (δ − δ_H)² dS/dA twice over: d(2aE* s)/da = 2E* e²
     for (const double nu : {-0.5, 0.0, 0.3, 0.5}) {
         const Layer layer(1.0, nu);
@@ -101,7 +101,7 @@ TEST(Layer, WithoutAdhesionLoadsAsAPunchOfItsRadius) {
     }
 }
 
-TEST(Layer, SlopesAreThoseOfTheFactors) {
+TEST(Layer, SlopesAreDerivativesOfTheFactors) {
     const double a = 7e-5, step = 1e-9;
     const Factors before = rubber().factors(a - step), after = rubber().factors(a + step),
                   slope = rubber().factor_slopes(a);
@@ -119,7 +119,7 @@ TEST(LayerEnergyReleaseRate, EqualsWorkOfAdhesionInEquilibrium) {
             1.0, 1e-9);
 }
 
-TEST(LayerRadius, AtForceUndoesForceOnBothBranches) {
+TEST(LayerRadius, AtForceInvertsForceOnBothBranches) {
     const double fold = pull_off_at_fixed_load(lens, rubber()).contact_radius;
     for (const double factor : {1.01, 1.5, 3.0}) {
         const double a = fold * factor;
@@ -132,7 +132,7 @@ TEST(LayerRadius, AtForceUndoesForceOnBothBranches) {
     }
 }
 
-TEST(LayerRadius, AtDisplacementUndoesDisplacementOnBothBranches) {
+TEST(LayerRadius, AtDisplacementInvertsDisplacementOnBothBranches) {
     const double fold = pull_off_at_fixed_grips(lens, rubber()).contact_radius;
     for (const double factor : {1.01, 1.5, 4.0}) {
         const double a = fold * factor;
@@ -158,7 +158,7 @@ TEST(LayerRadius, IsUndefinedBeyondTheFolds) {
     EXPECT_TRUE(std::isnan(contact_radius_at_force(-1e-9, dry, rubber())));
 }
 
-TEST(LayerPullOff, IsTheLeastOfTheCurve) {
+TEST(LayerPullOff, IsTheMinimumOfTheCurve) {
     for (const double thickness : {15e-6, 40e-6, 1e-3}) {
         const Layer layer(thickness, 0.5);
         const State load = pull_off_at_fixed_load(lens, layer), grips = pull_off_at_fixed_grips(lens, layer);
@@ -179,7 +179,7 @@ TEST(LayerRadius, OfSeriesEqualsThatOfEachValue) {
               contact_radius_at_displacement(displacements[4], lens, rubber()));
 }
 
-TEST(Layer, RefusesContactsItsFactorsDoNotReach) {
+TEST(Layer, RefusesContactsOutsideTheRangeOfItsFactors) {
     EXPECT_THROW((void)rubber().factors(5.01 * 40e-6), InvalidArgument);
     EXPECT_THROW((void)force(2.1e-4, lens, rubber()), InvalidArgument);
     EXPECT_THROW((void)contact_radius_at_force(1.0, lens, rubber()), InvalidArgument);

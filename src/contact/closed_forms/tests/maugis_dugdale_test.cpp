@@ -25,7 +25,7 @@ Contact with(double lambda) {
 
 constexpr double lambdas[] = {0.01, 0.1, 0.5, 0.9, 0.95, 1.0, 2.0, 5.0, 100.0};
 
-TEST(MaugisDugdale, FulfilsBothEquationsOfItsZone) {
+TEST(MaugisDugdale, SatisfiesBothEquationsOfMaugis) {
     // the first equation as Maugis writes it; λ and A where it does not cancel
     for (const double lambda : {0.05, 0.5, 2.0})
         for (const double a : {0.2, 1.0, 2.5}) {
@@ -39,7 +39,7 @@ TEST(MaugisDugdale, FulfilsBothEquationsOfItsZone) {
         }
 }
 
-TEST(MaugisDugdaleRadius, AtForceUndoesForceOnBothBranches) {
+TEST(MaugisDugdaleRadius, AtForceInvertsForceOnBothBranches) {
     for (const double lambda : lambdas) {
         const Contact contact = with(lambda);
         const double fold = pull_off_at_fixed_load(contact).contact_radius;
@@ -57,7 +57,7 @@ TEST(MaugisDugdaleRadius, AtForceUndoesForceOnBothBranches) {
     }
 }
 
-TEST(MaugisDugdaleRadius, AtDisplacementUndoesDisplacementOnBothBranches) {
+TEST(MaugisDugdaleRadius, AtDisplacementInvertsDisplacementOnBothBranches) {
     for (const double lambda : lambdas) {
         const Contact contact = with(lambda);
         const double unit = jkr::maugis_units(lens).length;
@@ -95,7 +95,7 @@ TEST(MaugisDugdaleRadius, IsUndefinedWhereThereIsNoEquilibrium) {
                                                           long_range, Branch::inner)));
 }
 
-TEST(MaugisDugdaleRadius, ReachesZeroWithTheCohesiveZoneStillActing) {
+TEST(MaugisDugdaleRadius, ReachesZeroWhileTheCohesiveZoneActs) {
     for (const double lambda : {0.1, 0.5, 2.0}) {
         const ReducedState vanished = reduced_state(0.0, lambda);
         const ReducedState small = reduced_state(1e-6, lambda);
@@ -107,7 +107,7 @@ TEST(MaugisDugdaleRadius, ReachesZeroWithTheCohesiveZoneStillActing) {
     }
 }
 
-TEST(MaugisDugdalePullOff, IsTheLeastOfTheCurve) {
+TEST(MaugisDugdalePullOff, IsTheMinimumOfTheCurve) {
     for (const double lambda : lambdas) {
         const ReducedState load = reduced_pull_off_at_fixed_load(lambda);
         const ReducedState grips = reduced_pull_off_at_fixed_grips(lambda);
@@ -125,7 +125,7 @@ TEST(MaugisDugdalePullOff, AtFixedGripsHasAFoldOnlyForShortRanges) {
     EXPECT_NEAR(reduced_pull_off_at_fixed_grips(0.95).contact_radius, 0.02, 0.005);  // it opens as a square root
 }
 
-TEST(MaugisDugdalePullOff, IsTheSameForSpheresOfAnySize) {
+TEST(MaugisDugdalePullOff, IsIndependentOfTheSizeOfTheSphere) {
     for (const double lambda : {0.3, 3.0}) {
         const State state = pull_off_at_fixed_load(with(lambda));
         const jkr::MaugisUnits units = jkr::maugis_units(lens);
@@ -140,7 +140,7 @@ double observed_order(double error_before, double error_after, double ratio) {
     return std::log(error_before / error_after) / std::log(ratio);
 }
 
-TEST(MaugisDugdaleLimit, IsJkrToSecondOrderInTheRange) {
+TEST(MaugisDugdaleLimit, TendsToJkrWithTheSquareOfTheRange) {
     const auto jkr_force = [](double a) { return a * a * a - std::sqrt(6.0 * a * a * a); };
     const auto jkr_displacement = [](double a) { return a * a - 2.0 / 3.0 * std::sqrt(6.0 * a); };
     for (const double a : {0.6, 1.2, 3.0}) {
@@ -160,7 +160,7 @@ TEST(MaugisDugdaleLimit, IsJkrToSecondOrderInTheRange) {
     EXPECT_NEAR(contact_radius_at_force(0.0, with(1e5)) / jkr::maugis_units(lens).length, 1.817120592832, 1e-8);
 }
 
-TEST(MaugisDugdaleLimit, IsDmtToTheThreeHalvesInTheRange) {
+TEST(MaugisDugdaleLimit, TendsToDmtWithThePowerThreeHalves) {
     EXPECT_NEAR(observed_order(2.0 + reduced_pull_off_at_fixed_load(1e-3).force,
                                2.0 + reduced_pull_off_at_fixed_load(1e-4).force, 10.0),
                 1.5, 0.02);
@@ -173,7 +173,7 @@ TEST(MaugisDugdaleLimit, IsDmtToTheThreeHalvesInTheRange) {
     EXPECT_NEAR(contact_radius_at_force(1e-4, contact) / dmt::contact_radius_at_force(1e-4, lens), 1.0, 1e-5);
 }
 
-TEST(MaugisDugdale, HoldsAtTheEndsOfItsDomain) {
+TEST(MaugisDugdale, IsCorrectAtTheEndsOfItsDomain) {
     for (const double lambda : {1e-30, 1e30}) {
         const double limit = lambda < 1.0 ? -2.0 : -1.5;
         EXPECT_NEAR(reduced_pull_off_at_fixed_load(lambda).force, limit, 1e-12);
@@ -187,7 +187,7 @@ TEST(MaugisDugdale, HoldsAtTheEndsOfItsDomain) {
     EXPECT_NEAR(reduced_pull_off_at_fixed_load(1e-5).contact_radius / 2.09e-5, 1.0, 0.02);
 }
 
-TEST(MaugisDugdale, TranslatesBetweenStressRangeAndTransitionParameter) {
+TEST(MaugisDugdale, ConvertsBetweenStressRangeAndTransitionParameter) {
     const Contact contact = with(0.7);
     EXPECT_NEAR(transition_parameter(contact), 0.7, 1e-15);
     // the definition itself: λ = 2σ0 (R/(πWK²))^(1/3)
@@ -196,7 +196,7 @@ TEST(MaugisDugdale, TranslatesBetweenStressRangeAndTransitionParameter) {
                 2.0 * contact.cohesive_stress * std::cbrt(lens.radius / (pi * lens.work_of_adhesion * k * k)), 1e-14);
 }
 
-TEST(MaugisDugdale, OpensToItsRangeAtTheEndOfTheZone) {
+TEST(MaugisDugdale, GapAtTheEndOfTheZoneEqualsTheRange) {
     // gap at c, in metres: that of the parabola pressed flat up to a, and what the cohesive stress adds
     for (const double lambda : {0.3, 2.0}) {
         const Contact contact = with(lambda);
@@ -250,7 +250,7 @@ TEST(MaugisDugdale, RefusesValuesOutsideItsDomain) {
     EXPECT_THROW((void)cohesive_stress(0.0, lens), InvalidArgument);
 }
 
-TEST(MaugisDugdale, SlopesAreThoseOfTheStates) {
+TEST(MaugisDugdale, SlopesAreDerivativesOfTheStates) {
     for (const double lambda : {0.1, 0.7, 5.0})
         for (const double radius : {0.3, 1.0, 3.0}) {
             const ReducedSlopes slopes = reduced_slopes(radius, lambda);

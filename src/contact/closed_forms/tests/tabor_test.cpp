@@ -15,7 +15,7 @@ constexpr AdhesiveContact lens{.radius = 1.25e-3, .contact_modulus = 0.92e6, .wo
 constexpr AdhesiveContact tip{.radius = 20e-9, .contact_modulus = 60e9, .work_of_adhesion = 0.1};
 constexpr double atomic_range = 0.3e-9;
 
-TEST(Tabor, GivesMaugisParameterByItsPublishedFactor) { EXPECT_NEAR(transition_parameter(1.0), 1.1570, 5e-5); }
+TEST(Tabor, GivesTheMaugisParameterByThePublishedFactor) { EXPECT_NEAR(transition_parameter(1.0), 1.1570, 5e-5); }
 
 TEST(Tabor, AgreesWithTheCohesiveStressOfALennardJonesLaw) {
     const maugis_dugdale::Contact dugdale{.radius = tip.radius,
@@ -29,7 +29,7 @@ TEST(Tabor, AgreesWithTheCohesiveStressOfALennardJonesLaw) {
     EXPECT_NEAR(dugdale.work_of_adhesion / dugdale.cohesive_stress / atomic_range, 0.974, 5e-4);
 }
 
-TEST(TaborVerdict, FindsEachFieldOfTheMap) {
+TEST(TaborVerdict, FindsEachRegimeOfTheMap) {
     const double pull = 2.0 * pi * tip.radius * tip.work_of_adhesion;
     EXPECT_EQ(which_model(0.0, lens, atomic_range).regime, Regime::jkr);
     EXPECT_EQ(which_model(0.0, tip, atomic_range).regime, Regime::maugis_dugdale);
@@ -39,7 +39,7 @@ TEST(TaborVerdict, FindsEachFieldOfTheMap) {
     EXPECT_NE(which_model(-100.0 * pull, tip, atomic_range).regime, Regime::hertz);
 }
 
-TEST(TaborVerdict, SaysWhichModelApplies) {
+TEST(TaborVerdict, NamesTheApplicableModel) {
     const Verdict verdict = which_model(0.0, lens, atomic_range);
     EXPECT_NE(verdict.sentence.find("JKR"), std::string::npos) << verdict.sentence;
     EXPECT_NE(verdict.sentence.find("Tabor parameter"), std::string::npos);
@@ -47,7 +47,7 @@ TEST(TaborVerdict, SaysWhichModelApplies) {
     EXPECT_NEAR(verdict.transition_parameter / verdict.tabor_parameter, 1.1570, 5e-5);
 }
 
-TEST(TaborVerdict, HasBoundsWhereThePullOffOfTheLimitsIsGood) {
+TEST(TaborVerdict, AtItsBoundsPullOffIsWithinFivePercentOfTheLimits) {
     const double below = maugis_dugdale::reduced_pull_off_at_fixed_load(transition_parameter(0.1)).force;
     const double above = maugis_dugdale::reduced_pull_off_at_fixed_load(transition_parameter(5.0)).force;
     EXPECT_LT(below / -2.0, 1.0);

@@ -38,7 +38,7 @@ double pull_off_radius(const RadiusCurve& curve) {
     return curve.zero_load_radius * share * share;
 }
 
-TEST(Transition, IsDmtAtOneEndAndJkrAtTheOther) {
+TEST(Transition, IsDmtAndJkrInItsLimits) {
     const RadiusCurve dmt_end{.zero_load_radius = dmt::contact_radius_at_force(0.0, tip),
                               .pull_off_force = dmt::pull_off(tip).force,
                               .transition_share = 0.0};
@@ -53,7 +53,7 @@ TEST(Transition, IsDmtAtOneEndAndJkrAtTheOther) {
     EXPECT_EQ(pull_off_radius(dmt_end), 0.0);
 }
 
-TEST(Transition, RadiusAndForceUndoEachOther) {
+TEST(Transition, RadiusInvertsForce) {
     for (const double alpha : {0.0, 0.3, 1.0}) {
         const RadiusCurve curve{.zero_load_radius = 2e-9, .pull_off_force = -1e-8, .transition_share = alpha};
         for (const double load : {-0.99e-8, -0.5e-8, 0.0, 1e-7})
@@ -70,7 +70,7 @@ TEST(Transition, IsUndefinedBeyondPullOff) {
     EXPECT_TRUE(std::isnan(force(0.99 * pull_off_radius(curve), curve)));
 }
 
-TEST(Transition, DeviatesFromMaugisAndDugdaleByWhatItsHeaderSays) {
+TEST(Transition, DeviatesFromMaugisDugdaleAsDocumented) {
     double everywhere = 0.0;
     for (const double lambda : {0.01, 0.03, 0.1, 0.2, 0.3, 0.5, 0.7, 1.0})
         everywhere = std::max(everywhere, deviation(lambda, -0.95));
@@ -84,13 +84,13 @@ TEST(Transition, DeviatesFromMaugisAndDugdaleByWhatItsHeaderSays) {
     EXPECT_GT(at_pull_off, 0.05);
 }
 
-TEST(Transition, ShareFollowsFromTheTransitionParameterAndBack) {
+TEST(Transition, ShareConvertsToTransitionParameterAndBack) {
     for (const double lambda : {1e-3, 0.1, 1.0, 5.0})
         EXPECT_NEAR(transition_parameter(transition_share(lambda)) / lambda, 1.0, 1e-10);
     EXPECT_NEAR(transition_parameter(0.5), -0.924 * std::log(0.49), 1e-15);
 }
 
-TEST(Transition, GivesBackTheContactItsCurveIsOf) {
+TEST(Transition, RecoversTheContactOfItsCurve) {
     for (const double lambda : {0.05, 0.5, 3.0}) {
         const maugis_dugdale::Contact contact = with(lambda), back = contact_of(curve_of(contact), contact.radius);
         EXPECT_NEAR(back.contact_modulus / contact.contact_modulus, 1.0, 1e-10);

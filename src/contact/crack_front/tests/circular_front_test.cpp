@@ -36,14 +36,14 @@ void there_and_back(double step, const Visit& visit) {
     for (double d = 1.0; d >= -0.9; d -= step) visit(d);
 }
 
-class BothMethods : public testing::TestWithParam<EquilibriumMethod> {};
-INSTANTIATE_TEST_SUITE_P(CircularFront, BothMethods,
+class BothFrontMethods : public testing::TestWithParam<EquilibriumMethod> {};
+INSTANTIATE_TEST_SUITE_P(CircularFront, BothFrontMethods,
                          testing::Values(EquilibriumMethod::rosso_krauth, EquilibriumMethod::trust_region),
                          [](const auto& method) {
                              return method.param == EquilibriumMethod::rosso_krauth ? "RossoKrauth" : "TrustRegion";
                          });
 
-TEST_P(BothMethods, StayCirclesOfJkrWhereTheWorkIsUniform) {
+TEST_P(BothFrontMethods, GiveJkrCirclesForUniformWork) {
     CircularFront front(sphere, uniform(8), {.method = GetParam(), .tolerance = 1e-12});
     there_and_back(0.01, [&](double d) {
         ASSERT_TRUE(front.solve(HeldDisplacement{d}).converged) << d;
@@ -52,7 +52,7 @@ TEST_P(BothMethods, StayCirclesOfJkrWhereTheWorkIsUniform) {
     EXPECT_FALSE(front.solve(HeldDisplacement{-0.92}).in_contact);
 }
 
-TEST_P(BothMethods, HaveJkrsForceAndEnergyUnderEveryControl) {
+TEST_P(BothFrontMethods, GiveJkrForceAndEnergyUnderEveryControl) {
     CircularFront front(sphere, uniform(64), {.method = GetParam(), .tolerance = 1e-11});
     const auto agrees = [](const FrontState& state) {
         const double a = jkr_radius(state.displacement);
@@ -106,8 +106,8 @@ TEST(CircularFront, BothMethodsAgreeInARandomField) {
     }
 }
 
-// where a jump just comes in one field and just not in the other they part: by 1.4 % at 0 on the way back from 0.1
-TEST(CircularFront, IsThatOfAFinerFieldWithinAPercent) {
+// fields differ where a jump occurs in one of them only: by 1.4 % at 0 on retraction from 0.1
+TEST(CircularFront, MatchesAFinerFieldWithinOnePercent) {
     CircularFront coarse(sphere, random_works(512, 0.08 / 16.0, 0)), fine(sphere, random_works(512, 0.08 / 64.0, 0));
     for (const double d : {0.0, 0.1, 0.2, 0.1, 0.0, -0.1, -0.2}) {
         const double expected = fine.solve(HeldDisplacement{d}).force;
@@ -116,7 +116,7 @@ TEST(CircularFront, IsThatOfAFinerFieldWithinAPercent) {
 }
 
 // w = W (1 + b cos nθ) with the elasticity of the mean circle: a = a_0 (1 + b/n cos nθ), for any n the points resolve
-TEST(CircularFront, OfTheMeanCircleFollowsASineExactly) {
+TEST(CircularFront, OfTheMeanCircleModelMatchesASine) {
     for (const auto& [points, n] : {std::pair<Index, Index>{4, 1}, {16, 3}, {16, 7}, {17, 8}, {128, 17}})
         for (const double d : {-0.4, 1.0}) {
             const double share = 0.05;
@@ -151,7 +151,7 @@ double rate_of_sine(FrontModel model, double a, double bent, double a_0, double 
     return 0.0;
 }
 
-TEST(CircularFront, OfEveryModelIsTheSineItsWorkWasMadeFor) {
+TEST(CircularFront, OfEveryModelReproducesItsSineSolution) {
     for (const auto model : {FrontModel::constant_toughness, FrontModel::variational, FrontModel::energy_release_rate,
                              FrontModel::stress_intensity, FrontModel::mean_circle}) {
         const double d = 0.3, a_0 = jkr_radius(d), b = 0.02, n = 5.0;
@@ -174,7 +174,7 @@ TEST(CircularFront, OfEveryModelIsTheSineItsWorkWasMadeFor) {
     }
 }
 
-TEST(CircularFront, HasForcesThatAreSlopesOfItsEnergy) {
+TEST(CircularFront, ForcesAreDerivativesOfItsEnergy) {
     for (const auto model : {FrontModel::constant_toughness, FrontModel::variational}) {
         const auto field = work_of([](double, double angle) { return W * (1.0 + 0.2 * std::cos(3.0 * angle)); }, 32,
                                    {401, 0.0, 0.01}, W);
@@ -187,7 +187,7 @@ TEST(CircularFront, HasForcesThatAreSlopesOfItsEnergy) {
     }
 }
 
-TEST(CircularFront, SaysWhereItCannotGo) {
+TEST(CircularFront, RefusesDisplacementsOutsideItsField) {
     CircularFront small(sphere, work_of([](double, double) { return W; }, 8, {101, 0.0, 0.01}, W));
     EXPECT_THROW((void)small.solve(HeldDisplacement{0.5}), InvalidArgument);
     EXPECT_THROW(CircularFront(sphere, uniform(8),

@@ -29,7 +29,7 @@ WorkField patterned() {
         64, {321, 0.0, 0.00625}, W);
 }
 
-TEST(FrontLoop, OfASmoothSphereLosesItsTwoJumps) {
+TEST(FrontLoop, OfASmoothSphereLosesTheTwoJumps) {
     auto front = smooth();
     const auto loop = front_loop(front, {.furthest = 1.0, .steps = 200, .jump_share = 1e-5});
     const auto exact = contact::jkr::ideal_loop_loss(jkr_contact);
@@ -47,7 +47,7 @@ TEST(FrontLoop, OfASmoothSphereLosesItsTwoJumps) {
 }
 
 // jump in at z = 0: F = −k δ on JKR's curve, and what is lost is all but the energy of contact and spring
-TEST(FrontLoop, OnAStageJumpsAlongItsSpring) {
+TEST(FrontLoop, OnAStageJumpsAlongTheStageStiffness) {
     auto front = smooth();
     const double k = 1.0;
     const auto loop = front_loop(front, {.drive = Drive::stage, .stiffness = k, .furthest = 1.0, .steps = 200});
@@ -61,14 +61,14 @@ TEST(FrontLoop, OnAStageJumpsAlongItsSpring) {
     EXPECT_TRUE(loop.complete);
 }
 
-TEST(FrontLoop, UnderADeadLoadPartsAtJkrsPullOff) {
+TEST(FrontLoop, UnderADeadLoadPullsOffAtTheJkrForce) {
     auto front = smooth();
     const auto loop = front_loop(front, {.drive = Drive::load, .furthest = 1.0, .steps = 1000});
     EXPECT_TRUE(loop.complete);
     EXPECT_NEAR(branch_works(loop, sphere).pull_off_force, -1.5, 2e-3);
 }
 
-TEST(FrontLoop, HasAnEnergyBudgetThatTelescopes) {
+TEST(FrontLoop, EnergyBudgetIsClosed) {
     CircularFront front(sphere, patterned());
     const auto loop = front_loop(front, {.furthest = 0.3, .steps = 60});
     ASSERT_TRUE(loop.complete);
@@ -83,7 +83,7 @@ TEST(FrontLoop, HasAnEnergyBudgetThatTelescopes) {
     EXPECT_GT(works.retraction.work_of_adhesion.value, works.approach.work_of_adhesion.value);
 }
 
-TEST(FrontLoop, EndsWhereItIsTold) {
+TEST(FrontLoop, EndsOnRequest) {
     auto front = smooth();
     int calls = 0;
     const auto loop =
@@ -95,7 +95,7 @@ TEST(FrontLoop, EndsWhereItIsTold) {
 }
 
 // Bodies meet at one spacing, thousands of times below where the edge comes to rest: residuals are measured there
-TEST(FrontLoop, MeetsWithoutLookingForRoundings) {
+TEST(FrontLoop, FirstContactConvergesOnAFineField) {
     const auto fine = work_of([](double, double angle) { return W * (1.0 + 0.2 * std::cos(900.0 * angle)); }, 4096,
                               {9001, 0.0, 2e-4}, W);
     CircularFront front(sphere, fine, {.max_iterations = 20000});

@@ -22,7 +22,7 @@ StressIntensity rough() {
 }
 
 // std w/W = 2 √(U/W) = 0.2 at 0.01, mean of the quadratic field W + U
-TEST(Pinning, OfTheEquivalentWorkHasTheScatterAndMeanOfTheory) {
+TEST(Pinning, EquivalentWorkHasTheTheoreticalScatterAndMean) {
     const auto intensity = rough();
     const double W = 100.0 * intensity.stored_energy;
     const auto linear = equivalent_work(intensity.values, intensity.points, W, 1.0);
@@ -32,7 +32,7 @@ TEST(Pinning, OfTheEquivalentWorkHasTheScatterAndMeanOfTheory) {
     EXPECT_NEAR(quadratic.works.mean() - W, intensity.stored_energy, 1e-10 * W);
 }
 
-TEST(Pinning, SaysWhatAFrontRestsOn) {
+TEST(Pinning, WarnsWhereTheModelIsInvalid) {
     const auto intensity = rough();
     const double U = intensity.stored_energy, length = intensity.mean_wavelength;
     const auto good = validity_of(intensity, 50.0 * U, 100.0 * length, 1.0);
@@ -57,7 +57,7 @@ TEST(Pinning, MeanWavelengthFollowsFromHeightAndStoredEnergy) {
 }
 
 // q_κ of G(a, δ) = E*(δ − a²/R)²/(2πa) by differences, on the equilibrium G = W
-TEST(Pinning, SphereHoldsItsEdgeAsItsEnergyReleaseRateChanges) {
+TEST(Pinning, RestoringStiffnessFollowsFromEnergyReleaseRate) {
     const contact::AdhesiveContact contact{1e-3, 1e6, 0.05};
     const auto release_rate = [&](double a, double displacement) {
         const double opening = displacement - a * a / contact.radius;
@@ -81,7 +81,7 @@ TEST(Pinning, SphereHoldsItsEdgeAsItsEnergyReleaseRateChanges) {
 }
 
 // polished nanodiamond of Dalvi et al. 2019 on 0.7 MPa: h_rms 4.6 nm, U_el/(AE*) 0.177 nm, R = 1.25 mm, at 1 mN
-TEST(Pinning, CountsTheLarkinLengthsOfAPublishedContact) {
+TEST(Pinning, CountsLarkinLengthsOfAPublishedContact) {
     const double modulus = 0.91999923e6, gain = 0.037 * 1.07125 - 0.025 * 0.07125, stored = 0.177e-9;
     const contact::AdhesiveContact contact{1.25e-3, modulus, gain};
     const double share = stored * modulus / gain;

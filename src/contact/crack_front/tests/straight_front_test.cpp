@@ -22,7 +22,7 @@ WorkField noise(Index lines, Index points, double rms) {
     return field;
 }
 
-TEST(StraightFront, WithoutPinningIsWhereItIsDriven) {
+TEST(StraightFront, WithoutPinningFollowsTheDrive) {
     StraightFront front(noise(16, 32, 0.0), {.width = 16.0});
     for (const double drive : {3.0, 7.5, -2.0}) {
         const auto state = front.drive_to(drive);
@@ -33,7 +33,7 @@ TEST(StraightFront, WithoutPinningIsWhereItIsDriven) {
 }
 
 // w depends on z alone: W |q| x̃ = w̃, wave by wave, and a mean the spring holds
-TEST(StraightFront, BendsByWaveOverWavevector) {
+TEST(StraightFront, BendsByWorkAmplitudeOverWavevector) {
     const double width = 40.0, q = 2.0 * pi * 3.0 / width, restoring = 0.05, share = 0.1;
     WorkField field{.works = Array2D(64, 8), .points = {8, 0.0, 1.0}, .mean_work = 2.0};
     for (Index j = 0; j < 64; ++j)
@@ -46,7 +46,7 @@ TEST(StraightFront, BendsByWaveOverWavevector) {
 }
 
 // 256 points, independent normal works, a spring of wavelength L/16: hysteresis, the same by both methods
-TEST(StraightFront, OfBothMethodsIsTheSameThereAndBack) {
+TEST(StraightFront, BothMethodsAgreeForwardAndBack) {
     const auto field = noise(256, 256, 1.0);
     const StraightFrontOptions options{.width = 256.0, .restoring = 2.0 * pi / 16.0, .tolerance = 1e-10};
     auto slow = options, one_way = options;
@@ -70,7 +70,7 @@ TEST(StraightFront, OfBothMethodsIsTheSameThereAndBack) {
 }
 
 // no passing: where the front goes does not depend on the steps
-TEST(StraightFront, OneWayGoesTheSameInOneStepAsInMany) {
+TEST(StraightFront, OneWayMotionDoesNotDependOnSteps) {
     const auto field = noise(64, 64, 0.8);
     const StraightFrontOptions options{
         .width = 64.0, .restoring = 0.2, .method = EquilibriumMethod::rosso_krauth, .tolerance = 1e-10};
@@ -82,7 +82,7 @@ TEST(StraightFront, OneWayGoesTheSameInOneStepAsInMany) {
     EXPECT_LT((one.front() - many.front()).abs().maxCoeff(), 1e-8);
 }
 
-TEST(StraightFront, RefusesWhatHasNoWidth) {
+TEST(StraightFront, RequiresAWidth) {
     EXPECT_THROW(StraightFront(noise(4, 4, 0.0), {}), InvalidArgument);
     EXPECT_THROW((void)straight_front_works(noise(4, 4, 0.0), {.width = 4.0}, 0.0), InvalidArgument);
 }

@@ -33,7 +33,7 @@ topography::HeightMap rough(Index n, std::uint64_t seed, double shortest = 8.0, 
 }
 
 // E* A √(π/λ), against the peak along the front and an eighth of a wave ahead of it on its way (Sanner et al. 2024)
-TEST(StressIntensity, OfWavesAlongAndAcrossAStraightFront) {
+TEST(StressIntensity, OfAxialWavesMatchesTheClosedForm) {
     const double modulus = 2.0, wavelength = 16.0, amplitude = modulus * std::sqrt(pi / wavelength);
     const auto along = stress_intensity_on_parallels(wave(64, 0, 4), {modulus, 8.0, {}});
     const auto across = stress_intensity_on_parallels(wave(64, 4, 0), {modulus, 8.0, {}});
@@ -47,7 +47,7 @@ TEST(StressIntensity, OfWavesAlongAndAcrossAStraightFront) {
 
 // K = √(2/π) ∫∫ σ √s/(π (s² + ζ²)) ds dζ with σ = −(E*/2)|q| h, the weight function of a half-plane crack; over ζ it is
 // exp(−|q_z| s)/√s, and s = t² leaves a smooth integral
-TEST(StressIntensity, OfAnObliqueWaveIsTheIntegralOfTheWeightFunction) {
+TEST(StressIntensity, OfAnObliqueWaveMatchesTheWeightFunctionIntegral) {
     const auto found = stress_intensity_on_parallels(wave(64, 3, 5), {1.0, 8.0, {}});
     const double qx = 2.0 * pi * 3.0 / 64.0, qz = 2.0 * pi * 5.0 / 64.0, q = std::hypot(qx, qz);
     std::complex<double> integral = 0.0;
@@ -62,14 +62,14 @@ TEST(StressIntensity, OfAnObliqueWaveIsTheIntegralOfTheWeightFunction) {
         }
 }
 
-TEST(StressIntensity, SquaresToTwiceModulusTimesStoredEnergy) {
+TEST(StressIntensity, MeanSquareIsTwiceModulusTimesStoredEnergy) {
     const auto map = rough(128, 3);
     const auto found = stress_intensity_on_parallels(map, {0.75, 2.0, {}});
     EXPECT_NEAR(found.values.square().mean() / (2.0 * 0.75 * found.stored_energy), 1.0, 1e-12);
 }
 
 // on rays the mean is over a disc, twice as many independent places as waves: it scatters over realisations
-TEST(StressIntensity, OnRaysSquaresToTheSameWithinItsScatter) {
+TEST(StressIntensity, OnRaysHasTheSameMeanSquareWithinScatter) {
     constexpr int realisations = 16;
     const LinePoints radii{61, 0.0, 0.5};
     double mean = 0.0, squares = 0.0;
@@ -89,7 +89,7 @@ TEST(StressIntensity, OnRaysSquaresToTheSameWithinItsScatter) {
     EXPECT_NEAR(mean, 1.0, 3.0 * error);
 }
 
-TEST(StressIntensity, OnRaysIsTheSumOverModesTurnedToEachRay) {
+TEST(StressIntensity, OnRaysEqualsTheSumOverRotatedModes) {
     const double qx = 2.0 * pi * 3.0 / 64.0, qy = 2.0 * pi * 5.0 / 64.0, phase = 0.3;
     const LinePoints radii{80, 0.0, 0.25};
     const std::array<double, 2> centre{10.0, 20.0};
@@ -106,7 +106,7 @@ TEST(StressIntensity, OnRaysIsTheSumOverModesTurnedToEachRay) {
     }
 }
 
-TEST(StressIntensity, OfARingIsThatOfTheWholeField) {
+TEST(StressIntensity, OfARingEqualsThatOfTheWholeField) {
     const auto map = rough(64, 5);
     const MapOnFront options{1.0, 8.0, {32.0, 32.0}};
     const auto whole = stress_intensity_on_rays(map, options, 64, {60, 0.0, 0.5});
@@ -124,7 +124,7 @@ TEST(StressIntensity, HasTheSameBytesForAnyNumberOfThreads) {
 }
 
 // inside the circle a map that ends has K of the periodic one, up to what lies outside
-TEST(StressIntensity, OfAMapThatEndsFadesBeyondTheFront) {
+TEST(StressIntensity, OfANonPeriodicMapMatchesThePeriodicOneInside) {
     auto map = rough(128, 7, 8.0, 16.0);
     const MapOnFront options{1.0, 8.0, {64.0, 64.0}};
     const LinePoints radii{41, 0.0, 1.0};
@@ -136,7 +136,7 @@ TEST(StressIntensity, OfAMapThatEndsFadesBeyondTheFront) {
 }
 
 // Of the surface that the map shows, not of what is left of it behind the fade
-TEST(StressIntensity, OfAMapThatEndsStoresAsItsSurface) {
+TEST(StressIntensity, OfANonPeriodicMapHasTheStoredEnergyOfItsSurface) {
     constexpr int seeds = 6;
     double mean = 0.0, squares = 0.0;
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
@@ -155,7 +155,7 @@ TEST(StressIntensity, OfAMapThatEndsStoresAsItsSurface) {
     EXPECT_NEAR(mean, 1.0, 3.0 * error);
 }
 
-TEST(StressIntensity, OfWorksOnRaysIsTheMapItself) {
+TEST(StressIntensity, WorksOnRaysEqualTheMap) {
     auto map = wave(64, 2, 1);
     map.heights += 3.0;
     const auto field = works_on_rays(map, {1.0, 8.0, {32.0, 32.0}}, 64, {40, 0.0, 0.5});

@@ -11,7 +11,7 @@
 namespace setae::half_space::contact_area_test {
 namespace {
 
-TEST(ContactArea, CountsPatchesAcrossEdgesThatRepeat) {
+TEST(ContactArea, CountsPatchesAcrossPeriodicEdges) {
     Array2D p = Array2D::Zero(6, 8);
     p(0, 0) = p(5, 0) = 1.0;  // one patch across the edge
     p(2, 3) = p(3, 4) = 1.0;  // corners do not join

@@ -34,7 +34,7 @@ double value_of(const std::vector<Quantity>& list, const std::string& name) {
     return found == list.end() ? std::numeric_limits<double>::quiet_NaN() : found->estimate.value;
 }
 
-TEST(ContactQuantities, AreThoseOfTheContact) {
+TEST(ContactQuantities, MatchTheContact) {
     const auto list = contact_quantities(problem(), contact(), 1e15);
     EXPECT_EQ(value_of(list, "area_fraction"), 0.25);
     EXPECT_EQ(value_of(list, "largest_pressure"), 4e6);
@@ -51,7 +51,7 @@ TEST(ContactQuantities, AreThoseOfTheContact) {
     EXPECT_EQ(value_of(more, "deepest_dent"), 3e-9);
 }
 
-TEST(ContactSentence, SaysAreaPressureGapAndStiffness) {
+TEST(ContactSentence, StatesAreaPressureGapAndStiffness) {
     EXPECT_EQ(
         contact_sentence(problem(), contact(), 1e15),
         "The surface touches the half-space on 25 % of the map (13.19 % with the correction for the perimeter) in 1 "

@@ -32,7 +32,7 @@ Array2D wave(const Grid& grid, Index kx, Index ky) {
     return map;
 }
 
-TEST(ElasticOperator, AnswersAWaveWithItsStiffness) {
+TEST(ElasticOperator, RespondsToAWaveWithItsStiffness) {
     const Grid grid{24, 15, 3e-6, 2e-6};  // an even and an odd side, pixels that are not square
     ElasticOperator half_space(grid, rubber);
     for (const auto& [kx, ky] : {std::pair<Index, Index>{1, 0}, {0, 1}, {3, -5}, {12, 0}, {11, 7}}) {
@@ -116,7 +116,7 @@ TEST(ElasticOperator, OfALineContactFollowsTheLogarithm) {
     EXPECT_NEAR((u(0, 20) - u(0, 60)) / (2.0 * 1.0 / (pi * 2e6) * std::log(3.0)), 1.0, 2e-4);  // (1/24)(1/20)²/ln 3
 }
 
-TEST(ElasticOperator, SaysWhatBecomesOfTheMean) {
+TEST(ElasticOperator, HandlesTheMeanByTypeOfBody) {
     const Grid grid{8, 8, 1e-6, 1e-6};
     const Array2D uniform = Array2D::Constant(8, 8, 5.0);
     Array2D u(8, 8);
@@ -136,7 +136,7 @@ TEST(ElasticOperator, SaysWhatBecomesOfTheMean) {
     EXPECT_LT((u / (5.0 * 1e-7 / 2.45e6) - 1.0).abs().maxCoeff(), 1e-13);
 }
 
-TEST(ElasticOperator, KnowsItsSoftestAndItsStiffestWave) {
+TEST(ElasticOperator, GivesMinimumAndMaximumStiffness) {
     ElasticOperator response({64, 32, 1e-6, 2e-6}, rubber);
     EXPECT_NEAR(response.min_stiffness() / (1e6 * pi / 1e-6), 1.0, 1e-15);
     EXPECT_NEAR(response.greatest_stiffness() / (1e6 * pi * std::hypot(64e6, 16e6)), 1.0, 1e-15);
@@ -156,7 +156,7 @@ TEST(ElasticOperator, GivesTheSameBytesOnAnyNumberOfThreads) {
     EXPECT_EQ(alone.energy_of_pressures(p), crew.energy_of_pressures(p));
 }
 
-TEST(ElasticOperator, RefusesWhatItCannotAnswer) {
+TEST(ElasticOperator, RefusesInvalidGridsAndShapes) {
     EXPECT_THROW(ElasticOperator({0, 8, 1e-6, 1e-6}, rubber), InvalidArgument);
     EXPECT_THROW(ElasticOperator({8, 8, 1e-6, 0.0}, rubber), InvalidArgument);
     EXPECT_THROW(ElasticOperator({8, 8, 1e-6, 1e-6}, Body{.contact_modulus = -1.0, .layer = {}}), InvalidArgument);
@@ -171,7 +171,7 @@ TEST(ElasticOperator, RefusesWhatItCannotAnswer) {
     EXPECT_THROW(free.pressures(right, right), InvalidArgument);
 }
 
-TEST(Stiffness, OfALayerHasItsPublishedFactors) {
+TEST(Stiffness, OfALayerHasThePublishedFactors) {
     const auto factor = [](double x, double nu, Base base = Base::bonded) {
         return stiffness(x, {.contact_modulus = 2.0, .layer = Layer{1.0, nu, base}}) / x;
     };

@@ -88,7 +88,7 @@ struct Wave {
     }
 };
 
-TEST(HardWall, OnOneWaveIsWestergaards) {
+TEST(HardWall, OnOneWaveMatchesWestergaard) {
     for (const double share : {0.3, 0.5, 0.7}) {
         const Wave wave{share};
         const auto contact = wave.solved(512);
@@ -115,7 +115,7 @@ TEST(HardWall, OnOneWaveConvergesWithThePixelSquared) {
 
 // h = Δ cos cos, two crests a square of side λ: full contact at p* = √2 π E* Δ/λ, and Hertz on each crest, of curvature
 // Δ (2π/λ)², under little (Johnson, Greenwood, Higginson, Int. J. Mech. Sci. 27 (1985) 383)
-TEST(HardWall, OfAnEggBoxIsHertzBelowAndFullAbove) {
+TEST(HardWall, OfAnEggBoxIsHertzianAtLowAndFullAtHighLoad) {
     constexpr Index n = 256;
     constexpr double height = 0.01, full = std::numbers::sqrt2 * pi * height;
     const Array2D heights = Array2D::NullaryExpr(n, n, [](Index i, Index j) {
@@ -189,7 +189,7 @@ TEST(HardWall, OfASphereConvergesWithThePixelSquared) {
     EXPECT_LT(std::abs(fine.corrected_area), 0.5 * fine.area);
 }
 
-TEST(HardWall, CorrectedAreaIsThatOfFinerPixels) {
+TEST(HardWall, CorrectedAreaMatchesFinerPixels) {
     // the same surface, its shortest wave on 8, 16 and 32 pixels
     double area[3], corrected[3], gap[3];
     const auto spectrum = spectra::density(spectra::SelfAffine{1.0, 2.0 * pi / 32.0, 0.8, 2.0 * pi / 8.0});
@@ -241,7 +241,7 @@ TEST(HardWall, OfAFlatPunchHasStiffnessOfTwiceItsRadius) {
     EXPECT_NEAR(stiffness(256), 1.0, 5e-3);
 }
 
-TEST(HardWall, AreaAndGapOverSeedsAreThoseOfAnIndependentSolver) {
+TEST(HardWall, AreaAndGapMatchAnIndependentSolver) {
     // κ = A h' E*/(p A0) of this spectrum at 512 points: 2.263 (p = 0.05 h'E*), 2.135 (0.1), 1.743 (0.3), 1.354 (0.6)
     // of one surface; mean gaps .90, .58, .165, .029 h_rms
     struct Reference {
@@ -265,7 +265,7 @@ TEST(HardWall, AreaAndGapOverSeedsAreThoseOfAnIndependentSolver) {
     }
 }
 
-TEST(HardWall, PressedByPressureGapOrDisplacementIsTheSame) {
+TEST(HardWall, IsTheSameUnderPressureGapOrDisplacementControl) {
     auto problem = rough(128, 0.1);
     const auto by_pressure = solve(problem);
     problem.control = MeanGap{by_pressure.mean_gap};
@@ -281,7 +281,7 @@ TEST(HardWall, PressedByPressureGapOrDisplacementIsTheSame) {
     }
 }
 
-TEST(HardWall, ComesBackFromAHigherLoad) {
+TEST(HardWall, HasNoHysteresisAfterAHigherLoad) {
     const auto problem = rough(128, 0.05);
     const auto there = solve(rough(128, 0.2)), direct = solve(problem, {.tolerance = 1e-10});
     const auto back = solve(problem, {.tolerance = 1e-10, .start = there.pressures});
@@ -301,7 +301,7 @@ TEST(HardWall, StiffnessIsTheSlopeOfLoadOverGap) {
     EXPECT_NEAR(contact_stiffness(problem, contact) / slope, 1.0, 1e-2);
 }
 
-TEST(HardWall, ForgetsItsUnits) {
+TEST(HardWall, IsIndependentOfUnits) {
     auto problem = rough(128, 0.05);
     const auto plain = solve(problem);
     problem.grid.size_x *= 1e-9;
@@ -330,7 +330,7 @@ TEST(HardWall, DoesNotDependOnCoarserGrids) {
     EXPECT_LT((nested.gaps - alone.gaps).abs().maxCoeff(), 1e-6 * alone.gaps.maxCoeff());
 }
 
-TEST(HardWall, TakesOddSidesAndPixelsThatAreNotSquare) {
+TEST(HardWall, HandlesOddSidesAndNonSquarePixels) {
     // the same surface with twice the points along y
     const auto height = [](double x, double y) {
         return std::cos(2.0 * pi * x) + 0.5 * std::cos(2.0 * pi * (y - x)) + 0.3 * std::sin(4.0 * pi * y);
@@ -352,7 +352,7 @@ TEST(HardWall, TakesOddSidesAndPixelsThatAreNotSquare) {
     EXPECT_NEAR(odd.area.corrected_fraction / even.area.corrected_fraction, 1.0, 2e-2);
 }
 
-TEST(HardWall, FlowsWhereThePressureReachesTheHardness) {
+TEST(HardWall, PressureIsLimitedByTheHardness) {
     auto problem = rough(128, 0.1);
     problem.hardness = 0.03;  // 0.3 h'E*; the elastic peak is higher
     ASSERT_GT(solve(rough(128, 0.1)).pressures.maxCoeff(), 0.05);
@@ -371,7 +371,7 @@ TEST(HardWall, FlowsWhereThePressureReachesTheHardness) {
 }
 
 TEST(HardWall, ConvergesOnWhiteNoise) {
-    // neighbouring pixels do not know of each other: guesses of the set fail, the careful mode has to finish
+    // neighbouring pixels are independent: guesses of the set fail, and the careful mode must finish
     for (const double load : {0.02, 0.2, 0.5}) {
         HardWall problem{.grid = {128, 128, 128.0, 128.0},
                          .body = {.contact_modulus = 1.0, .layer = {}},
@@ -396,7 +396,7 @@ TEST(HardWall, FullContactHasTheEnergyOfTheSurface) {
     EXPECT_TRUE(std::isinf(contact_stiffness(problem, contact)));
 }
 
-TEST(HardWall, OfAFlatTouchesEverywhere) {
+TEST(HardWall, OfAFlatIsFullContact) {
     HardWall problem{.grid = {16, 16, 1.0, 1.0},
                      .body = {.contact_modulus = 1.0, .layer = Layer{.thickness = 0.1, .poisson_ratio = 0.3}},
                      .heights = Array2D::Zero(16, 16),
@@ -411,7 +411,7 @@ TEST(HardWall, OfAFlatTouchesEverywhere) {
     EXPECT_NEAR(contact_stiffness(problem, contact) / k, 1.0, 1e-12);
 }
 
-TEST(HardWall, OfALayerFollowsItsBase) {
+TEST(HardWall, OfALayerFollowsTheDisplacementOfItsBase) {
     auto problem = rough(128, 0.1);
     problem.body.layer = Layer{.thickness = 10.0, .poisson_ratio = 0.4};
     const auto by_pressure = solve(problem);
@@ -432,7 +432,7 @@ TEST(HardWall, OfALayerFollowsItsBase) {
     EXPECT_GT(incompressible.mean_gap, by_pressure.mean_gap);
 }
 
-TEST(HardWall, ApartCarriesNothing) {
+TEST(HardWall, WithoutContactHasNoPressure) {
     auto problem = rough(128, 0.1);
     problem.control = Displacement{-1.0};
     const auto contact = solve(problem);
@@ -442,13 +442,13 @@ TEST(HardWall, ApartCarriesNothing) {
     EXPECT_EQ(contact_stiffness(problem, contact), 0.0);
 }
 
-TEST(HardWall, ThatDoesNotConvergeSaysSo) {
+TEST(HardWall, WithTooFewIterationsIsNotConverged) {
     const auto contact = solve(rough(128, 0.1), {.max_iterations = 2, .nested_grids = false});
     EXPECT_EQ(contact.status, SolveStatus::not_converged);
     EXPECT_GT(contact.certificate.duality_gap, 1e-8);
 }
 
-TEST(HardWall, RefusesWhatHasNoSolution) {
+TEST(HardWall, RefusesProblemsWithoutSolution) {
     const auto refused = [](const std::function<void(HardWall&)>& spoil) {
         auto problem = rough(128, 0.1);
         spoil(problem);

@@ -53,7 +53,7 @@ TEST(StripDisplacement, IsTheIntegralOfTheBesselFunction) {
         EXPECT_NEAR(strip_displacement(q, y, 0.5, 1.0) / displacement, 1.0, 1e-13) << q << ' ' << y;
 }
 
-TEST(StripDisplacement, OfAnEvenPressureIsTheSumOfItsRepeats) {
+TEST(StripDisplacement, OfUniformPressureIsTheSumOverRepeats) {
     constexpr double repeat = 3.0, b = 0.5;
     for (const double y : {0.0, 1.0, 7.0}) {
         double sum = rectangle_displacement(0.0, y, {0.5 * repeat, b});

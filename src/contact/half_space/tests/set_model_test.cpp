@@ -35,10 +35,10 @@ Array2D centred(const Given& given, const Array2D& gaps, bool load_held) {
     return given.face * (gaps - mean);
 }
 
-class Sets : public testing::TestWithParam<std::tuple<Edges, bool>> {};
+class SetModelOnEdges : public testing::TestWithParam<std::tuple<Edges, bool>> {};
 
 // What the pressures lose closes the gaps, by operators in double; nothing changes outside the set.
-TEST_P(Sets, LoseThePressureThatClosesTheirGaps) {
+TEST_P(SetModelOnEdges, PressureChangeClosesTheGaps) {
     const auto [edges, load_held] = GetParam();
     const Given given(64);
     ElasticOperator response(given.grid, {.contact_modulus = modulus, .layer = {}}, edges, {1}),
@@ -68,11 +68,11 @@ TEST_P(Sets, LoseThePressureThatClosesTheirGaps) {
     EXPECT_LT(std::sqrt(left.square().sum() / residual.square().sum()), 1.05 * reduction);
     EXPECT_GT(std::sqrt(left.square().sum() / residual.square().sum()), 1e-3 * reduction);
 }
-INSTANTIATE_TEST_SUITE_P(OfEveryEdge, Sets,
+INSTANTIATE_TEST_SUITE_P(EveryEdge, SetModelOnEdges,
                          testing::Combine(testing::Values(Edges::periodic, Edges::free, Edges::periodic_along_x),
                                           testing::Bool()));
 
-TEST(SetModel, HasNothingToDoWithoutResidual) {
+TEST(SetModel, DoesNothingWithoutResidual) {
     const Given given(16);
     ElasticOperator response(given.grid, {.contact_modulus = modulus, .layer = {}}, Edges::periodic, {1});
     SetModel model(response, response.compliance(), response, units, given.face, {1});

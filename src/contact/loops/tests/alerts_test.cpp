@@ -24,7 +24,7 @@ Index last_in_contact(const Loop& loop) {
     return last;
 }
 
-TEST(LoopAlerts, SayThatFreeFlightIsMissing) {
+TEST(LoopWarnings, ReportMissingFreeFlight) {
     const Loop whole = shape.make();
     const Index contact = shape.samples + 1;
     EXPECT_FALSE(has(whole, "NO_BASELINE"));
@@ -39,7 +39,7 @@ TEST(LoopAlerts, SayThatFreeFlightIsMissing) {
 }
 
 // At pull-off the testing machine springs back by F/k; the contact has some 200 N/m.
-TEST(LoopAlerts, SayThatTheMachineIsTooSoftToSeeTheContact) {
+TEST(LoopWarnings, ReportATooSoftMachine) {
     const auto on_machine = [](double stiffness) {
         Loop loop = shape.make();
         const Index last = last_in_contact(loop), rest = loop.displacement.size() - last - 1;
@@ -52,7 +52,7 @@ TEST(LoopAlerts, SayThatTheMachineIsTooSoftToSeeTheContact) {
 }
 
 // A radius that is read the larger the harder one presses fits no JKR curve.
-TEST(LoopAlerts, SayThatNoJkrCurveGoesThroughTheRadius) {
+TEST(LoopWarnings, ReportThatNoJkrCurveFitsTheRadius) {
     Loop bent = shape.make();
     const double largest = bent.contact_radius.maxCoeff();
     bent.contact_radius *= 1.0 + 0.25 * (bent.contact_radius / largest).pow(4);
@@ -61,7 +61,7 @@ TEST(LoopAlerts, SayThatNoJkrCurveGoesThroughTheRadius) {
 }
 
 // Dirt at the rim: the first contact reads too small by half, less with every sample.
-TEST(LoopAlerts, SayThatTheWorkDependsOnWhereTheFitBegins) {
+TEST(LoopWarnings, ReportThatTheWorkDependsOnTheFitRange) {
     Loop late = tests::SyntheticLoop{.retraction_work = 0.07, .samples = 60}.make();
     EXPECT_FALSE(has(late, "RANGE_SENSITIVE"));
     constexpr Index contact = 61, spoilt = 30;

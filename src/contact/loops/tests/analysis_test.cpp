@@ -70,7 +70,7 @@ TEST(Analysis, RecoversBothBranchesOfASyntheticLoop) {
     EXPECT_FALSE(has_alert(analysis, "POOR_FIT"));
 }
 
-TEST(Analysis, FitsTheRetractionBehindThePinnedStretch) {
+TEST(Analysis, FitsTheRetractionAfterThePinnedStretch) {
     Loop loop = rough.make();
     const Index peak = 2 * rough.samples + 1, released = 3 * rough.samples + 1;
     for (const bool radius_measured : {true, false}) {
@@ -91,7 +91,7 @@ TEST(Analysis, FitsTheRetractionBehindThePinnedStretch) {
     }
 }
 
-TEST(Analysis, TakesTheDriftOfForceOffBothBranches) {
+TEST(Analysis, RemovesForceDriftFromBothBranches) {
     Loop loop = without_pinned_stretch(rough);
     const LoopAnalysis level = analyse(loop, rubber_on_diamond());
     loop.force += 1e-8 * loop.time;
@@ -103,7 +103,7 @@ TEST(Analysis, TakesTheDriftOfForceOffBothBranches) {
     EXPECT_NEAR(drifting.loop->energy / level.loop->energy, 1.0, 1e-8);
 }
 
-TEST(Analysis, TakesTheLastFramesBeforePullOffWhereTheCameraIsSlow) {
+TEST(Analysis, UsesTheLastFramesBeforePullOffOfASlowCamera) {
     Loop loop = without_pinned_stretch(rough);
     for (Index i = 0; i < loop.contact_radius.size(); ++i)
         if (i % 10 != 0) loop.contact_radius[i] = undefined;
@@ -114,7 +114,7 @@ TEST(Analysis, TakesTheLastFramesBeforePullOffWhereTheCameraIsSlow) {
     EXPECT_NEAR(analysis.retraction->work_of_adhesion.value / 0.070, 1.0, 1e-6);
 }
 
-TEST(Analysis, OfNoisyFramesDoesNotTakeTheLargest) {
+TEST(Analysis, DoesNotUseTheLargestOfNoisyFrames) {
     std::mt19937_64 generator(5);
     constexpr double noise = 1e-6;
     Loop loop = without_pinned_stretch(rough);
@@ -126,7 +126,7 @@ TEST(Analysis, OfNoisyFramesDoesNotTakeTheLargest) {
     EXPECT_NEAR(radius, rough.largest_radius, 3.0 * noise / std::sqrt(5.0));
 }
 
-TEST(Analysis, NeedsNoContactRadius) {
+TEST(Analysis, WorksWithoutContactRadius) {
     Loop loop = without_pinned_stretch(rough);
     loop.contact_radius = Array1D();
     const LoopAnalysis analysis = analyse(loop, rubber_on_diamond());
@@ -138,7 +138,7 @@ TEST(Analysis, NeedsNoContactRadius) {
     EXPECT_LT((analysis.loading.energy_release_rate.energy_release_rate / 0.040 - 1.0).abs().maxCoeff(), 1e-5);
 }
 
-TEST(Analysis, NeedsNoDisplacement) {
+TEST(Analysis, WorksWithoutDisplacement) {
     Loop loop = without_pinned_stretch(rough);
     loop.displacement = Array1D();
     const LoopAnalysis analysis = analyse(loop, rubber_on_diamond());
@@ -147,7 +147,7 @@ TEST(Analysis, NeedsNoDisplacement) {
     EXPECT_NE(analysis.loop.reason.find("displacement"), std::string::npos);
 }
 
-TEST(Analysis, LeavesMissingFramesOut) {
+TEST(Analysis, IgnoresMissingFrames) {
     Loop loop = without_pinned_stretch(rough);
     loop.contact_radius[900] = undefined;
     const LoopAnalysis analysis = analyse(loop, rubber_on_diamond());
@@ -155,7 +155,7 @@ TEST(Analysis, LeavesMissingFramesOut) {
     EXPECT_NEAR(analysis.loading.primary().work_of_adhesion.value / 0.040, 1.0, 1e-8);
 }
 
-TEST(Analysis, TakesTheMachinesDeflectionOffTheStage) {
+TEST(Analysis, SubtractsTheMachineDeflectionFromTheStage) {
     constexpr double stiffness = 250.0;
     Loop loop = without_pinned_stretch(rough);
     loop.displacement += loop.force / stiffness;
@@ -174,7 +174,7 @@ TEST(Analysis, FitsTheModulusOfTheRetractionOnRequest) {
     EXPECT_TRUE(analysis.retraction->modulus_free);
 }
 
-TEST(Analysis, PutsEffectiveVarianceFirstWhereBothErrorsAreKnown) {
+TEST(Analysis, PrefersEffectiveVarianceIfBothErrorsAreKnown) {
     std::mt19937_64 generator(2);
     Loop loop = without_pinned_stretch(rough);
     loop.force = tests::with_noise(loop.force, 1e-7, generator);
@@ -186,7 +186,7 @@ TEST(Analysis, PutsEffectiveVarianceFirstWhereBothErrorsAreKnown) {
     EXPECT_EQ(plain.loading.primary().method, "radius_force");
 }
 
-TEST(Analysis, OfALoadingAloneSaysWhyThereIsNoLoop) {
+TEST(Analysis, OfALoadingOnlyGivesTheReasonForNoLoop) {
     const LoopAnalysis analysis = analyse(tests::piece(rough.make(), 0, 1602), rubber_on_diamond());
     EXPECT_NEAR(analysis.loading.primary().work_of_adhesion.value / 0.040, 1.0, 1e-8);
     EXPECT_FALSE(analysis.unloading);
@@ -198,7 +198,7 @@ TEST(Analysis, OfALoadingAloneSaysWhyThereIsNoLoop) {
     EXPECT_THROW((void)evaluate_reference(analysis), UndefinedDataError);
 }
 
-TEST(Analysis, AlertsOfGeometryAndRange) {
+TEST(Analysis, WarnsOfGeometryAndRange) {
     LensAndCounterBody bodies = rubber_on_diamond();
     bodies.layer_thickness = 500e-6;
     AnalysisOptions options;
@@ -211,7 +211,7 @@ TEST(Analysis, AlertsOfGeometryAndRange) {
 }
 
 // mu ∝ (W/E*)^(2/3)/z0
-TEST(Analysis, TellsHowUncertainTheTaborParameterIs) {
+TEST(Analysis, PropagatesErrorsToTheTaborParameter) {
     AnalysisOptions options;
     const auto mu_of = [&](double share) {
         options.interaction_range.standard_error = share * options.interaction_range.value;
@@ -229,20 +229,20 @@ TEST(Analysis, TellsHowUncertainTheTaborParameterIs) {
     EXPECT_NEAR(with_range.standard_error / with_range.value, std::hypot(2.0 / 3.0 * ratio, 0.1), 1e-12);
 }
 
-TEST(Analysis, AlertsOfContactPointsApart) {
+TEST(Analysis, WarnsOfInconsistentContactPoints) {
     Loop loop = without_pinned_stretch(rough);
     for (Index i = 1602; i < loop.displacement.size(); ++i) loop.displacement[i] -= 2e-6;
     EXPECT_TRUE(has_alert(analyse(loop, rubber_on_diamond()), "CONTACT_POINT_SPREAD"));
     EXPECT_FALSE(has_alert(analyse(without_pinned_stretch(rough), rubber_on_diamond()), "CONTACT_POINT_SPREAD"));
 }
 
-TEST(Analysis, AlertsOfACoarselySampledLoop) {
+TEST(Analysis, WarnsOfACoarselySampledLoop) {
     const SyntheticLoop coarse{.samples = 8};
     EXPECT_TRUE(has_alert(analyse(coarse.make(), rubber_on_diamond()), "LOOP_UNDERSAMPLED"));
     EXPECT_FALSE(has_alert(analyse(rough.make(), rubber_on_diamond()), "LOOP_UNDERSAMPLED"));
 }
 
-TEST(ReferenceLoop, OfASmoothSphereLosesItsJumpsOnly) {
+TEST(ReferenceLoop, OfASmoothSphereLosesTheJumpsOnly) {
     std::mt19937_64 generator(4);
     const SyntheticLoop smooth{.samples = 2000};
     Loop loop = smooth.make();

@@ -56,7 +56,7 @@ bool has_alert(const LoopAnalysis& analysis, const std::string& code, const std:
     });
 }
 
-TEST(FiniteHeight, EveryRouteFindsAKnownLensOfKnownHeight) {
+TEST(FiniteHeight, EveryRouteRecoversALensOfKnownHeight) {
     for (const double height : {1.4e-3, 0.7e-3})
         for (const bool radius_measured : {true, false}) {
             const LoopAnalysis analysis = analysed(record_of(height, 1.37e-4, radius_measured), height);
@@ -78,7 +78,7 @@ TEST(FiniteHeight, EveryRouteFindsAKnownLensOfKnownHeight) {
         }
 }
 
-TEST(FiniteHeight, TakenForAHalfSpaceItReadsTooHigh) {
+TEST(FiniteHeight, HalfSpaceAssumptionOverestimatesTheModulus) {
     // 12 % at a/h = 0.1 and 25 % at 0.19 from F–δ, some 0.1 % from a(F): why the height counts
     const auto excess = [](double height, bool radius_measured) {
         const LoopAnalysis analysis = analysed(record_of(height, 1.37e-4, radius_measured), std::nullopt);
@@ -91,7 +91,7 @@ TEST(FiniteHeight, TakenForAHalfSpaceItReadsTooHigh) {
     EXPECT_LT(std::abs(excess(0.72e-3, true)), 0.006);
 }
 
-TEST(FiniteHeight, AlertsSayHowMuchItIs) {
+TEST(FiniteHeight, WarningsStateTheEffect) {
     const Loop loop = record_of(0.72e-3, 1.37e-4, true);
     EXPECT_TRUE(has_alert(analysed(loop, 0.72e-3), "THIN_LAYER", "a/h reaches 0.19"));
     EXPECT_FALSE(has_alert(analysed(loop, 0.72e-3), "HEIGHT_UNKNOWN"));
@@ -103,7 +103,7 @@ TEST(FiniteHeight, AlertsSayHowMuchItIs) {
     EXPECT_FALSE(has_alert(analysed(without_depth, std::nullopt), "HEIGHT_UNKNOWN"));
 }
 
-TEST(FiniteHeight, ExcessIsThatOfTheLayersFactors) {
+TEST(FiniteHeight, ExcessMatchesTheLayerFactors) {
     // to first order in χ = √(Rδ)/h Dimitriadis (2002) has F larger by 1.133 χ at ν = 1/2
     EXPECT_NEAR(modulus_excess(1e-6, 1e-4, 0.5) / (1.133 * 0.01), 1.0, 0.03);
     EXPECT_NEAR(modulus_excess(1.37e-4, 1.37e-3, 0.5), 0.12, 0.02);

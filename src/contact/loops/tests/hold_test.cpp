@@ -58,7 +58,7 @@ Held held_loop(double noise) {
     return held;
 }
 
-TEST(Hold, EndsTheLoadingAndTellsHowTheContactGrows) {
+TEST(Hold, EndsTheLoadingAndMeasuresContactGrowth) {
     // with noise the largest force lies anywhere in the hold: it does not end the loading there
     for (const double noise : {0.0, 1e-3}) {
         const Held held = held_loop(noise);
@@ -83,7 +83,7 @@ TEST(Hold, EndsTheLoadingAndTellsHowTheContactGrows) {
     }
 }
 
-TEST(Hold, IsNothingWhereTheForceTurnsAtOnce) {
+TEST(Hold, IsEmptyWithoutPauseAtTheTurningPoint) {
     const LoopAnalysis analysis = analyse(tests::SyntheticLoop{}.make(), tests::rubber_on_diamond());
     EXPECT_FALSE(analysis.hold);
     EXPECT_NE(analysis.loading.range.name.find("to the largest force"), std::string::npos);

@@ -72,7 +72,7 @@ TEST(FitConic, RecoversSpheresParaboloidsAndSpheroids) {
     }
 }
 
-TEST(FitConic, TellsALensThatIsNoSphereFromOneThatIs) {
+TEST(FitConic, DistinguishesSpheresFromOtherLenses) {
     const Array1D x = Array1D::LinSpaced(200, -0.45e-3, 0.45e-3);
     int found = 0, false_alarms = 0, held = 0;
     constexpr int seeds = 100;
@@ -100,7 +100,7 @@ TEST(FitConic, RefusesPointsWithoutAnApex) {
     EXPECT_THROW((void)fit_conic(flank.head(5), flank.head(5).square()), UndefinedDataError);
 }
 
-TEST(FitCircle, CoversTheTruthWithItsStandardError) {
+TEST(FitCircle, CoversTheTrueRadiusWithItsStandardError) {
     const Arc points = arc(1.25e-3, 0.5, 60);
     int covered = 0;
     setae::tests::Pulls pulls;

@@ -55,7 +55,7 @@ inline BranchData in_contact(const BranchData& data) {
     return kept;
 }
 
-/// Whether the 95 % interval holds the truth.
+/// Whether the 95 % interval covers the true value.
 inline bool covers(const Estimate& estimate, double truth) {
     const auto interval = interval_of(estimate);
     return interval && interval->lower < truth && truth < interval->upper;

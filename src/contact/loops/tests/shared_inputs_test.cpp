@@ -92,7 +92,7 @@ Loop behind_a_spring(Loop loop, double stiffness) {
 
 using enum SharedInput;
 
-TEST(InputDerivative, FollowsTheSimilarityOfJkrWithMeasuredRadii) {
+TEST(InputDerivative, FollowsJkrScalingWithMeasuredRadii) {
     for (const auto& loop : {exact_loop(), noisy_loop()}) {
         const Case c{.loop = loop};
         constexpr double rounding = 1e-5;
@@ -109,7 +109,7 @@ TEST(InputDerivative, FollowsTheSimilarityOfJkrWithMeasuredRadii) {
     }
 }
 
-TEST(InputDerivative, FollowsTheSimilarityOfJkrFromForceAndDisplacement) {
+TEST(InputDerivative, FollowsJkrScalingFromForceAndDisplacement) {
     for (const auto& loop : {exact_loop(), noisy_loop()}) {
         const Case c{.loop = without_radius(loop)};
         constexpr double rounding = 1e-5;
@@ -124,7 +124,7 @@ TEST(InputDerivative, FollowsTheSimilarityOfJkrFromForceAndDisplacement) {
     }
 }
 
-TEST(InputDerivative, OfTheLossIsThatOfForceTimesDisplacement) {
+TEST(InputDerivative, OfTheLossFollowsForceTimesDisplacement) {
     const Case c{.loop = noisy_loop()};
     EXPECT_NEAR(c.exponent(force_calibration, loss), 1.0, 1e-6);
     EXPECT_NEAR(c.exponent(displacement_calibration, loss), 1.0, 1e-6);
@@ -137,7 +137,7 @@ TEST(InputDerivative, OfTheLossIsThatOfForceTimesDisplacement) {
 }
 
 // A height goes with the contact radius, else with √(Rδ); a machine stiffness with F/δ: sums of exponents are known.
-TEST(InputDerivative, KeepsTheSumsOfExponentsWithHeightAndMachineStiffness) {
+TEST(InputDerivative, ExponentsHaveTheirSumWithHeightAndMachineStiffness) {
     constexpr double rounding = 2e-5;
     Case measured{.loop = noisy_loop()};
     measured.bodies.lens_height = 0.6e-3;
@@ -194,7 +194,7 @@ void expect_whole_differences(const Case& c, const std::vector<SharedInput>& inp
     }
 }
 
-TEST(InputDerivative, IsThatOfTheWholeAnalysis) {
+TEST(InputDerivative, MatchesDifferencesOfTheWholeAnalysis) {
     Case measured{.loop = noisy_loop()};
     measured.bodies.lens_poisson_ratio = 0.45;
     expect_whole_differences(
@@ -217,7 +217,7 @@ TEST(InputDerivative, IsThatOfTheWholeAnalysis) {
 }
 
 // E = E*(1 − ν²)/(1 − E*(1 − ν2²)/E2): exact at ν = 1/2, beyond which there is no analysis.
-TEST(InputDerivative, OfAnIncompressibleSolidLooksInwards) {
+TEST(InputDerivative, OfAnIncompressibleSolidIsOneSided) {
     const Case c{.loop = exact_loop()};
     const double E = youngs_modulus(c.analysis());
     EXPECT_NEAR(c.derivative(poisson_ratio, youngs_modulus) / (-2.0 * 0.5 / 0.75 * E), 1.0, 1e-6);
@@ -228,7 +228,7 @@ TEST(InputDerivative, OfAnIncompressibleSolidLooksInwards) {
 }
 
 // The contact point was read off the same record: with it held, W does not move with the displacement's scale.
-TEST(InputDerivative, TakesAGivenContactPointAlong) {
+TEST(InputDerivative, ScalesAGivenContactPoint) {
     Case c{.loop = without_radius(exact_loop())};
     c.loop.displacement += 40e-6;
     c.options.contact_point = {.mode = ContactPointChoice::Mode::value, .value = 40e-6};
@@ -236,7 +236,7 @@ TEST(InputDerivative, TakesAGivenContactPointAlong) {
     EXPECT_NEAR(c.exponent(displacement_calibration, contact_modulus), -1.5, 1e-5);
 }
 
-TEST(InputDerivative, RefusesAnInputTheLoopDoesNotHave) {
+TEST(InputDerivative, RefusesAnInputTheLoopLacks) {
     const Case c{.loop = exact_loop()};
     EXPECT_THROW((void)c.derivative(sphere_height, approach), InvalidArgument);
     EXPECT_THROW((void)c.derivative(machine_stiffness, approach), InvalidArgument);

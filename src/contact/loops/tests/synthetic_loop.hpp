@@ -11,7 +11,7 @@
 
 namespace setae::loops::tests {
 
-/// A smooth lens under fixed grips whose W on retraction may exceed that on approach: what the closed forms say of it
+/// A smooth lens under fixed grips whose W on retraction may exceed that on approach: results of the closed forms
 /// is known exactly.
 struct SyntheticLoop {
     contact::jkr::Contact approach{.radius = 1.25e-3, .contact_modulus = 0.92e6, .work_of_adhesion = 0.040};
@@ -24,7 +24,7 @@ struct SyntheticLoop {
         return {approach.radius, approach.contact_modulus, retraction_work};
     }
 
-    /// 3/5 πW a0² in the jump, (W_r − W_a) π a_max² on the way back, 2/5 πW_r a_c² at pull-off.
+    /// 3/5 πW a0² in the jump, (W_r − W_a) π a_max² on retraction, 2/5 πW_r a_c² at pull-off.
     [[nodiscard]] double loss() const {
         const double a_in = contact::jkr::jump_in_at_fixed_grips(approach).contact_radius;
         const double a_out = contact::jkr::pull_off_at_fixed_grips(retraction()).contact_radius;

@@ -19,7 +19,7 @@ TracedValue minus(const TracedValue& a, const TracedValue& b) {
     return {a.value - b.value, combined({{1.0, a.components}, {-1.0, b.components}})};
 }
 
-TEST(ConditionedValues, OfOneMeasurementAreTheWeightedMean) {
+TEST(ConditionedValues, OfOneMeasurementEqualTheWeightedMean) {
     const auto before = known(10.0, 2.0, "x"), measured = known(13.0, 1.0, "noise");
     const ConditionedValues fit({minus(measured, before)});
     const auto after = fit.updated(before);
@@ -31,8 +31,8 @@ TEST(ConditionedValues, OfOneMeasurementAreTheWeightedMean) {
     EXPECT_NEAR(fit.moves().at("x"), std::abs(after.value - 10.0) / 2.0, 1e-12);
 }
 
-TEST(ConditionedValues, OfPartsThatAddUpKeepTheirSumApart) {
-    // two parts of which the sum is measured ten times better than each: they can no longer be told apart
+TEST(ConditionedValues, OfPartsWithKnownSumAreCorrelated) {
+    // two parts of which the sum is measured ten times better than each: they can no longer be distinguished
     const auto a = known(3.0, 1.0, "a"), b = known(4.0, 1.0, "b"), sum = known(8.0, 0.1, "noise");
     const TracedValue parts(a.value + b.value, combined({{1.0, a.components}, {1.0, b.components}}));
     const ConditionedValues fit({minus(sum, parts)});
@@ -44,7 +44,7 @@ TEST(ConditionedValues, OfPartsThatAddUpKeepTheirSumApart) {
     EXPECT_NEAR(both.variance(), x.variance() + y.variance() + 2.0 * covariance(x, y), 1e-12);
 }
 
-TEST(ConditionedValues, AreThoseOfLeastSquares) {
+TEST(ConditionedValues, EqualLeastSquares) {
     // a line through three points with a vague prior: ordinary least squares
     const auto slope = known(0.0, 1e4, "slope"), offset = known(0.0, 1e4, "offset");
     const double x[] = {0.0, 1.0, 3.0}, y[] = {1.1, 2.8, 7.2};
@@ -60,14 +60,14 @@ TEST(ConditionedValues, AreThoseOfLeastSquares) {
     EXPECT_NEAR(fit.updated(offset).value, 3.7 - 9.6 / (14.0 / 3.0) * 4.0 / 3.0, 1e-6);
 }
 
-TEST(ConditionedValues, LeaveAloneWhatSharesNothing) {
+TEST(ConditionedValues, DoNotChangeIndependentValues) {
     const auto other = known(5.0, 0.5, "other");
     const ConditionedValues fit({minus(known(1.0, 1.0, "noise"), known(0.0, 1.0, "x"))});
     EXPECT_EQ(fit.updated(other).value, 5.0);
     EXPECT_DOUBLE_EQ(fit.updated(other).standard_error(), 0.5);
 }
 
-TEST(ConditionedValues, RefuseWhatIsSaidTwiceOrWithoutError) {
+TEST(ConditionedValues, RefuseDuplicatesAndValuesWithoutError) {
     const auto x = known(1.0, 1.0, "x");
     EXPECT_THROW(ConditionedValues({x, x}), UndefinedDataError);
     EXPECT_THROW(ConditionedValues({TracedValue(1.0)}), UndefinedDataError);

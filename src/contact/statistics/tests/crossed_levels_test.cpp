@@ -35,7 +35,7 @@ ReplicateData simulated(const Crossed& plan) {
     return data;
 }
 
-TEST(CrossedLevels, OfABalancedDesignAreTheAnalysisOfVariance) {
+TEST(CrossedLevels, OfABalancedDesignMatchAnalysisOfVariance) {
     // mean squares of a two-way layout: E MS_lens = θ_r + nθ_ls + nsθ_l, E MS_ls = θ_r + nθ_ls, E MS_r = θ_r
     const Crossed plan{.surfaces = 3, .lenses = 6, .repeats = 4};
     const auto data = simulated(plan);
@@ -88,7 +88,7 @@ TEST(CrossedLevels, OfABalancedDesignAreTheAnalysisOfVariance) {
     EXPECT_NEAR(*difference.degrees_of_freedom, (plan.lenses - 1) * (plan.surfaces - 1), 1e-4);
 }
 
-TEST(CrossedLevels, LeaveDifferencesOfSurfacesAlone) {
+TEST(CrossedLevels, DoNotChangeDifferencesOfSurfaces) {
     auto data = simulated({.repeats = 1, .on_a_surface = 0.0, .seed = 3});
     const auto crossed = mixed_model(data, {.influence = false}).differences.at(0).difference;
     data.crossed.clear();
@@ -98,7 +98,7 @@ TEST(CrossedLevels, LeaveDifferencesOfSurfacesAlone) {
     EXPECT_NEAR(crossed.value, 5.0, 3.0 * crossed.standard_error);
 }
 
-TEST(CrossedLevels, IntervalsHoldMeansAndDifferences) {
+TEST(CrossedLevels, IntervalsCoverMeansAndDifferences) {
     int means = 0, differences = 0;
     constexpr int seeds = 300;
     for (int seed = 0; seed < seeds; ++seed) {
@@ -126,7 +126,7 @@ TEST(CrossedLevels, OfOneSurfaceAreNested) {
     EXPECT_NEAR(*crossed.surfaces[0].mean.degrees_of_freedom, *nested.surfaces[0].mean.degrees_of_freedom, 1e-5);
 }
 
-TEST(CrossedLevels, ThatCannotBeToldFromRepeatsAreNestedAndSaySo) {
+TEST(CrossedLevels, IndistinguishableFromRepeatsAreNestedWithANote) {
     // a chain: every row joins another lens or another surface
     ReplicateData data{.levels = {"surface", "lens"}, .crossed = {"lens"}};
     data.rows = {{40.0, undefined, {"A", "1"}}, {42.0, undefined, {"A", "2"}}, {47.0, undefined, {"B", "2"}}};
@@ -136,7 +136,7 @@ TEST(CrossedLevels, ThatCannotBeToldFromRepeatsAreNestedAndSaySo) {
     EXPECT_NE(model.fits[0].not_estimable.back().find("too few rows"), std::string::npos);
 }
 
-TEST(CrossedLevels, AreAskedForWhereLabelsRecur) {
+TEST(CrossedLevels, AreSuggestedIfLabelsRecur) {
     auto data = simulated({});
     EXPECT_TRUE(mixed_model(data, {.influence = false}).notes.empty());
     data.crossed.clear();
@@ -155,7 +155,7 @@ TEST(CrossedLevels, MustBeLevelsBelowTheSurface) {
 
 // A mean is linear in its rows at given variances; lenses pressed on both surfaces tell each of them of the other's
 // rows.
-TEST(CrossedLevels, GiveEveryRowItsWeightInAMean) {
+TEST(CrossedLevels, WeightsOfRowsReproduceTheMean) {
     auto data = simulated({});
     for (auto& row : data.rows) row.standard_error = 0.3 + 0.1 * std::fmod(std::abs(row.value), 3.0);
     data.rows.pop_back();

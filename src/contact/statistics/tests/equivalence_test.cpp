@@ -10,7 +10,7 @@
 
 namespace setae::statistics::equivalence_test {
 
-TEST(Equivalence, IsShownWhereTheIntervalLiesWithinTheMargin) {
+TEST(Equivalence, IsShownIfTheIntervalIsWithinTheMargin) {
     // t at 10 degrees of freedom: 1.812461 leaves 5 % above it
     const Estimate difference{.value = 2.0, .standard_error = 1.0, .degrees_of_freedom = 10.0};
     const auto at_the_edge = test_equivalence(difference, 3.812461);
@@ -24,7 +24,7 @@ TEST(Equivalence, IsShownWhereTheIntervalLiesWithinTheMargin) {
               Verdict::equivalent);
 }
 
-TEST(Equivalence, OfTableS3IsDifferentOnTheSofterElastomersAndUndecidedOnTheStiffest) {
+TEST(Equivalence, OfTableS3IsUndecidedOnTheStiffestElastomerOnly) {
     // [D19] Table S3: W of retraction less W of approach on smooth silicon, in mJ/m²
     const auto verdict = [](double approach, double its_error, double retraction, double error) {
         return test_equivalence(difference({.value = retraction, .standard_error = error},
@@ -38,7 +38,7 @@ TEST(Equivalence, OfTableS3IsDifferentOnTheSofterElastomersAndUndecidedOnTheStif
     EXPECT_EQ(verdict(51.0, 4.8, 56.4, 1.8), Verdict::undecided);
 }
 
-TEST(Equivalence, AtTheMarginIsFalselyShownAsOftenAsTheSignificanceSays) {
+TEST(Equivalence, HasTheStatedFalsePositiveRateAtTheMargin) {
     std::mt19937_64 engine(11);
     std::normal_distribution<double> normal;
     int shown = 0;
@@ -65,7 +65,7 @@ TEST(Equivalence, WithoutAnErrorIsUndecided) {
     EXPECT_FALSE(test.interval);
 }
 
-TEST(Equivalence, NeedsAMargin) {
+TEST(Equivalence, RequiresAMargin) {
     EXPECT_THROW((void)test_equivalence({.value = 1.0, .standard_error = 1.0}, 0.0), InvalidArgument);
     EXPECT_THROW((void)test_equivalence({.value = 1.0, .standard_error = 1.0}, 1.0, 0.5), InvalidArgument);
 }

@@ -33,7 +33,7 @@ ReplicateData rows_of(int n, bool lenses, int surfaces = 1) {
     return data;
 }
 
-TEST(MixedModel, AsksForMemoryInProportionToItsRows) {
+TEST(MixedModel, UsesMemoryInProportionToItsRows) {
     for (const bool lenses : {false, true}) {
         double before = 0.0;
         int fewer = 0;
@@ -50,7 +50,7 @@ TEST(MixedModel, AsksForMemoryInProportionToItsRows) {
 }
 
 // V, P and the information written out as matrices over all rows
-TEST(MixedModel, SumsOverGroupsAreThoseOfWholeMatrices) {
+TEST(MixedModel, SumsOverGroupsEqualFullMatrices) {
     const auto data = rows_of(40, true, 2);
     std::vector<std::size_t> all(data.rows.size());
     for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;

@@ -28,7 +28,7 @@ SimulatedReplicates any_plan() {
 
 void check(const char* property, const std::function<void()>& body) { EXPECT_TRUE(rc::check(property, body)); }
 
-TEST(MixedModelProperty, NoOtherVariancesAreMoreLikely) {
+TEST(MixedModelProperty, LikelihoodIsMaximalAtTheVariances) {
     check("the likelihood falls on every side of its maximum", [] {
         const auto data = simulated(any_plan());
         std::vector<std::size_t> rows(data.rows.size());
@@ -49,7 +49,7 @@ TEST(MixedModelProperty, NoOtherVariancesAreMoreLikely) {
     });
 }
 
-TEST(MixedModelProperty, IntervalsHoldTheirMeans) {
+TEST(MixedModelProperty, IntervalsContainTheirMeans) {
     check("intervals of mean and prediction", [] {
         const auto data = simulated(any_plan());
         const auto model = mixed_model(data, {.influence = false});
@@ -63,7 +63,7 @@ TEST(MixedModelProperty, IntervalsHoldTheirMeans) {
     });
 }
 
-TEST(MixedModelProperty, AConstantMovesMeansAlone) {
+TEST(MixedModelProperty, AConstantShiftsMeansOnly) {
     check("adding a constant", [] {
         const auto data = simulated(any_plan());
         auto moved = data;

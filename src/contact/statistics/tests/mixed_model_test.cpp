@@ -44,7 +44,7 @@ NestedMeanSquares mean_squares(const ReplicateData& data, int lenses, int spots,
     return result;
 }
 
-TEST(MixedModel, OfABalancedDesignIsTheAnalysisOfVariance) {
+TEST(MixedModel, OfABalancedDesignMatchesAnalysisOfVariance) {
     const auto data = simulated({.surfaces = 1, .lenses = 5, .spots = 4, .repeats = 3, .seed = 4});
     const auto ms = mean_squares(data, 5, 4, 3);
     const auto model = mixed_model(data);
@@ -68,7 +68,7 @@ TEST(MixedModel, OfABalancedDesignIsTheAnalysisOfVariance) {
     EXPECT_NEAR(*model.surfaces[0].mean.degrees_of_freedom, 4.0, 1e-5);
 }
 
-TEST(MixedModel, KnownVarianceIsTakenFromThatOfRepeats) {
+TEST(MixedModel, KnownVarianceIsSubtractedFromThatOfRepeats) {
     auto data = simulated({.surfaces = 1, .lenses = 4, .spots = 3, .repeats = 2, .seed = 5});
     const auto without = mixed_model(data);
     const double known = 0.5 * std::sqrt(without.fits[0].components[2].variance);
@@ -99,7 +99,7 @@ TEST(MixedModel, DoesNotDependOnUnitsOrTheOrderOfRows) {
     EXPECT_NEAR(same.mean.standard_error * 1e9, surface.mean.standard_error, 1e-6);
 }
 
-TEST(MixedModel, PlantedNestedVariancesComeBackWithinTenPercent) {
+TEST(MixedModel, TrueNestedVariancesAreRecoveredWithinTenPercent) {
     // means over seeds; an estimate over 6 lenses and 3 surfaces scatters by about √(2/15) = 37 % and more, 150 seeds
     // leave 3 %
     double lens = 0.0, spot = 0.0, repeat = 0.0;
@@ -121,7 +121,7 @@ TEST(MixedModel, PlantedNestedVariancesComeBackWithinTenPercent) {
     EXPECT_NEAR(repeat / 2.25, 1.0, 0.10);
 }
 
-/// Share of 200 seeds whose 95 % interval of the mean holds the truth.
+/// Coverage of the 95 % interval of the mean over 200 seeds.
 double coverage(SimulatedReplicates plan) {
     int hits = 0;
     constexpr int seeds = 200;
@@ -135,26 +135,26 @@ double coverage(SimulatedReplicates plan) {
 }
 
 // 90 … 98 %: what is promised of intervals; 200 seeds of a true 95 % scatter by 1.5 %
-TEST(MixedModel, IntervalsOfThreeLensesCoverTheTruth) {
+TEST(MixedModel, IntervalsOfThreeLensesCoverTheTrueMean) {
     const double share = coverage({.surfaces = 1, .lenses = 3, .spots = 4, .repeats = 2, .fit_error = 1.0});
     EXPECT_GE(share, 0.90);
     EXPECT_LE(share, 0.98);
 }
 
-TEST(MixedModel, IntervalsOfTwoLensesCoverTheTruth) {
+TEST(MixedModel, IntervalsOfTwoLensesCoverTheTrueMean) {
     const double share = coverage({.surfaces = 1, .lenses = 2, .spots = 3, .repeats = 1, .fit_error = 1.0});
     EXPECT_GE(share, 0.90);
     EXPECT_LE(share, 0.98);
 }
 
-TEST(MixedModel, IntervalsOfUnbalancedPooledSurfacesCoverTheTruth) {
+TEST(MixedModel, IntervalsOfUnbalancedPooledSurfacesCoverTheTrueMean) {
     const double share =
         coverage({.surfaces = 3, .lenses = 3, .spots = 4, .repeats = 2, .fit_error = 1.0, .dropped = 0.3});
     EXPECT_GE(share, 0.90);
     EXPECT_LE(share, 0.98);
 }
 
-TEST(MixedModel, OfOneMeasurementIsItsOwnErrorAndSaysThatReplicatesAreMissing) {
+TEST(MixedModel, OfOneMeasurementUsesItsErrorAndReportsMissingReplicates) {
     const ReplicateData data{.rows = {{40.0, 3.0, {"A", "1", "1"}}}};
     const auto model = mixed_model(data);
     EXPECT_EQ(model.surfaces[0].mean.value, 40.0);
@@ -167,7 +167,7 @@ TEST(MixedModel, OfOneMeasurementIsItsOwnErrorAndSaysThatReplicatesAreMissing) {
     EXPECT_TRUE(model.surfaces[0].influence.empty());
 }
 
-TEST(MixedModel, OfOneMeasurementBesideOthersTakesTheirVariances) {
+TEST(MixedModel, OfOneMeasurementUsesVariancesOfOtherSurfaces) {
     auto data = simulated({.surfaces = 1, .lenses = 4, .spots = 3, .repeats = 2, .seed = 9});
     data.rows.push_back({70.0, undefined, {"alone", "x", "x"}});
     const auto model = mixed_model(data);
@@ -184,7 +184,7 @@ TEST(MixedModel, OfOneMeasurementBesideOthersTakesTheirVariances) {
     EXPECT_TRUE(std::isnan(own.differences.at(0).difference.standard_error));
 }
 
-TEST(MixedModel, OfOneLensSaysThatOtherLensesAreNotInItsError) {
+TEST(MixedModel, OfOneLensReportsThatScatterBetweenLensesIsMissing) {
     const auto data = simulated({.surfaces = 1, .lenses = 1, .spots = 5, .repeats = 2, .seed = 11});
     const auto model = mixed_model(data);
     ASSERT_EQ(model.fits[0].components.size(), 2U);
@@ -194,14 +194,14 @@ TEST(MixedModel, OfOneLensSaysThatOtherLensesAreNotInItsError) {
     EXPECT_EQ(model.surfaces[0].influence.at(0).level, "spot");
 }
 
-TEST(MixedModel, LevelsWithTheSameGroupsAreOne) {
+TEST(MixedModel, LevelsWithEqualGroupsAreMerged) {
     const auto data = simulated({.surfaces = 1, .lenses = 4, .spots = 3, .repeats = 1, .seed = 13});
     const auto model = mixed_model(data);
     ASSERT_EQ(model.fits[0].components.size(), 2U);
     EXPECT_EQ(model.fits[0].components[1].includes, (std::vector<std::string>{"spot", "repeat"}));
 }
 
-TEST(MixedModel, ALevelThatNoRowNamesIsMissing) {
+TEST(MixedModel, LevelsWithoutLabelsAreReported) {
     auto data = simulated({.surfaces = 1, .lenses = 4, .spots = 3, .repeats = 2, .seed = 13});
     for (auto& row : data.rows) row.groups[2].clear();
     const auto model = mixed_model(data);
@@ -210,7 +210,7 @@ TEST(MixedModel, ALevelThatNoRowNamesIsMissing) {
     EXPECT_EQ(model.surfaces[0].groups, (std::vector<int>{4, 0}));
 }
 
-TEST(MixedModel, LeavesExcludedRowsOutAndTellsTheMeanWithThem) {
+TEST(MixedModel, ExcludesRowsAndReportsTheMeanWithThem) {
     auto data = simulated({.surfaces = 1, .lenses = 4, .spots = 3, .repeats = 2, .seed = 15});
     const auto all = mixed_model(data);
     data.rows.push_back({90.0, 1.0, {"S0", "L0", "P0"}, "slipped.csv"});
@@ -224,7 +224,7 @@ TEST(MixedModel, LeavesExcludedRowsOutAndTellsTheMeanWithThem) {
     EXPECT_EQ(model.surfaces[0].n, 24);
 }
 
-TEST(MixedModel, OfASurfaceWhoseRowsAreAllExcludedSaysSo) {
+TEST(MixedModel, OfASurfaceWithoutRemainingRowsReportsIt) {
     auto data = simulated({.surfaces = 2, .lenses = 2, .spots = 2, .repeats = 1, .seed = 15});
     for (std::size_t i = 0; i < data.rows.size(); ++i)
         if (data.rows[i].groups[0] == "S1") data.exclusions.push_back({i, "dust"});
@@ -236,7 +236,7 @@ TEST(MixedModel, OfASurfaceWhoseRowsAreAllExcludedSaysSo) {
     EXPECT_THROW((void)mixed_model(data), UndefinedDataError);
 }
 
-TEST(MixedModel, TellsTheInfluenceOfEachLens) {
+TEST(MixedModel, ReportsTheInfluenceOfEachLens) {
     auto data = simulated({.surfaces = 2, .lenses = 3, .spots = 4, .repeats = 2, .seed = 17});
     for (auto& row : data.rows)
         if (row.groups[0] == "S0" && row.groups[1] == "L2") row.value += 30.0;
@@ -252,7 +252,7 @@ TEST(MixedModel, TellsTheInfluenceOfEachLens) {
     EXPECT_NEAR(influence[2].mean->value, mixed_model(without).surfaces[0].mean.value, 1e-12);
 }
 
-TEST(MixedModel, DifferencesOfSurfacesCarryBothErrors) {
+TEST(MixedModel, DifferencesOfSurfacesIncludeBothErrors) {
     const auto model = mixed_model(simulated({.surfaces = 2, .lenses = 4, .spots = 4, .repeats = 2, .seed = 19}));
     ASSERT_EQ(model.differences.size(), 1U);
     const auto& d = model.differences[0];
@@ -265,7 +265,7 @@ TEST(MixedModel, DifferencesOfSurfacesCarryBothErrors) {
     EXPECT_NEAR(student_t_quantile(1.0 - 0.5 * d.probability, 6.0), t, 1e-4);
 }
 
-TEST(MixedModel, HeterogeneityIsWhatStandardErrorsDoNotExplain) {
+TEST(MixedModel, HeterogeneityIsScatterBeyondStandardErrors) {
     ReplicateData data{.levels = {"surface"}, .rows = {{1.0, 1.0, {"A"}}, {3.0, 1.0, {"A"}}, {5.0, 1.0, {"A"}}}};
     auto found = *mixed_model(data).surfaces[0].heterogeneity;
     EXPECT_NEAR(found.Q, 8.0, 1e-12);
@@ -278,7 +278,7 @@ TEST(MixedModel, HeterogeneityIsWhatStandardErrorsDoNotExplain) {
     EXPECT_FALSE(mixed_model(data).surfaces[0].heterogeneity);
 }
 
-TEST(MixedModel, EqualValuesWithoutErrorsTellNothingOfTheirError) {
+TEST(MixedModel, EqualValuesWithoutErrorsHaveAnUnknownError) {
     const ReplicateData data{.levels = {"surface"}, .rows = {{2.0, undefined, {"A"}}, {2.0, undefined, {"A"}}}};
     const auto model = mixed_model(data);
     EXPECT_EQ(model.surfaces[0].mean.value, 2.0);
@@ -286,7 +286,7 @@ TEST(MixedModel, EqualValuesWithoutErrorsTellNothingOfTheirError) {
     EXPECT_NE(model.surfaces[0].notes.at(0).find("unknown"), std::string::npos);
 }
 
-TEST(MixedModel, PredictionHoldsAnotherLensesMeasurement) {
+TEST(MixedModel, PredictionIntervalIncludesScatterOfANewLens) {
     const auto model = mixed_model(simulated({.surfaces = 1, .lenses = 5, .spots = 4, .repeats = 3, .seed = 3}));
     const auto& surface = model.surfaces[0];
     double sum = surface.mean.variance();
@@ -297,7 +297,7 @@ TEST(MixedModel, PredictionHoldsAnotherLensesMeasurement) {
     EXPECT_LT(reach, student_t_quantile(0.975, 4.0) * std::sqrt(sum));
 }
 
-TEST(MixedModel, RefusesWhatItCannotRead) {
+TEST(MixedModel, RefusesInvalidData) {
     const auto expect_message = [](const ReplicateData& data, const std::string& part) {
         try {
             (void)mixed_model(data);

@@ -27,7 +27,7 @@ TEST(ArchiveFolder, ListsFilesBeforeFoldersWithoutHiddenOnes) {
     EXPECT_EQ(file_source(path + "/b/a.txt").name, path + "/b/a.txt");
 }
 
-TEST(ArchiveFolder, RefusesWhatIsNotThereOrLeadsOut) {
+TEST(ArchiveFolder, RefusesMissingMembersAndPathsOutsideTheArchive) {
     const TemporaryFolder folder;
     const auto path = folder.write("a.zip", zip_archive({{"a.txt", "1"}}));
     EXPECT_NE(message_of([&] { (void)file_source(path + "/b.txt"); }).find("no such file in the archive"),

@@ -27,7 +27,7 @@ std::string noise(std::size_t size) {
     return bytes;
 }
 
-TEST(Archive, OnlyWhatIsAskedForIsReadFromItsSource) {
+TEST(Archive, ReadsOnlyTheRequestedBytes) {
     const auto archive = zip_archive({{"large", noise(1 << 20)}, {"small", "five!"}});
     const auto whole = memory_source("a", noise(1 << 20) + archive);
     const auto count = std::make_shared<std::atomic<std::uint64_t>>(0);
@@ -57,19 +57,19 @@ std::uint64_t bytes_read(int n) {
     return *count;
 }
 
-TEST(Archive, IsReadOnceForAllItsMembers) {
+TEST(Archive, ReadsItsDirectoryOnceForAllMembers) {
     const auto few = bytes_read(100), many = bytes_read(1000);
     EXPECT_LT(std::log10(static_cast<double>(many) / static_cast<double>(few)), 1.1);
 }
 
-TEST(Archive, OfTwoMembersWithOneNameIsRefused) {
+TEST(Archive, WithTwoMembersOfOneNameIsRefused) {
     auto bytes = zip_archive({{"name_a", "1"}, {"name_b", "2"}});
     for (auto at = bytes.find("name_b"); at != std::string::npos; at = bytes.find("name_b")) bytes[at + 5] = 'a';
     EXPECT_NE(message_of([&] { (void)Archive(memory_source("c.zip", bytes)); }).find("c.zip: ZIP: two members"),
               std::string::npos);
 }
 
-TEST(Archive, MemberThatAnnouncesMoreThanItsBytesCanBecomeIsRefused) {
+TEST(Archive, RefusesAnAnnouncedSizeBeyondTheCompressionLimit) {
     auto archive = zip_archive({{"bomb", "a little"}});
     const auto directory = archive.rfind("PK\x01\x02");
     ASSERT_NE(directory, std::string::npos);

@@ -35,7 +35,7 @@ std::string message_of(const std::string& text) {
     return "";
 }
 
-TEST(NamedInputs, AreMentionedByName) {
+TEST(NamedInputs, AreReferencedByName) {
     for (const char* text :
          {"inputs.lens = '1.25 ± 0.01 mm'\nsphere.radius = 'lens'", "sphere.radius = 'lens = 1.25 ± 0.01 mm'",
           "sphere.again = 'lens = 1.25 ± 0.01 mm'\nsphere.radius = 'lens'",
@@ -48,12 +48,12 @@ TEST(NamedInputs, AreMentionedByName) {
     }
 }
 
-TEST(NamedInputs, WithoutANameAreTheirOwn) {
+TEST(NamedInputs, WithoutANameAreNamedByTheirKey) {
     EXPECT_EQ(radius_of("sphere.radius = '1.25 ± 0.01 mm'").input, "sphere.radius");
     EXPECT_EQ(radius_of("sphere.radius = '1.25 mm'").input, "") << "what is exact is no input";
 }
 
-TEST(NamedInputs, AreRefusedInOneLine) {
+TEST(NamedInputs, AreRefusedWithAMessageOfOneLine) {
     EXPECT_EQ(
         message_of("sphere.again = 'lens = 1.25 ± 0.01 mm'\nsphere.radius = 'lens = 1.3 mm'"),
         "study.toml:2: sphere.radius: input 'lens' is '1.3 mm' here and '1.25 ± 0.01 mm' in line 1; expected one value per "
@@ -72,8 +72,9 @@ TEST(NamedInputs, AreRefusedInOneLine) {
         "0");
     EXPECT_EQ(message_of("sphere.radius = '1.25 ± -1 mm'"),
               "study.toml:1: sphere.radius: '1.25 ± -1 mm', expected an uncertainty >= 0");
-    EXPECT_EQ(message_of("sphere.radius = '1.25 ± 0.01'"),
-              "study.toml:1: sphere.radius: '1.25 ± 0.01' has no unit; write for instance \"1.25 ± 0.01 um\"");
+    EXPECT_EQ(
+        message_of("sphere.radius = '1.25 ± 0.01'"),
+        "study.toml:1: sphere.radius: '1.25 ± 0.01' has no unit; expected a length with its unit, such as \"5 um\"");
     EXPECT_EQ(message_of("inputs.lens = true\nsphere.radius = '1 mm'"),
               "study.toml:1: inputs.lens: expected a value with its ± and unit in quotes");
 }

@@ -18,21 +18,21 @@ std::string repeated(const std::string& text, std::size_t count) {
     return all;
 }
 
-TEST(Nesting, OfJsonCountsWhatIsOpen) {
+TEST(Nesting, OfJsonCountsOpenBrackets) {
     EXPECT_FALSE(json_too_deep(repeated("[", max_levels) + repeated("]", max_levels)));
     EXPECT_EQ(json_too_deep(repeated("[", max_levels + 1)), max_levels);
     EXPECT_FALSE(json_too_deep(repeated("[]", 1000)));
     EXPECT_FALSE(json_too_deep("\"" + repeated("[", 1000) + "\\\"" + repeated("{", 1000) + "\""));
 }
 
-TEST(Nesting, OfXmlCountsElements) {
+TEST(Nesting, OfXmlCountsOpenElements) {
     EXPECT_FALSE(xml_too_deep(repeated("<a>", max_levels) + repeated("</a>", max_levels)));
     EXPECT_EQ(xml_too_deep(repeated("<a>", max_levels + 1)), 3 * max_levels);
     EXPECT_FALSE(xml_too_deep(repeated("<a/>", 1000) + repeated("<b></b>", 1000)));
     EXPECT_FALSE(xml_too_deep("<!--" + repeated("<a>", 1000) + "--><![CDATA[" + repeated("<a>", 1000) + "]]><?x?>"));
 }
 
-TEST(Nesting, OfTomlCountsNamesToo) {
+TEST(Nesting, OfTomlCountsDottedNamesToo) {
     EXPECT_FALSE(toml_too_deep("[a.b.c]\nx = 1.5\ny = [[1.0, 2.0], [3.0, 4.0]]\n" + repeated("z = 1.5e3\n", 1000)));
     EXPECT_TRUE(toml_too_deep("a" + repeated(".a", max_levels + 1) + " = 1"));
     EXPECT_TRUE(toml_too_deep("[" + repeated("a . ", max_levels + 2) + "a]"));
@@ -42,7 +42,7 @@ TEST(Nesting, OfTomlCountsNamesToo) {
     EXPECT_FALSE(toml_too_deep("text = \"\"\"\n" + repeated("[", 1000) + "\n\"\"\"\n"));
 }
 
-TEST(Json, IsRefusedAtItsByte) {
+TEST(Json, WhenDamagedIsRefusedWithTheByteOffset) {
     const auto message = [](const std::string& text) {
         try {
             (void)parsed_json(text, "a.json", "no trace");
@@ -68,7 +68,7 @@ std::string refusal_of_yaml(const std::string& text) {
     return "";
 }
 
-TEST(Yaml, WithAliasesIsReadAndBounded) {
+TEST(Yaml, WithAliasesIsReadUpToALimit) {
     const auto node = parsed_yaml("base: &b {x: 1}\nfirst: *b\nsecond: [*b, *b]\n", "a.yml");
     EXPECT_EQ(node["second"][1]["x"].as<int>(), 1);
     EXPECT_NE(refusal_of_yaml("x: &a [*a]").find("a.yml:1: YAML: an alias of a node that contains this alias"),
@@ -85,7 +85,7 @@ TEST(Yaml, WithAliasesIsReadAndBounded) {
     EXPECT_NE(refusal_of_yaml(chain).find("more than 64 levels"), std::string::npos);
 }
 
-TEST(Yaml, ThatIsDeepOrNoneIsRefused) {
+TEST(Yaml, TooDeepOrInvalidIsRefused) {
     EXPECT_EQ(refusal_of_yaml(repeated("[", 60) + repeated("]", 60)), "");
     EXPECT_NE(refusal_of_yaml(repeated("[", 200'000)).find("more than 64 levels"), std::string::npos);
     EXPECT_NE(refusal_of_yaml(repeated("{a: ", 200'000)).find("more than 64 levels"), std::string::npos);

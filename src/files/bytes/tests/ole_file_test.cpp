@@ -24,7 +24,7 @@ const Members streams{{"large", counting(9001)},
                       {"other", counting(65)},
                       {"exact", counting(4096)}};
 
-TEST(OleFile, GivesStreamsOfEverySizeWholeAndInParts) {
+TEST(OleFile, ReadsStreamsOfEverySizeWholeAndInParts) {
     for (const unsigned shift : {9u, 12u}) {
         const OleFile file(memory_source("a", CompoundFile(streams, shift).content()), "X");
         ASSERT_EQ(file.names().size(), streams.size());
@@ -37,13 +37,13 @@ TEST(OleFile, GivesStreamsOfEverySizeWholeAndInParts) {
     }
 }
 
-TEST(OleFile, ReadingBeyondAStreamIsRefused) {
+TEST(OleFile, RefusesReadingBeyondAStream) {
     const OleFile file(memory_source("a", CompoundFile(streams).content()), "X");
     EXPECT_THROW((void)file.stream("small").bytes(100, 31), FormatError);
     EXPECT_THROW((void)file.stream("nothing"), FormatError);
 }
 
-TEST(OleFile, ChainsInCirclesAreRefused) {
+TEST(OleFile, RefusesCircularChains) {
     auto content = CompoundFile(streams).content();
     const auto table = content.size() - 512;
     for (std::size_t entry = 0; entry < 128; ++entry) {  // every sector leads to itself
@@ -57,7 +57,7 @@ TEST(OleFile, ChainsInCirclesAreRefused) {
     }
 }
 
-TEST(OleFile, LongListsOfTableSectorsAreFollowed) {
+TEST(OleFile, FollowsLongListsOfTableSectors) {
     const auto big = counting(
         24 << 20);  // 49152 sectors need 388 of table, 109 fit into the header and 127 into each further sector
     const OleFile file(memory_source("a", CompoundFile({{"big", big}}).content()), "X");

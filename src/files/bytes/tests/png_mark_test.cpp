@@ -6,7 +6,7 @@
 namespace setae::bytes::png_mark_test {
 namespace {
 
-TEST(PngMark, StandsBehindTheFirstChunkAndOnce) {
+TEST(PngMark, IsInsertedOnceAfterTheFirstChunk) {
     // an IHDR of 1 × 1 grey pixels, and the following bytes
     const std::string head("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\1\0\0\0\1\10\0\0\0\0\x3a\x7e\x9b\x55", 33),
         rest = "IDAT…";

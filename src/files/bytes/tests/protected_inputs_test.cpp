@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class FilesTest : public testing::Test {
+class ProtectedFiles : public testing::Test {
 protected:
     void SetUp() override {
         folder = fs::temp_directory_path() / ("setae_files_" + std::to_string(getpid()) +
@@ -41,7 +41,7 @@ protected:
     fs::path folder;
 };
 
-TEST_F(FilesTest, ThatWereReadAreNotReplacedByAnyName) {
+TEST_F(ProtectedFiles, ThatWereReadAreNotReplacedUnderAnyName) {
     const ProtectedInputs inputs;
     fs::create_symlink("input", path("symbolic"));
     fs::create_symlink("symbolic", path("twice"));
@@ -53,7 +53,7 @@ TEST_F(FilesTest, ThatWereReadAreNotReplacedByAnyName) {
     EXPECT_EQ(refusal("other"), "");
 }
 
-TEST_F(FilesTest, OfARunThatEndedMayBeReplaced) {
+TEST_F(ProtectedFiles, OfAFinishedRunMayBeReplaced) {
     {
         const ProtectedInputs inputs;
         protect_input(path("input"));
@@ -63,14 +63,14 @@ TEST_F(FilesTest, OfARunThatEndedMayBeReplaced) {
     EXPECT_EQ(read_back(path("input")), "computed");
 }
 
-TEST_F(FilesTest, OfOurOwnAreNoInputs) {
+TEST_F(ProtectedFiles, ReadBackByTheProgramAreNotInputs) {
     const ProtectedInputs inputs;
     (void)read_back(path("input"));
     EXPECT_EQ(refusal("input"), "");
 }
 
 // Systems reuse the number of a removed file.
-TEST_F(FilesTest, ThatWereRemovedAreForgotten) {
+TEST_F(ProtectedFiles, ThatWereRemovedAreNoLongerProtected) {
     const ProtectedInputs inputs;
     protect_input(path("input"));
     fs::remove(path("input"));
@@ -78,7 +78,7 @@ TEST_F(FilesTest, ThatWereRemovedAreForgotten) {
     EXPECT_EQ(refusal("new"), "");
 }
 
-TEST_F(FilesTest, AreRefusedAtOnceWhereTheyAreNoFiles) {
+TEST_F(ProtectedFiles, AreRefusedAtOnceIfPipesOrCircularLinks) {
     ASSERT_EQ(mkfifo(path("pipe").c_str(), 0600), 0);
     fs::create_symlink("circle", path("circle"));
     const auto reason = [&](const std::string& what) {
@@ -102,14 +102,14 @@ TEST_F(FilesTest, AreRefusedAtOnceWhereTheyAreNoFiles) {
     EXPECT_TRUE(fs::is_character_file("/dev/null"));
 }
 
-TEST_F(FilesTest, BehindLinksAreReplacedAndTheLinksStay) {
+TEST_F(ProtectedFiles, BehindLinksAreReplacedAndLinksRemain) {
     fs::create_symlink("input", path("link"));
     write_whole_file(path("link"), "computed");
     EXPECT_TRUE(fs::is_symlink(path("link")));
     EXPECT_EQ(read_back(path("input")), "computed");
 }
 
-TEST_F(FilesTest, WithHolesBeyondAllMemoryAreNotReadWhole) {
+TEST_F(ProtectedFiles, SparseBeyondMemoryAreNotReadWhole) {
     fs::resize_file(path("input"), std::uintmax_t{1} << 42);
     EXPECT_THROW((void)read_file(path("input")), FormatError);
     EXPECT_EQ(file_source(path("input")).head(8), "measured");

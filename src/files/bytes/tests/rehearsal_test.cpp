@@ -24,7 +24,7 @@ std::string refusal(const std::function<void()>& use) {
     return "";
 }
 
-TEST(Rehearsal, KeepsACrashFromTheProgram) {
+TEST(Rehearsal, IsolatesACrashFromTheProgram) {
     EXPECT_NE(refusal([] { std::raise(SIGSEGV); }).find("a.h5: HDF5: the library failed while reading it (signal 11"),
               std::string::npos);
     EXPECT_NE(refusal([] { std::raise(SIGABRT); }).find("signal 6"), std::string::npos);
@@ -32,14 +32,14 @@ TEST(Rehearsal, KeepsACrashFromTheProgram) {
     EXPECT_NE(refusal([] { std::raise(SIGALRM); }).find("did not finish within"), std::string::npos);
 }
 
-TEST(Rehearsal, LosesWhatItDoes) {
+TEST(Rehearsal, HasNoSideEffects) {
     int done = 0;
     EXPECT_EQ(refusal([&] { ++done; }), "");
     EXPECT_EQ(refusal([] { throw std::runtime_error("said by the caller again"); }), "");
     EXPECT_EQ(done, 0);
 }
 
-TEST(Rehearsal, MayBeOnManyThreads) {
+TEST(Rehearsal, RunsOnManyThreads) {
     std::vector<std::jthread> threads;
     for (int t = 0; t < 4; ++t)
         threads.emplace_back([] {

@@ -39,7 +39,7 @@ protected:
     const fs::path folder = fs::temp_directory_path() / ("setae_whole_file_" + std::to_string(getpid()));
 };
 
-TEST_F(WholeFileTest, OfDeadWritersLeftoversGoAndAllElseStays) {
+TEST_F(WholeFileTest, RemovesOnlyTemporaryFilesOfDeadProcesses) {
     const pid_t dead = fork();
     if (dead == 0) _exit(0);
     ASSERT_EQ(waitpid(dead, nullptr, 0), dead);
@@ -58,7 +58,7 @@ TEST_F(WholeFileTest, OfDeadWritersLeftoversGoAndAllElseStays) {
     remove_leftovers(path("none"), {"study.json"});  // no folder, no action
 }
 
-TEST_F(WholeFileTest, IsReadToItsEndThoughItIsReplaced) {
+TEST_F(WholeFileTest, IsReadToItsEndWhileBeingReplaced) {
     put("a", std::string(1000, 'a'));
     const auto source = file_source(path("a"));
     EXPECT_EQ(source.bytes(0, 10), std::string(10, 'a'));
@@ -67,7 +67,7 @@ TEST_F(WholeFileTest, IsReadToItsEndThoughItIsReplaced) {
     EXPECT_EQ(read_file(path("a")), std::string(1000, 'b'));
 }
 
-TEST_F(WholeFileTest, OfManyOpenOnesIsRefusedWhereItWasReplaced) {
+TEST_F(WholeFileTest, AmongManyOpenFilesIsRefusedAfterReplacement) {
     std::vector<Source> others;
     for (int i = 0; i < 200; ++i) {
         put(std::to_string(i), "x");
@@ -79,7 +79,7 @@ TEST_F(WholeFileTest, OfManyOpenOnesIsRefusedWhereItWasReplaced) {
     EXPECT_THROW((void)source.bytes(0, 10), FileError);
 }
 
-TEST_F(WholeFileTest, IntoWhichAnotherProgramWritesIsRefused) {
+TEST_F(WholeFileTest, IsRefusedWhileAnotherProgramWritesIt) {
     put("a", std::string(1000, 'a'));
     const auto source = file_source(path("a"));
     EXPECT_EQ(source.bytes(0, 10), std::string(10, 'a'));
@@ -87,7 +87,7 @@ TEST_F(WholeFileTest, IntoWhichAnotherProgramWritesIsRefused) {
     EXPECT_THROW((void)source.bytes(500, 10), FileError);
 }
 
-TEST_F(WholeFileTest, MayBeOneOfMoreThanAProcessMayHaveOpen) {
+TEST_F(WholeFileTest, MayBeOneOfMoreFilesThanTheLimitOfOpenFiles) {
     constexpr int count = 3000;
     std::vector<Source> sources;
     for (int i = 0; i < count; ++i) {
@@ -105,13 +105,13 @@ TEST_F(WholeFileTest, KeepsItsPermissions) {
     EXPECT_EQ(fs::status(folder / "a").permissions(), fs::perms::owner_read | fs::perms::owner_write);
 }
 
-TEST_F(WholeFileTest, MayHaveTheLongestName) {
+TEST_F(WholeFileTest, CanHaveTheLongestName) {
     const std::string name(255, 'a');
     write_whole_file(path(name), "x");
     EXPECT_EQ(read_back(path(name)), "x");
 }
 
-TEST_F(WholeFileTest, HasATemporaryNameThatNobodyForesees) {
+TEST_F(WholeFileTest, HasAnUnpredictableTemporaryName) {
     std::set<std::string> names;
     for (int i = 0; i < 2; ++i)
         write_whole_file(path("a"), [&](const std::string& temporary) {
@@ -122,7 +122,7 @@ TEST_F(WholeFileTest, HasATemporaryNameThatNobodyForesees) {
     EXPECT_EQ(names.size(), 2);
 }
 
-TEST_F(WholeFileTest, StateIsAnotherAfterEveryChange) {
+TEST_F(WholeFileTest, StateDiffersAfterEveryChange) {
     put("a", "1234");
     const auto state = file_state(path("a"));
     EXPECT_EQ(file_state(path("a")), state);
@@ -134,7 +134,7 @@ TEST_F(WholeFileTest, StateIsAnotherAfterEveryChange) {
     EXPECT_EQ(file_state(path("none")), "");
 }
 
-TEST_F(WholeFileTest, TemporaryFolderIsNewAndGoesWithEverythingInIt) {
+TEST_F(WholeFileTest, TemporaryFolderIsUniqueAndRemovedWithItsContent) {
     fs::path gone;
     {
         const TemporaryFolder one("test"), other("test");

@@ -32,7 +32,7 @@ std::string message_of(const std::string& content, const ReadOptions& options = 
 
 class NanoscopeOfWidth : public testing::TestWithParam<int> {};
 
-TEST_P(NanoscopeOfWidth, ScalesOnceAndTurnsRows) {
+TEST_P(NanoscopeOfWidth, ScalesHeightsOnceAndReversesRows) {
     const TemporaryFolder folder;
     const auto channels = open(folder.write("a.di", nanoscope_file(5, 3, GetParam())));
     ASSERT_EQ(channels.size(), 2u);
@@ -50,7 +50,7 @@ TEST_P(NanoscopeOfWidth, ScalesOnceAndTurnsRows) {
 
 INSTANTIATE_TEST_SUITE_P(Nanoscope, NanoscopeOfWidth, testing::Values(2, 4));
 
-TEST(Nanoscope, PhaseIsListedButNoHeight) {
+TEST(Nanoscope, PhaseIsListedButNotAHeight) {
     const TemporaryFolder folder;
     const auto channels = open(folder.write("a.di", nanoscope_file(4, 4, 2)));
     EXPECT_EQ(channels.at(1).info.name, "Phase");
@@ -58,7 +58,7 @@ TEST(Nanoscope, PhaseIsListedButNoHeight) {
     EXPECT_THROW((void)channels[1].read(), InvalidArgument);
 }
 
-TEST(Nanoscope, BlockOfFourBytesWinsOverBytesPerPixel) {
+TEST(Nanoscope, BlockOfFourBytesOverridesBytesPerPixel) {
     auto file = nanoscope_file(4, 3, 4);
     for (auto at = file.find("Bytes/pixel: 4"); at != std::string::npos; at = file.find("Bytes/pixel: 4"))
         file[at + 13] = '2';
@@ -74,7 +74,7 @@ TEST(Nanoscope, TruncatedFileIsRefusedAtOpenWithItsOffset) {
     EXPECT_NE(message_of(file.substr(0, 300)).find("truncated"), std::string::npos);
 }
 
-TEST(Nanoscope, HeaderThatAnnouncesGigabytesIsRefused) {
+TEST(Nanoscope, RefusesAHeaderThatAnnouncesGigabytes) {
     auto file = nanoscope_file(8, 8, 2);
     file.replace(file.find("Samps/line: 8"), 13, "Samps/line: 99999999");
     EXPECT_NE(message_of(file).find("99999999"), std::string::npos);
@@ -86,7 +86,7 @@ constexpr const char* signed_short =
 constexpr const char* two_by_three =
     "<MatrixDimension><SizeX>2</SizeX><SizeY>3</SizeY><SizeZ>1</SizeZ></MatrixDimension>";
 
-TEST(X3p, SignedIntegersTakeIncrementOffsetAndMask) {
+TEST(X3p, SignedIntegersUseIncrementOffsetAndMask) {
     const auto xml = x3p_document("SUR", incremental, signed_short, two_by_three,
                                   "<DataLink><PointDataLink>bindata/data.bin</PointDataLink><MD5ChecksumPointData/>"
                                   "<ValidPointsLink>bindata/valid.bin</ValidPointsLink></DataLink>");
@@ -199,7 +199,7 @@ TEST(Npy, EachTypeAndOrderIsRead) {
         }
 }
 
-TEST(Npy, NeedsSizeAndUnit) {
+TEST(Npy, RequiresSizeAndUnit) {
     const auto file = npy("{'descr': '<f8', 'fortran_order': False, 'shape': (2,), }\n", bytes_of<double>({1, 2}));
     EXPECT_NE(message_of(file, {{{1e-6}}, {}}).find("`unit`"), std::string::npos);
     EXPECT_NE(message_of(file, {{}, "nm"}).find("`size`"), std::string::npos);
@@ -207,7 +207,7 @@ TEST(Npy, NeedsSizeAndUnit) {
     EXPECT_EQ(message_of(file, {{{1e-6}}, "nm"}), "no error");
 }
 
-TEST(Npy, HeaderThatAnnouncesMoreThanTheFileIsRefused) {
+TEST(Npy, RefusesAHeaderThatAnnouncesMoreThanTheFile) {
     const ReadOptions options{{{1e-6, 1e-6}}, "nm"};
     for (const auto* shape : {"(40000, 40000)", "(9223372036854775807, 9223372036854775807)", "(2, 2)"})
         EXPECT_NE(
@@ -233,7 +233,7 @@ TEST(Npy, WrittenArraysAreReadBack) {
     EXPECT_EQ(bytes::read_file(folder.path("l.npy")).size() % 8, 0u);
 }
 
-TEST(Container, GivesEachMeasurementWithWhatTheIndexSays) {
+TEST(Container, ReadsEachMeasurementWithTheMetadataOfTheIndex) {
     const TemporaryFolder folder;
     const auto channels = open(folder.write("c.zip", container_file()));
     ASSERT_EQ(channels.size(), 3u);
@@ -246,7 +246,7 @@ TEST(Container, GivesEachMeasurementWithWhatTheIndexSays) {
     EXPECT_EQ(line.metadata.attributes.at("surface"), "wafer");
 }
 
-TEST(Container, ScaleOfTheIndexIsNotAppliedToFilesThatCarryTheirOwn) {
+TEST(Container, ScaleOfTheIndexIsIgnoredForFilesWithTheirOwnScale) {
     const TemporaryFolder folder;
     const auto inside = std::get<HeightMap>(read(folder.write("c.zip", container_file()), 2));
     const auto alone = std::get<HeightMap>(read(folder.write("a.di", nanoscope_file(4, 3, 2))));
@@ -254,7 +254,7 @@ TEST(Container, ScaleOfTheIndexIsNotAppliedToFilesThatCarryTheirOwn) {
     EXPECT_EQ(inside.metadata.name, "image");
 }
 
-TEST(Container, BadMemberLosesNoOther) {
+TEST(Container, OneBadMemberDoesNotAffectOthers) {
     const TemporaryFolder folder;
     const auto channels = open(folder.write("c.zip", container_file()));
     EXPECT_EQ(channels.at(1).info.alerts.at(0).code, "UNREADABLE_MEMBER");
@@ -276,7 +276,7 @@ TEST(Container, YamlTagsAreIgnored) {
     EXPECT_EQ(channels[0].info.recommended_trend, topography::Trend::tilt);
 }
 
-TEST(Container, SizeThatDiffersFromTheFileIsAnAlert) {
+TEST(Container, SizeThatDiffersFromTheFileGivesAWarning) {
     const TemporaryFolder folder;
     const std::string index =
         R"({"surfaces": [{"topographies": [{"name": "l", "datafile": {"original": "l.txt"}, "size": [7], "unit": "nm"}]}]})";
@@ -295,7 +295,7 @@ TEST(Container, DamagedIndexIsRefused) {
     EXPECT_NE(message_of(whole.substr(0, whole.size() / 2)).find("truncated"), std::string::npos);
 }
 
-TEST(NetCdf, WritesClassicFilesThatHoldNoTopography) {
+TEST(NetCdf, WritesTablesAsClassicFilesWithoutTopography) {
     const TemporaryFolder folder;
     Table table;
     table.columns = {{"wavevector", "1/m", Array1D::LinSpaced(3, 1.0, 3.0)},
@@ -318,7 +318,7 @@ TEST(NetCdf, WrittenHeightsAreReadBack) {
     EXPECT_DOUBLE_EQ(profile.heights[2], 0.125e-6);
 }
 
-TEST(NetCdf, TopographiesComeBackWithSizeAndPeriodicity) {
+TEST(NetCdf, WrittenTopographiesKeepSizeAndPeriodicity) {
     const TemporaryFolder folder;
     topography::HeightMap map{Array2D::Random(5, 3) * 1e-9, {2e-6, 1.1e-6}, true, {}};
     map.heights(1, 2) = undefined;
@@ -345,7 +345,7 @@ TEST(NetCdf, TopographiesComeBackWithSizeAndPeriodicity) {
     EXPECT_EQ(profile.heights[2], 2e-9);
 }
 
-TEST(NetCdf, RefusesTablesItCannotHold) {
+TEST(NetCdf, RefusesTablesThatDoNotFitTheFormat) {
     const TemporaryFolder folder;
     Table uneven;
     uneven.columns = {{"a", "1", Array1D::Zero(2)}, {"b", "1", Array1D::Zero(3)}};

@@ -27,7 +27,7 @@ std::string deflated(const std::string& content) {
     return stream;
 }
 
-TEST(ZipArchive, RefusesMembersThatLeadOut) {
+TEST(ZipArchive, RefusesPathsOutsideTheArchive) {
     for (const auto* name : {"../evil.txt", "a/../../evil", "/etc/passwd", "C:\\evil", "..\\evil"})
         EXPECT_NE(message_of([&] {
                       bytes::Archive archive(bytes::memory_source("x.zip", zip_archive({{name, "1"}})));
@@ -37,7 +37,7 @@ TEST(ZipArchive, RefusesMembersThatLeadOut) {
     EXPECT_NO_THROW(bytes::Archive(bytes::memory_source("x.zip", zip_archive({{"a..b/..c", "1"}}))));
 }
 
-TEST(ZipArchive, RefusesABomb) {
+TEST(ZipArchive, RefusesADecompressionBomb) {
     const bytes::Archive archive(
         bytes::memory_source("bomb.zip", zip_archive({{"zeros", std::string(20'000'000, '\0')}, {"small", "12"}})));
     EXPECT_NE(message_of([&] { (void)archive.read("zeros"); }).find("member 'zeros' expands"), std::string::npos);
@@ -46,7 +46,7 @@ TEST(ZipArchive, RefusesABomb) {
               std::string::npos);
 }
 
-TEST(ZipArchive, MemberIsASourceThatOutlivesIt) {
+TEST(ZipArchive, MemberRemainsReadableAfterTheArchiveIsGone) {
     std::string content(200'000, 'a');
     for (std::size_t i = 0; i < content.size(); ++i) content[i] = static_cast<char>(i * 7919 % 251);
     const auto member = [&] {
@@ -60,14 +60,14 @@ TEST(ZipArchive, MemberIsASourceThatOutlivesIt) {
     EXPECT_NE(message_of([&] { (void)member.bytes(199'999, 2); }).find("truncated"), std::string::npos);
 }
 
-TEST(ZipArchive, TruncatedOneIsRefusedAtItsEnd) {
+TEST(ZipArchive, TruncatedIsRefusedWithTheOffsetOfItsEnd) {
     const auto whole = zip_archive({{"a", "1"}});
     const auto message =
         message_of([&] { bytes::Archive archive(bytes::memory_source("x.zip", whole.substr(0, whole.size() - 5))); });
     EXPECT_TRUE(message.starts_with("x.zip: at byte " + std::to_string(whole.size() - 5))) << message;
 }
 
-TEST(Expansion, GivesBackWhatWasCompressed) {
+TEST(Expansion, RecoversTheCompressedContent) {
     const auto source = bytes::memory_source("x", "");
     EXPECT_EQ(bytes::inflated(deflated("heights"), source, 0, "SUR"), "heights");
     EXPECT_EQ(bytes::inflated(deflated("heights") + "behind", source, 0, "SUR"), "heights");
@@ -92,7 +92,7 @@ TEST(Expansion, RefusesBombsAndDamage) {
               std::string::npos);
 }
 
-TEST(GzipFile, IsReadAsWhatItHolds) {
+TEST(GzipFile, IsReadAsTheFileInside) {
     z_stream stream{};
     ASSERT_EQ(deflateInit2(&stream, 9, Z_DEFLATED, 15 + 16, 8, Z_DEFAULT_STRATEGY), Z_OK);
     std::string content = "x [um]\th [nm]\n0\t1\n1\t3\n2\t2\n", packed(1000, '\0');
@@ -134,7 +134,7 @@ TEST(Cursor, ReadsNumbersAndTextsInEitherOrder) {
     EXPECT_EQ(cursor.position(), file.size());
 }
 
-TEST(Cursor, TellsWhereTheFileEnds) {
+TEST(Cursor, NamesTheEndOfTheFileInTheError) {
     bytes::Cursor cursor(bytes::memory_source("f.dat", "12345"), "MetroPro", 2);
     EXPECT_EQ(
         message_of([&] { (void)cursor.number<double>(); }),
@@ -145,7 +145,7 @@ TEST(Cursor, TellsWhereTheFileEnds) {
     EXPECT_EQ(message_of([&] { cursor.fail("no such version"); }), "f.dat: at byte 2: MetroPro: no such version");
 }
 
-TEST(Source, PartStaysInside) {
+TEST(Source, PartDoesNotReadBeyondItsEnd) {
     const auto part = bytes::part_of(bytes::memory_source("f", "0123456789"), "part", 2, 5);
     EXPECT_EQ(part.all(), "23456");
     EXPECT_THROW((void)part.bytes(3, 3), FormatError);

@@ -18,7 +18,7 @@ Channel channel(const std::string& name, bool is_height = true, std::vector<Inde
     return {std::move(info), {}};
 }
 
-TEST(ChannelChoice, PrefersNamesOfHeightsAndTheWayThere) {
+TEST(ChannelChoice, PrefersNamesOfHeightsAndTheForwardScan) {
     EXPECT_EQ(preferred_channel({channel("Sneddon"), channel("Height (retrace)"), channel("Height (trace)")}), 2u);
     EXPECT_EQ(preferred_channel({channel("Z (backward)"), channel("Z (forward)")}), 1u);
     EXPECT_EQ(preferred_channel({channel("line", true, {9}), channel("data")}), 1u) << "a map goes before a line";
@@ -28,7 +28,7 @@ TEST(ChannelChoice, PrefersNamesOfHeightsAndTheWayThere) {
     EXPECT_EQ(preferred_channel({channel("Phase", false)}), std::nullopt);
 }
 
-TEST(ChannelChoice, TakesNumbersAndNames) {
+TEST(ChannelChoice, AcceptsNumbersAndNames) {
     const std::vector<Channel> channels{channel("Height (trace)"), channel("Phase", false),
                                         channel("Height (retrace)")};
     EXPECT_EQ(chosen_channels("f", channels, "2"), (std::vector<std::size_t>{2}));
@@ -42,7 +42,7 @@ TEST(ChannelChoice, TakesNumbersAndNames) {
         std::string::npos);
 }
 
-TEST(ChannelChoice, SaysWhyNoneIsTakenForHeights) {
+TEST(ChannelChoice, ExplainsWhyNoChannelContainsHeights) {
     auto index = channel("i", false);
     index.info.not_heights = "whole numbers that increase from value to value: an index";
     const auto message = message_of([&] {
@@ -53,7 +53,7 @@ TEST(ChannelChoice, SaysWhyNoneIsTakenForHeights) {
         << message;
 }
 
-TEST(HeightNames, AreToldByWords) {
+TEST(HeightNames, AreRecognisedByWholeWords) {
     for (const char* name :
          {"Height (trace)", "ZSensor", "Topography", "h", "Z (forward)", "/scan/z", "surfaceMap", "topo_raw"})
         EXPECT_TRUE(is_height_name(name)) << name;

@@ -11,7 +11,7 @@ using namespace setae::tests;
 namespace setae::formats::tests::force_curves_test {
 namespace {
 
-TEST(ForceCurves, AreNoHeights) {
+TEST(ForceCurves, AreNotHeights) {
     const ReadOptions given{.size = {{1e-6, 1e-6}}, .unit = "nm"};
     for (const auto& content : {jpk_text_file(), afm_workshop_file(), igor_force_file("SpringConstant: 0.1\r"),
                                 nanoscope_force_file(), jpk_text_file(3)}) {

@@ -20,7 +20,7 @@ bytes::Source source_of(const FormatSample& sample) {
 
 TEST_P(FormatSamples, AreDetected) { EXPECT_EQ(detect_format(source_of(GetParam())).identifier, GetParam().format); }
 
-TEST_P(FormatSamples, TellShapeAndSizeBeforeHeightsAreRead) {
+TEST_P(FormatSamples, GiveShapeAndSizeBeforeHeightsAreRead) {
     const auto channel = open(source_of(GetParam()), GetParam().options).at(GetParam().channel);
     EXPECT_EQ(channel.info.shape, GetParam().shape);
     EXPECT_EQ(channel.info.format, GetParam().member_format.empty() ? GetParam().format : GetParam().member_format);
@@ -32,7 +32,7 @@ TEST_P(FormatSamples, TellShapeAndSizeBeforeHeightsAreRead) {
         EXPECT_NEAR(channel.info.size[i], GetParam().size[i], 1e-12 * GetParam().size[i]);
 }
 
-TEST_P(FormatSamples, HoldTheirHeights) {
+TEST_P(FormatSamples, GiveTheExpectedHeights) {
     const auto measurement = open(source_of(GetParam()), GetParam().options).at(GetParam().channel).read();
     const auto& expected = GetParam().heights;
     const Array1D heights = topography::all_heights(measurement),
@@ -62,7 +62,7 @@ TEST_P(FormatSamples, GiveTheSameHeightsByBandsOfLines) {
     EXPECT_THROW((void)map->lines(map->ny, 1), InvalidArgument);
 }
 
-TEST(Formats, MostMapsCanBeReadByBandsOfLines) {
+TEST(Formats, MajorityOfMapsCanBeReadByBandsOfLines) {
     int maps = 0, tiled_maps = 0;
     for (const auto& sample : format_samples()) {
         const auto channel = open(source_of(sample), sample.options).at(sample.channel);
@@ -83,7 +83,7 @@ std::string error_of(const FormatSample& sample, const std::string& content) {
     return {};
 }
 
-TEST_P(FormatSamples, AreRefusedWithThePlaceWhereTheyAreCut) {
+TEST_P(FormatSamples, AreRefusedWithTheOffsetWhereTheyAreCut) {
     constexpr std::size_t cuts = 64;
     for (std::size_t k = 0; k < cuts; ++k) {
         const auto length = GetParam().content.size() * k / cuts;
@@ -110,7 +110,7 @@ INSTANTIATE_TEST_SUITE_P(All, FormatSamples, testing::ValuesIn(format_samples())
     return name;
 });
 
-TEST(Formats, EachHasAMapThatIsNotSquareOrALine) {
+TEST(Formats, EachHasASampleWithANonSquareMapOrALine) {
     std::set<std::string> seen;
     for (const auto& sample : format_samples())
         if (sample.shape.size() == 1 || sample.shape[0] != sample.shape[1]) seen.insert(sample.format);
@@ -118,7 +118,7 @@ TEST(Formats, EachHasAMapThatIsNotSquareOrALine) {
     for (const auto& format : formats()) EXPECT_TRUE(seen.contains(format.identifier)) << format.identifier;
 }
 
-TEST(Formats, DescribeThemselves) {
+TEST(Formats, EachHasADescription) {
     std::set<std::string> identifiers;
     for (const auto& format : formats()) {
         EXPECT_TRUE(identifiers.insert(format.identifier).second) << format.identifier << " twice";

@@ -79,7 +79,7 @@ std::size_t line_of(const std::string& key) {
     return 0;
 }
 
-TEST(ProfileFile, ComesBackToTheLastBit) {
+TEST(ProfileFile, IsReadBackToTheLastBit) {
     const auto text = as_profile_file(traced());
     expect_same(read_back(text), traced());
     const TemporaryFolder folder;
@@ -90,7 +90,7 @@ TEST(ProfileFile, ComesBackToTheLastBit) {
     EXPECT_EQ(as_profile_file(std::get<Profile>(measurement)), text);
 }
 
-TEST(ProfileFile, HoldsProfilesWithoutErrorsOrResponse) {
+TEST(ProfileFile, StoresProfilesWithoutErrorsOrResponse) {
     auto plain = traced();
     plain.standard_error = Array1D();
     plain.response.reset();
@@ -118,7 +118,7 @@ TEST(ProfileFile, DamagedHeadLinesAreNamed) {
     expect("reentrant_share", "# : 3", "not 'key: value'");
 }
 
-TEST(ProfileFile, ResponseStandsAsAWhole) {
+TEST(ProfileFile, IncompleteResponseIsRefused) {
     const auto message = message_of([&] { (void)read_back(with_line(line_of("step"), "")); });
     EXPECT_NE(message.find("without 'step'"), std::string::npos) << message;
     EXPECT_NE(message.find("p.csv:"), std::string::npos) << message;
@@ -133,7 +133,7 @@ TEST(ProfileFile, RefusesBadErrorsAndColumns) {
     EXPECT_NO_THROW((void)read_back(head + "x [nm],h [nm]\n0,1\n1,2\n"));
 }
 
-TEST(ProfileFile, RefusesToWriteWhatWouldNotComeBack) {
+TEST(ProfileFile, RefusesToWriteWhatCannotBeReadBack) {
     for (const char* key : {"blur", "a:b", "", " a", "a\nb"}) {
         auto profile = traced();
         profile.metadata.attributes[key] = "1";
@@ -144,7 +144,7 @@ TEST(ProfileFile, RefusesToWriteWhatWouldNotComeBack) {
     EXPECT_THROW((void)as_profile_file(profile), InvalidArgument);
 }
 
-TEST(TextTable, ThirdColumnStandardErrorIsRead) {
+TEST(TextTable, ReadsAThirdColumnOfStandardErrors) {
     const auto profile = read_back("x [nm];height [nm];Standard_Error [pm]\n0;1;10\n1;2;20\n3;1;30\n");
     ASSERT_EQ(profile.standard_error.size(), 3);
     EXPECT_NEAR(profile.standard_error[2], 30e-12, 1e-24);

@@ -120,13 +120,13 @@ void expect_heights(const Raster& raster, const RawScale& scale, const std::stri
         }
 }
 
-RC_GTEST_PROP(Raster, IsWhatOneNumberAfterTheOtherGives, ()) {
+RC_GTEST_PROP(Raster, EqualsReadingNumberByNumber, ()) {
     const auto raster = any_raster(150, 6);
     const auto content = content_of(raster, *rc::gen::arbitrary<std::uint32_t>());
     expect_heights(raster, any_scale(), content, bytes::memory_source("raster", content));
 }
 
-RC_GTEST_PROP(Raster, OfLongLinesIsReadInParts, ()) {
+RC_GTEST_PROP(Raster, WithLongLinesIsReadInParts, ()) {
     auto raster = any_raster(70, 2);
     raster.step = *rc::gen::element<std::uint64_t>(1500, 2500);  // 64 lines are more than the lines read together
     raster.line_distance = raster.step * static_cast<std::uint64_t>(raster.columns ? raster.ny : raster.nx) +

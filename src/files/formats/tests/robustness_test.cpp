@@ -54,7 +54,7 @@ std::vector<std::pair<std::string, std::string>> samples() {
         {"netcdf", bytes::read_file(folder.path("t.nc"))}};
 }
 
-TEST(Readers, SurviveTruncationAnywhere) {
+TEST(Readers, HandleTruncationAnywhere) {
     for (const auto& [name, content] : samples()) {
         SCOPED_TRACE(name);
         const auto stride = std::max<std::size_t>(1, content.size() / 600);
@@ -63,7 +63,7 @@ TEST(Readers, SurviveTruncationAnywhere) {
     }
 }
 
-TEST(Readers, SurviveFlippedBits) {
+TEST(Readers, HandleFlippedBits) {
     std::mt19937 generator(12345);
     for (const auto& [name, content] : samples()) {
         SCOPED_TRACE(name);
@@ -77,7 +77,7 @@ TEST(Readers, SurviveFlippedBits) {
     }
 }
 
-TEST(Readers, SamplesAreReadUndamaged) {
+TEST(Readers, ReadUndamagedSamples) {
     for (const auto& [name, content] : samples())
         EXPECT_NO_THROW((void)open(bytes::memory_source(name, content), {{{1e-6, 1e-6}}, "nm"}).front().read()) << name;
 }
@@ -127,7 +127,7 @@ std::string damaged(std::string content, std::mt19937& generator) {
     return content;
 }
 
-TEST(Import, SurvivesTruncationAnywhere) {
+TEST(Import, HandlesTruncationAnywhere) {
     for (const auto& [name, content] : import_samples()) {
         SCOPED_TRACE(name);
         const auto stride = std::max<std::size_t>(1, content.size() / 300);
@@ -136,7 +136,7 @@ TEST(Import, SurvivesTruncationAnywhere) {
     }
 }
 
-TEST(Import, SurvivesFlippedBits) {
+TEST(Import, HandlesFlippedBits) {
     std::mt19937 generator(54321);
     for (const auto& [name, content] : import_samples()) {
         SCOPED_TRACE(name);
@@ -144,7 +144,7 @@ TEST(Import, SurvivesFlippedBits) {
     }
 }
 
-TEST(Import, WorkbooksSurviveFlippedBitsInsideTheirMembers) {
+TEST(Import, HandlesFlippedBitsInMembersOfWorkbooks) {
     std::mt19937 generator(777);
     const std::string sheet =
         xlsx_sheet({{{"A1", "s:0"}, {"B1", "depth [um]"}}, {{"A2", "1"}, {"B2", "2"}}, {{"A3", "3"}, {"B3", "4"}}});
@@ -159,7 +159,7 @@ TEST(Import, WorkbooksSurviveFlippedBitsInsideTheirMembers) {
                                            {"segments/0/channels/vDeflection.dat", channel}}));
 }
 
-TEST(Import, IgorWavesSurviveDamageBehindTheirChecksum) {
+TEST(Import, HandlesIgorWavesDamagedAfterTheChecksum) {
     std::mt19937 generator(31);
     const auto whole = igor_force_file("SpringConstant: 0.5\rIndexes: 0,3,5\r");
     for (int trial = 0; trial < 1000; ++trial) {
@@ -174,7 +174,7 @@ TEST(Import, IgorWavesSurviveDamageBehindTheirChecksum) {
     }
 }
 
-TEST(Import, LoopFilesSurviveFlippedBits) {
+TEST(Import, HandlesFlippedBitsInLoopFiles) {
     std::mt19937 generator(99);
     const TemporaryFolder folder;
     const std::string text =

@@ -31,7 +31,7 @@ rc::Gen<std::vector<double>> numbers(std::size_t count) {
     return rc::gen::container<std::vector<double>>(count, any);
 }
 
-RC_GTEST_PROP(Csv, KeepsEveryDouble, ()) {
+RC_GTEST_PROP(Csv, PreservesEveryDouble, ()) {
     const auto rows = *rc::gen::inRange<std::size_t>(1, 20);
     auto first = *numbers(rows);
     first.front() = 1.0;  // a table needs at least one number
@@ -45,7 +45,7 @@ RC_GTEST_PROP(Csv, KeepsEveryDouble, ()) {
     RC_ASSERT(same(back.at("b"), table.columns[1].values));
 }
 
-RC_GTEST_PROP(LoopFile, IsTheSameAfterWritingAndReading, ()) {
+RC_GTEST_PROP(LoopFile, IsUnchangedAfterWritingAndReading, ()) {
     const auto rows = *rc::gen::inRange<std::size_t>(1, 20);
     Table table;
     for (const auto& [name, unit] : {std::pair{"force", "N"},
@@ -73,7 +73,7 @@ RC_GTEST_PROP(LoopFile, IsTheSameAfterWritingAndReading, ()) {
     RC_ASSERT(back.metadata == metadata);
 }
 
-RC_GTEST_PROP(Text, MeansTheSameInEveryDialect, ()) {
+RC_GTEST_PROP(Text, HasTheSameValuesInEveryDialect, ()) {
     const auto rows = *rc::gen::inRange(2, 20);
     const auto digits =
         *rc::gen::container<std::vector<int>>(static_cast<std::size_t>(rows), rc::gen::inRange(-99999, 99999));

@@ -50,7 +50,7 @@ bool same(double a, double b) {
     return std::isnan(a) ? std::isnan(b) : std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
 
-RC_GTEST_PROP(TextNumbers, AreThoseOfTheReaderLineByLine, ()) {
+RC_GTEST_PROP(TextNumbers, EqualThoseOfReadingLineByLine, ()) {
     const char separator = *rc::gen::element('\t', ' ', ';', ',');
     const auto columns = *rc::gen::inRange<std::size_t>(1, 6), rows = *rc::gen::inRange<std::size_t>(1, 60);
     const bool commas = separator != ',' && *rc::gen::arbitrary<bool>();
@@ -90,7 +90,7 @@ Array2D any_heights(Index nx, Index ny) {
 
 double any_length() { return 1e-9 * *rc::gen::inRange(1, 1000000) / 7.0; }
 
-RC_GTEST_PROP(TextMatrix, IsTheSameAfterWritingAndReading, ()) {
+RC_GTEST_PROP(TextMatrix, IsUnchangedAfterWritingAndReading, ()) {
     topography::HeightMap map{any_heights(*rc::gen::inRange<Index>(2, 9), *rc::gen::inRange<Index>(2, 9)),
                               {any_length(), any_length()},
                               false,
@@ -106,7 +106,7 @@ RC_GTEST_PROP(TextMatrix, IsTheSameAfterWritingAndReading, ()) {
     for (Index i = 0; i < map.heights.size(); ++i) RC_ASSERT(same(back.heights.data()[i], map.heights.data()[i]));
 }
 
-RC_GTEST_PROP(TextCurve, IsTheSameAfterWritingAndReading, ()) {
+RC_GTEST_PROP(TextCurve, IsUnchangedAfterWritingAndReading, ()) {
     const auto count = *rc::gen::inRange<Index>(3, 20);
     topography::Profile profile{Array1D(count), any_heights(count, 1).col(0), {}};
     for (Index i = 0; i < count; ++i) profile.positions[i] = 1e-9 * static_cast<double>(i * i) / 7.0;
@@ -119,7 +119,7 @@ RC_GTEST_PROP(TextCurve, IsTheSameAfterWritingAndReading, ()) {
         RC_ASSERT(same(back.positions[i], profile.positions[i]) && same(back.heights[i], profile.heights[i]));
 }
 
-RC_GTEST_PROP(TextLine, KeepsHeightsToTheBitAndItsSize, ()) {
+RC_GTEST_PROP(TextLine, PreservesHeightsToTheBitAndTheSize, ()) {
     const auto count = *rc::gen::inRange<Index>(2, 20);
     const topography::LineScan scan{any_heights(count, 1).col(0), any_length(), false, {}};
     const TemporaryFolder folder;

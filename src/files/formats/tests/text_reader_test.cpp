@@ -80,7 +80,7 @@ TEST(XyText, ReadsUtf16) {
     }
 }
 
-TEST(XyText, MissingUnitIsAnErrorThatTellsTheOption) {
+TEST(XyText, ErrorForAMissingUnitNamesTheOption) {
     EXPECT_NE(message_of("0 1\n1 2\n2 3\n").find("`unit`"), std::string::npos);
 }
 
@@ -89,7 +89,7 @@ TEST(XyText, WrongUnitIsRefused) {
     EXPECT_NE(message_of("0 1\n1 2\n2 3\n", {{}, "kg"}).find("kg"), std::string::npos);
 }
 
-TEST(XyText, UnitOfOneColumnHoldsForBothWithAnAlert) {
+TEST(XyText, UnitOfOneColumnAppliesToBothWithAWarning) {
     const TemporaryFolder folder;
     const auto path = folder.write("a.csv", "x_(microns),y1\n0,1\n1,2\n2,3\n");
     const auto assumed = open(path);
@@ -100,14 +100,14 @@ TEST(XyText, UnitOfOneColumnHoldsForBothWithAnAlert) {
     EXPECT_DOUBLE_EQ(std::get<LineScan>(given[0].read()).heights[2], 3e-9);
 }
 
-TEST(XyText, FileWinsOverTheUnitGivenWithAnAlert) {
+TEST(XyText, UnitOfTheFileOverridesTheGivenOneWithAWarning) {
     const TemporaryFolder folder;
     const auto channels = open(folder.write("a.csv", "x [um],h [um]\n0,1\n1,2\n2,3\n"), {{}, "nm"});
     EXPECT_EQ(channels.at(0).info.alerts.at(0).code, "UNIT_MISMATCH");
     EXPECT_DOUBLE_EQ(std::get<LineScan>(channels[0].read()).heights[2], 3e-6);
 }
 
-TEST(XyText, UnequalStepsGiveAProfileAsTraced) {
+TEST(XyText, UnequalStepsGiveAProfile) {
     const TemporaryFolder folder;
     const auto profile = std::get<Profile>(read(folder.write("p.txt", "0 0\n2 1\n1.5 2\n4 3\n"), 0, microns));
     EXPECT_DOUBLE_EQ(profile.positions[2], 1.5e-6);
@@ -120,18 +120,18 @@ TEST(XyText, DecreasingPositionsAreReversed) {
     EXPECT_DOUBLE_EQ(scan.size, 3e-6);
 }
 
-TEST(XyText, ColumnOfValidityMasksHeights) {
+TEST(XyText, ValidityColumnMasksHeights) {
     const auto scan = line_from("X;Y;valid\n[mm];[mm];[1/0]\n0;1;1\n1;99;0\n2;3;1\n");
     EXPECT_TRUE(std::isnan(scan.heights[1]));
     EXPECT_DOUBLE_EQ(scan.heights[2], 3e-3);
 }
 
-TEST(XyText, EmptyBadAndInfiniteHeightsAreUndefined) {
+TEST(XyText, EmptyInvalidAndInfiniteHeightsAreUndefined) {
     const auto scan = line_from("0,1\n1,\n2,nan\n3,bad\n4,inf\n5,1\n", microns);
     EXPECT_EQ(scan.heights.isNaN().count(), 4);
 }
 
-TEST(XyText, UnitsBehindNamesWithoutALetterAreApplied) {
+TEST(XyText, UnitsAfterNamesWithoutLettersAreApplied) {
     const auto scan = line_from("\"\" [um] \"h\" [nm]\n0 1\n1 2\n2 4\n");
     EXPECT_DOUBLE_EQ(scan.size, 3e-6);
     EXPECT_DOUBLE_EQ(scan.heights[2], 4e-9);
@@ -147,7 +147,7 @@ TEST(XyText, DektakHeaderGivesUnitsAndStylus) {
     EXPECT_EQ(scan.metadata.instrument.type, "stylus");
 }
 
-TEST(XyText, RefusesWhatIsNoCurveInOneLine) {
+TEST(XyText, RefusesOtherTextsWithAOneLineMessage) {
     EXPECT_NE(message_of("").find("empty"), std::string::npos);
     EXPECT_NE(message_of("x [um], h [um]\n").find("without a row of numbers"), std::string::npos);
     EXPECT_NE(message_of("1 2\n", microns).find("expected at least 2"), std::string::npos);
@@ -156,7 +156,7 @@ TEST(XyText, RefusesWhatIsNoCurveInOneLine) {
     EXPECT_NE(message_of("0 1\nnan 2\n2 3\n", microns).find("x of point 2"), std::string::npos);
 }
 
-TEST(XyText, BrokenRowIsNamedByLine) {
+TEST(XyText, InvalidRowIsNamedByLine) {
     EXPECT_NE(message_of("x [um] h [um]\n0 1\n1 2\n2 3\n3", {}).find("file.txt:5: 1 columns, expected 2"),
               std::string::npos);
     EXPECT_NE(message_of("0 1\n1 2\n2 oops\n3 4\n", microns).find("file.txt:3: 'oops' in column 2"), std::string::npos);
@@ -177,7 +177,7 @@ TEST(MatrixText, HeaderGivesSizeAndUnit) {
     }
 }
 
-TEST(MatrixText, WithoutHeaderNeedsSizeAndUnit) {
+TEST(MatrixText, WithoutHeaderRequiresSizeAndUnit) {
     const char* text = "1 2 3 4\n5 6 7 8\n";
     EXPECT_NE(message_of(text).find("`size`"), std::string::npos);
     const TemporaryFolder folder;
@@ -195,7 +195,7 @@ TEST(Open, RefusesMissingFilesAndFolders) {
 }
 
 /// KLA-Tencor's profilers export bare columns, x in mm and heights in µm.
-TEST(TwoColumns, WithoutHeaderTakeAUnitEach) {
+TEST(TwoColumns, WithoutHeaderAcceptOneUnitPerColumn) {
     const std::string text = "0.0000\t0.5\n0.0010\t0.25\n0.0020\t1.5\n";
     const auto scan =
         std::get<topography::LineScan>(open(bytes::memory_source("kla.txt", text), {.unit = "mm, um"}).at(0).read());

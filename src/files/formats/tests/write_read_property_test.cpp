@@ -143,7 +143,7 @@ RC_GTEST_PROP(WriteRead, IsTheIdentityOfMaps, ()) {
     }
 }
 
-TEST(WriteRead, AMapInCsvLiesAsItIsSeen) {
+TEST(WriteRead, CsvRowsAreLinesAlongX) {
     HeightMap map;
     map.heights = Array2D::Random(7, 5);
     map.heights(5, 1) = std::nan("");
@@ -155,7 +155,7 @@ TEST(WriteRead, AMapInCsvLiesAsItIsSeen) {
     EXPECT_TRUE(same(back.heights.data(), map.heights.data(), 35));
 }
 
-RC_GTEST_PROP(WriteRead, IsTheIdentityOfLinesWhereTheyAreHeld, ()) {
+RC_GTEST_PROP(WriteRead, IsTheIdentityOfLinesInFormatsThatHoldThem, ()) {
     const auto count = *rc::gen::inRange<Index>(2, 40);
     const LineScan scan{any_heights(count), any_length(), false, any_metadata()};
     for (const auto& format : writers_of(Kind::line)) {
@@ -169,7 +169,7 @@ RC_GTEST_PROP(WriteRead, IsTheIdentityOfLinesWhereTheyAreHeld, ()) {
     }
 }
 
-RC_GTEST_PROP(WriteRead, IsTheIdentityOfProfilesWhereTheyAreHeld, ()) {
+RC_GTEST_PROP(WriteRead, IsTheIdentityOfProfilesInFormatsThatHoldThem, ()) {
     const auto count = *rc::gen::inRange<Index>(3, 40);
     Profile profile{Array1D(count), any_heights(count), any_metadata()};
     profile.positions[0] = 0.0;
@@ -185,7 +185,7 @@ RC_GTEST_PROP(WriteRead, IsTheIdentityOfProfilesWhereTheyAreHeld, ()) {
     }
 }
 
-TEST(WriteRead, RefusesWhatAFormatDoesNotHoldWithTheEndingsThatDo) {
+TEST(WriteRead, RefusesUnsupportedDataAndNamesSuitableFormats) {
     const LineScan scan{(Array1D(3) << 0.0, 1e-9, 0.0).finished(), 1e-6, false, {}};
     const Profile uneven{(Array1D(3) << 0.0, 1e-6, 3e-6).finished(), scan.heights, {}};
     Profile traced = uneven;
@@ -209,7 +209,7 @@ TEST(WriteRead, RefusesWhatAFormatDoesNotHoldWithTheEndingsThatDo) {
     }
 }
 
-TEST(WriteRead, LeavesWhatWasThereWhereWritingFails) {
+TEST(WriteRead, KeepsTheOldFileWhenWritingFails) {
     const HeightMap map{Array2D::Zero(2, 2), {1e-6, 1e-6}, false, {}};
     for (const auto& format : writers_of(Kind::map)) {
         const TemporaryFolder folder;

@@ -25,7 +25,7 @@ TEST(AnyTable, UnitsAreFoundInEveryUsualSpelling) {
     }
 }
 
-TEST(AnyTable, NamesThatEndLikeUnitsKeepTheirEnds) {
+TEST(AnyTable, NamesEndingLikeUnitsAreUnchanged) {
     const auto table = table_of("contact_radius,F_max,T_min,x_m,column_1\n1,2,3,4,5\n2,3,4,5,6\n");
     EXPECT_EQ(table.columns[0].name, "contact_radius");
     EXPECT_EQ(table.columns[1].name, "F_max");
@@ -50,7 +50,7 @@ TEST(AnyTable, KeyedCommentsAreKeptAsMetadata) {
     EXPECT_EQ(read_table(folder.write("t.csv", "# surface: UNCD\na,b\n1,2\n3,4\n")).metadata.at("surface"), "UNCD");
 }
 
-TEST(AnyTable, AmbiguousCommasAreRefusedWithTheChoice) {
+TEST(AnyTable, AmbiguousCommasAreRefusedWithTheOptions) {
     const std::string text = "force [mN]\ttime [s]\n1,234\t5,678\n-2,345\t6,789\n";
     const auto message = message_of([&] { (void)table_of(text); });
     EXPECT_TRUE(holds(message, "t.csv:2: '1,234' is ambiguous")) << message;
@@ -59,7 +59,7 @@ TEST(AnyTable, AmbiguousCommasAreRefusedWithTheChoice) {
     EXPECT_DOUBLE_EQ(table_of(text, {.decimal_point = '.'}).columns[0].values[1], -2345.0);
 }
 
-TEST(AnyTable, OneCellDecidesWhatCommasMean) {
+TEST(AnyTable, OneCellDecidesTheMeaningOfCommas) {
     EXPECT_DOUBLE_EQ(table_of("a\tb\n1,234\t5,678\n1,5\t6,789\n").columns[0].values[0], 1.234);
     EXPECT_DOUBLE_EQ(table_of("a\tb\n1,234\t0,678\n2,345\t6,789\n").columns[0].values[0], 1.234);
     EXPECT_DOUBLE_EQ(table_of("a\tb\n1,234\t5.5\n2,345\t6.75\n").columns[0].values[0], 1234.0);
@@ -88,7 +88,7 @@ TEST(AnyTable, NumbersInQuotesKeepTheirSeparators) {
                       "ambiguous"));
 }
 
-TEST(AnyTable, PointsThatNoWayOfWritingDecimalsGivesAreAsked) {
+TEST(AnyTable, AmbiguousPointsAreRefused) {
     const std::string text = "x [um];z [nm]\n0;1.234\n1;999\n2;12.000\n";
     EXPECT_TRUE(holds(message_of([&] { (void)table_of(text); }),
                       "t.csv:2: '1.234' is ambiguous, as is every number with a point"));
@@ -97,18 +97,18 @@ TEST(AnyTable, PointsThatNoWayOfWritingDecimalsGivesAreAsked) {
     EXPECT_DOUBLE_EQ(table_of("x [um];z [nm]\n0;1.234\n1;999\n2;12.5\n").columns[1].values[0], 1.234);
 }
 
-TEST(AnyTable, GroupsFarFromTheEndAreReadAsThoseOfTheOtherSign) {
+TEST(AnyTable, PointsGroupThousandsIfCommasAreDecimal) {
     std::string text = "x [um];z [nm]\n0,5;1.234\n";
     for (int i = 1; i < 200; ++i) text += fmt::format("{},5;{},25\n", i, i);
     EXPECT_DOUBLE_EQ(table_of(text).columns[1].values[0], 1234.0);
 }
 
-TEST(AnyTable, CommasThatSeparateAndBeginDecimalsAreRefused) {
+TEST(AnyTable, CommasBothSeparatingAndDecimalAreRefused) {
     const auto message = message_of([] { (void)table_of("force [mN],time [s]\n1,5,0,1\n2,5,0,2\n"); });
     EXPECT_TRUE(holds(message, "t.csv:2: 4 numbers between commas below 2 names")) << message;
 }
 
-TEST(AnyTable, ColumnsOfTextAreKeptApart) {
+TEST(AnyTable, ColumnsOfTextAreKeptSeparate) {
     const auto table = table_of("force [mN],state,time [s]\n1,free flight,2\n3,contact,4\n,contact,5\n");
     ASSERT_EQ(table.columns.size(), 3u);
     EXPECT_EQ(table.columns[1].name, "state");
@@ -118,7 +118,7 @@ TEST(AnyTable, ColumnsOfTextAreKeptApart) {
     EXPECT_TRUE(std::isnan(table.columns[0].values[2]));
 }
 
-TEST(AnyTable, BrokenRowsAreNamed) {
+TEST(AnyTable, InvalidRowsAreNamed) {
     EXPECT_TRUE(holds(message_of([] { (void)table_of("a,b\n1,2\n3,4\n5\n6,7\n"); }), "t.csv:4: 1 columns, expected 2"));
     EXPECT_TRUE(holds(message_of([] { (void)table_of("a,b\n1,2\n3,oops\n5,6\n6,7\n"); }),
                       "t.csv:3: 'oops' in column 2 is not a number"));

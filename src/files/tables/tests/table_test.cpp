@@ -20,7 +20,7 @@ using namespace setae::tests;
 namespace setae::tables::tests::table_test {
 namespace {
 
-TEST(Table, ColumnsComeInSi) {
+TEST(Table, ColumnsAreConvertedToSi) {
     const TemporaryFolder folder;
     const char* tables[] = {"force [mN],displacement (um),note\n1,2,3\n2,4,6\n",
                             "force / mN;displacement / um;note\n1;2;3\n2;4;6\n",
@@ -36,7 +36,7 @@ TEST(Table, ColumnsComeInSi) {
     }
 }
 
-TEST(Table, ColumnsWithoutUnitKeepNumbersAndSayNone) {
+TEST(Table, ColumnsWithoutUnitKeepTheirNumbers) {
     const TemporaryFolder folder;
     const auto table = read_table(folder.write("t.csv", "a,T [°C]\n1,20\n2,21\n"));
     EXPECT_EQ(table.find("a")->unit, "");
@@ -57,7 +57,7 @@ TEST(Table, WrittenTablesAreReadBackToTheLastDigit) {
     EXPECT_EQ(back.find("C1D")->unit, "m3");
 }
 
-TEST(Table, ColumnsOfUndefinedValuesSurviveCsv) {
+TEST(Table, ColumnsOfUndefinedValuesAreReadBackFromCsv) {
     const TemporaryFolder folder;
     Table table;
     table.columns = {{"a", "m", Array1D{{1.0, 2.0}}}, {"b", "m", Array1D{{std::nan(""), std::nan("")}}}};
@@ -76,7 +76,7 @@ TEST(Table, NamesThatBreakCsvAreRefused) {
     EXPECT_THROW(write_csv(folder.path("t.csv"), table), InvalidArgument);
 }
 
-TEST(WholeFile, LeavesTheOldContentWhereWritingFails) {
+TEST(WholeFile, KeepsTheOldContentWhenWritingFails) {
     const TemporaryFolder folder;
     bytes::write_whole_file(folder.path("a"), "one");
     bytes::write_whole_file(folder.path("a"), "two");
@@ -88,7 +88,7 @@ TEST(WholeFile, LeavesTheOldContentWhereWritingFails) {
     EXPECT_EQ(files, 1u);
 }
 
-TEST(LoopTable, NeedsForcesAndUnits) {
+TEST(LoopTable, RequiresForcesAndUnits) {
     const TemporaryFolder folder;
     const auto table = read_loop_table(folder.write("l.csv", "Force [mN],Displacement [um]\n1,2\n2,3\n")).table;
     EXPECT_DOUBLE_EQ(table.at("force")[0], 1e-3);
@@ -102,7 +102,7 @@ TEST(LoopTable, NeedsForcesAndUnits) {
               std::string::npos);
 }
 
-TEST(LoopTable, TakesColumnsThatImportWouldKnowAndNamesTheOthers) {
+TEST(LoopTable, RecognisesColumnsAsImportAndNamesTheOthers) {
     const TemporaryFolder folder;
     const auto loop = read_loop_table(
         folder.write("l.csv", "load [mN],displacement [um],contact radius [um],humidity\n1,2,30,0.4\n2,3,40,0.4\n"));
@@ -124,7 +124,7 @@ TEST(LoopTable, TakesColumnsThatImportWouldKnowAndNamesTheOthers) {
     EXPECT_EQ(two.unused.size(), 2u);
 }
 
-TEST(PowerSpectrumTable, DialectOfTheFieldIsTakenAsSi) {
+TEST(PowerSpectrumTable, TablesWithoutUnitsAreInSi) {
     const TemporaryFolder folder;
     for (const auto* first_row : {"q;C\n", "0;1\n"}) {
         const auto table =
@@ -136,7 +136,7 @@ TEST(PowerSpectrumTable, DialectOfTheFieldIsTakenAsSi) {
     }
 }
 
-TEST(PowerSpectrumTable, IsToldByItsUnits) {
+TEST(PowerSpectrumTable, IsRecognisedByItsUnits) {
     const auto is = [](const std::string& text) { return is_power_spectrum_table(bytes::memory_source("a", text)); };
     EXPECT_TRUE(is("q [1/um],C1D [nm3]\n1,2\n2,1\n"));
     EXPECT_TRUE(is("frequency (1/um);C2D (nm4);err\n1,5;2;0\n2,5;1;0\n"));
@@ -151,7 +151,7 @@ TEST(PowerSpectrumTable, IsToldByItsUnits) {
     EXPECT_TRUE(is(text)) << "its beginning is enough";
 }
 
-TEST(PowerSpectrumTable, TakesUnitsThatTheHeaderLacks) {
+TEST(PowerSpectrumTable, UsesGivenUnitsIfTheHeaderLacksThem) {
     const TemporaryFolder folder;
     const auto bare = folder.write("p.csv", "f,psd,err\n1,2,0.5\n2,1,0.25\n");
     const auto table = read_power_spectrum_table(bare, SpectrumUnits::from_text("1/um, nm3"));
@@ -162,7 +162,7 @@ TEST(PowerSpectrumTable, TakesUnitsThatTheHeaderLacks) {
     EXPECT_THROW((void)SpectrumUnits::from_text("um"), InvalidArgument);
 }
 
-TEST(PowerSpectrumTable, TakesWhatItsFirstColumnIsSaidToBe) {
+TEST(PowerSpectrumTable, UsesTheGivenMeaningOfTheFirstColumn) {
     const TemporaryFolder folder;
     const auto bare = folder.write("p.txt", "1 2\n2 1\n");
     const auto q = [&](const std::string& path, const char* units) {
@@ -179,7 +179,7 @@ TEST(PowerSpectrumTable, TakesWhatItsFirstColumnIsSaidToBe) {
     EXPECT_EQ(read_power_spectrum_table(bare).metadata.at("units_of_file"), "1/m, m3");
 }
 
-TEST(PowerSpectrumTable, SaysWhatAReaderShouldKnow) {
+TEST(PowerSpectrumTable, WarnsOfAssumptions) {
     const TemporaryFolder folder;
     const auto bare = folder.write("p.txt", "1 2\n2 1\n");
     const auto codes = [&](const Table& table) {
@@ -241,7 +241,7 @@ TEST(PowerSpectrumTable, LogarithmsAreRefused) {
         std::string::npos);
 }
 
-TEST(HeaderCell, UnitsBehindASlashAreThoseOfDin) {
+TEST(HeaderCell, ReadsUnitsAfterASlashAsInDin) {
     const auto shown = [](const char* cell) {
         const auto [name, unit] = parse_header_cell(cell);
         return name + "|" + unit;
@@ -317,7 +317,7 @@ TEST(PowerSpectrumTable, EveryNamedConventionGivesTheSameHeight) {
     }
 }
 
-TEST(PowerSpectrumTable, WhatTheHeaderLeavesOpenIsAskedWithTheHeights) {
+TEST(PowerSpectrumTable, AmbiguousHeadersAreRefusedWithTheRmsHeightOfEachReading) {
     const TemporaryFolder folder;
     const auto q = [](double w) { return w; };
     const auto C1D = [](double w) { return GaussianSpectrum::C1D(w); };
@@ -344,7 +344,7 @@ TEST(PowerSpectrumTable, WhatTheHeaderLeavesOpenIsAskedWithTheHeights) {
     EXPECT_THROW((void)read_power_spectrum_table(path, SpectrumUnits::from_text("wavevector, C_iso")), InvalidArgument);
 }
 
-TEST(PowerSpectrumTable, AnArealDensityIsToldByItsUnit) {
+TEST(PowerSpectrumTable, ArealDensityIsRecognisedByItsUnit) {
     const TemporaryFolder folder;
     const auto table = read_power_spectrum_table(folder.write("p.csv", "q [1/um],C_iso [nm4]\n1,2\n2,1\n"));
     EXPECT_EQ(table.find("C1D"), nullptr);

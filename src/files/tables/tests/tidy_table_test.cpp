@@ -21,7 +21,7 @@ TEST(TextOfATable, AlignsItsColumns) {
               "  longer   –          –         –\n");
 }
 
-TEST(TextOfATable, LeavesOutColumnsThatSayNothing) {
+TEST(TextOfATable, OmitsColumnsWithoutInformation) {
     EXPECT_EQ(as_text_within(table, 40),
               "Surfaces\n"
               "  surface  h [nm]         n\n"

@@ -56,7 +56,7 @@ std::string summary_sheet() {
     return rows({{words("Test"), words("Mean")}, {number(1), number(5)}, {number(2), number(6)}});
 }
 
-TEST(Workbook, TheSheetOfALoopGoesBeforeOthers) {
+TEST(Workbook, PrefersTheSheetOfALoop) {
     const auto source = book({{"Summary", summary_sheet()}, {"Test 1", loop_sheet()}, {"Test 2", loop_sheet()}});
     const auto table = read_spreadsheet(source);
     EXPECT_EQ(table.metadata.at("sheet"), "Test 1");
@@ -67,7 +67,7 @@ TEST(Workbook, TheSheetOfALoopGoesBeforeOthers) {
                       "no sheet 'nothing'; the workbook has 'Summary', 'Test 1', 'Test 2'"));
 }
 
-TEST(Workbook, SheetsThatAreNotShownComeLast) {
+TEST(Workbook, HiddenSheetsComeLast) {
     const auto text = [](const char* state) {
         return fmt::format(
             R"(<workbook xmlns:r="r"><sheets><sheet name="old" r:id="r0"{}/><sheet name="new" r:id="r1"/></sheets></workbook>)",
@@ -90,12 +90,12 @@ TEST(Workbook, SheetsThatAreNotShownComeLast) {
     EXPECT_EQ(first(R"( state="veryHidden")"), "new");
 }
 
-TEST(Workbook, ASheetThatIsNoTableDoesNotHideAnother) {
+TEST(Workbook, IgnoresSheetsWithoutATable) {
     const auto broken = rows({{number(1), number(2)}, {number(3), number(4)}, {words("Mean"), number(3)}});
     EXPECT_EQ(read_spreadsheet(book({{"Summary", broken}, {"Test", loop_sheet()}})).metadata.at("sheet"), "Test");
 }
 
-TEST(Workbook, TextOfDecimalCommasCountsWhereACellDecides) {
+TEST(Workbook, ReadsDecimalCommasInTextCells) {
     const auto decided = book(
         {{"S",
           rows({{words("x [um]"), words("z [nm]")}, {words("0,5"), words("1,250")}, {words("1,0"), words("2,5")}})}});
@@ -106,7 +106,7 @@ TEST(Workbook, TextOfDecimalCommasCountsWhereACellDecides) {
     EXPECT_FALSE(read_spreadsheet(open).columns[1].text.empty()) << "thousands or decimals: not decided";
 }
 
-TEST(Workbook, DatesAreNoNumbers) {
+TEST(Workbook, DatesAreNotNumbers) {
     const std::string styles =
         R"(<styleSheet><numFmts><numFmt numFmtId="164" formatCode="yyyy\-mm\-dd hh:mm"/><numFmt numFmtId="165" formatCode="0.00 &quot;days&quot;"/></numFmts>)"
         R"(<cellXfs><xf numFmtId="0"/><xf numFmtId="164"/><xf numFmtId="14"/><xf numFmtId="165"/></cellXfs></styleSheet>)";
@@ -175,7 +175,7 @@ TEST(Workbook, OpenDocumentRepeatsCellsAndRowsWithinTheSheet) {
                       "beyond the"));
 }
 
-TEST(Workbook, OlderKindsAreToldWithTheRemedy) {
+TEST(Workbook, OlderFormatsAreNamedWithTheRemedy) {
     const auto xls = bytes::memory_source("a.xls", CompoundFile({{"Workbook", std::string(5000, 'w')}}).content());
     EXPECT_EQ(workbook_kind(xls), WorkbookKind::old_excel);
     EXPECT_TRUE(holds(message_of([&] { (void)read_spreadsheet(xls); }), "save it as .xlsx"));

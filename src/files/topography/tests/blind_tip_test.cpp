@@ -29,7 +29,7 @@ ArrayTip paraboloid(double radius, Index reach_x, Index reach_y) {
     return tip;
 }
 
-TEST(BlindTip, OfSpikesIsTheTip) {
+TEST(BlindTip, OfSpikesEqualsTheTip) {
     for (const bool periodic : {false, true}) {
         const auto tip = paraboloid(3.0, 5, 4);
         const auto blind = blind_tip(dilated(spikes(periodic), tip), {.points_x = 11, .points_y = 9});
@@ -40,7 +40,7 @@ TEST(BlindTip, OfSpikesIsTheTip) {
     }
 }
 
-TEST(BlindTip, OfSpikesShowsWhichWayATipLeans) {
+TEST(BlindTip, OfSpikesRecoversAnAsymmetricTip) {
     ArrayTip tip{Array2D(5, 5), {1.0, 1.0}, 2, 2};
     for (Index i = 0; i < 5; ++i)
         for (Index j = 0; j < 5; ++j)
@@ -50,7 +50,7 @@ TEST(BlindTip, OfSpikesShowsWhichWayATipLeans) {
     EXPECT_LT((blind.tip.heights - tip.heights).abs().maxCoeff(), 1e-10);
 }
 
-TEST(BlindTip, IsNeverSharperThanTheTipAndExplainsTheImage) {
+TEST(BlindTip, IsNeverSharperThanTheTipAndReproducesTheImage) {
     const auto tip = paraboloid(2.0, 5, 5);
     for (const unsigned seed : {1u, 2u, 3u}) {
         const HeightMap surface{tests::random_map(50, 50, seed), {50.0, 50.0}, true};
@@ -64,7 +64,7 @@ TEST(BlindTip, IsNeverSharperThanTheTipAndExplainsTheImage) {
     }
 }
 
-TEST(BlindTip, WithTwiceTheNoiseAsThresholdIsNotSharpenedByNoise) {
+TEST(BlindTip, IsNotSharpenedByNoiseForAThresholdOfTwiceTheNoise) {
     const auto tip = paraboloid(2.0, 4, 4);
     auto image = dilated(HeightMap{tests::random_map(50, 50, 5), {50.0, 50.0}, true}, tip);
     const Array2D noise = 0.02 * tests::random_map(50, 50, 6).max(-1.0).min(1.0);
@@ -76,13 +76,13 @@ TEST(BlindTip, WithTwiceTheNoiseAsThresholdIsNotSharpenedByNoise) {
     EXPECT_GT((fooled.tip.heights - tip.heights).maxCoeff(), 0.0);
 }
 
-TEST(BlindTip, OfAFlatIsAPlate) {
+TEST(BlindTip, OfAFlatImageIsFlat) {
     const auto blind = blind_tip(HeightMap{Array2D::Zero(30, 30), {30.0, 30.0}}, {.points_x = 7, .points_y = 7});
     EXPECT_EQ(blind.tip.heights.maxCoeff(), 0.0);
     EXPECT_TRUE(blind.converged);
 }
 
-TEST(BlindTip, LeavesOutPointsNearUndefinedHeights) {
+TEST(BlindTip, IgnoresPointsNearUndefinedHeights) {
     auto image = dilated(spikes(false), paraboloid(3.0, 2, 2));
     image.heights(30, 30) = undefined;
     const auto blind = blind_tip(image, {.points_x = 5, .points_y = 5});

@@ -16,7 +16,7 @@ HeightMap rough_map(Index nx, Index ny, bool periodic) {
     return {tests::random_map(nx, ny, 3), {static_cast<double>(nx), static_cast<double>(ny)}, periodic};
 }
 
-TEST(Certainty, OfAScannedSurfaceHoldsWhereItIsClaimed) {
+TEST(Certainty, CertainPointsEqualTheTrueSurface) {
     for (const bool periodic : {false, true}) {
         const auto surface = rough_map(60, 50, periodic);
         const Tip tip = ParabolicTip{1.0};
@@ -34,7 +34,7 @@ TEST(Certainty, OfAScannedSurfaceHoldsWhereItIsClaimed) {
     }
 }
 
-TEST(Certainty, OfASpikeIsItsTopAndTheGroundOutOfItsShadow) {
+TEST(Certainty, ExcludesTheHiddenZoneAroundASpike) {
     HeightMap surface{Array2D::Zero(41, 41), {41.0, 41.0}, true};
     surface.heights(20, 20) = 3.0;
     const Tip tip = ParabolicTip{4.0};  // the hidden zone of the spike ends at √(2·4·3) = 4.9
@@ -46,7 +46,7 @@ TEST(Certainty, OfASpikeIsItsTopAndTheGroundOutOfItsShadow) {
     EXPECT_GT(certainty.reconstruction.heights(21, 20), 0.1);
 }
 
-TEST(Certainty, ClaimsNothingThatTheSurfaceBeyondTheEndsMayHaveHeld) {
+TEST(Certainty, ExcludesPointsThatTheSurfaceOutsideCouldAffect) {
     // the map is a part of a larger one: surface outside lifts the tip inside
     const auto whole = rough_map(80, 80, false);
     const Tip tip = ParabolicTip{6.0};
@@ -62,7 +62,7 @@ TEST(Certainty, ClaimsNothingThatTheSurfaceBeyondTheEndsMayHaveHeld) {
             }
 }
 
-TEST(Certainty, ClaimsNothingThatAHoleMayHaveHeld) {
+TEST(Certainty, ExcludesPointsThatAHoleCouldAffect) {
     const auto whole = rough_map(50, 50, true);
     const Tip tip = ParabolicTip{4.0};
     auto image = dilated(whole, tip);

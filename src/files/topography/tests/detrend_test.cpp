@@ -32,13 +32,13 @@ TEST(Detrend, RemovesAPlaneFromANonSquareMap) {
     EXPECT_GT(detrended(map, Trend::tilt).heights.abs().maxCoeff(), 1e-3);
 }
 
-TEST(Detrend, RemovesAParaboloidWhateverTheOffset) {
+TEST(Detrend, RemovesAParaboloidAtAnyOffset) {
     EXPECT_LT(detrended(paraboloid(17, 33, 0.0), Trend::parabola).heights.abs().maxCoeff(), 1e-13);
     // 1e6 loses the digits lost by the input, no more
     EXPECT_LT(detrended(paraboloid(17, 33, 1e6), Trend::parabola).heights.abs().maxCoeff(), 1e-9);
 }
 
-TEST(Detrend, LeavesUndefinedHeightsUndefinedAndUsesTheOthers) {
+TEST(Detrend, UsesDefinedHeightsAndKeepsUndefinedOnes) {
     auto map = paraboloid(20, 20, 5.0);
     map.heights(3, 4) = undefined;
     const auto level = detrended(map, Trend::parabola);
@@ -76,7 +76,7 @@ TEST(Detrend, RefusesTooFewDefinedHeights) {
     EXPECT_THROW((void)detrended(scan, Trend::tilt), UndefinedDataError);
 }
 
-TEST(TrendNames, GoBothWays) {
+TEST(TrendNames, ConvertToTrendsAndBack) {
     for (const auto trend : {Trend::none, Trend::mean, Trend::tilt, Trend::parabola})
         EXPECT_EQ(trend_from_name(name(trend)), trend);
     EXPECT_EQ(trend_from_name("level_mean"), Trend::mean);
@@ -85,7 +85,7 @@ TEST(TrendNames, GoBothWays) {
     EXPECT_THROW((void)trend_from_name("plane"), InvalidArgument);
 }
 
-TEST(Detrend, OfAMapByBandsIsThatOfTheWholeMap) {
+TEST(Detrend, OfAMapByBandsEqualsThatOfTheWholeMap) {
     auto map = paraboloid(37, 50, 1e3);
     for (Index i = 0; i < 37; ++i)
         for (Index j = 0; j < 50; ++j) map.heights(i, j) += 0.01 * std::sin(static_cast<double>(7 * i + 13 * j * j));

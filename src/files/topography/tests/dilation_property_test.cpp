@@ -28,7 +28,7 @@ Tip any_tip() {
 
 void check(const std::function<void()>& property) { ASSERT_TRUE(rc::check(property)); }
 
-TEST(Dilation, NeverLiesBelowTheSurfaceAndReconstructionNeverBelowIt) {
+TEST(Dilation, IsNeverBelowTheSurfaceNorIsTheReconstruction) {
     check([] {
         const auto surface = any_map();
         const Tip tip = any_tip();
@@ -42,7 +42,7 @@ TEST(Dilation, NeverLiesBelowTheSurfaceAndReconstructionNeverBelowIt) {
     });
 }
 
-TEST(Dilation, GrowsWithTheSurface) {
+TEST(Dilation, IsMonotonicInTheSurface) {
     check([] {
         const auto lower = any_map();
         auto upper = lower;

@@ -44,7 +44,7 @@ Array2D slow_dilation(const HeightMap& surface, const TipImage& tip) {
     return result;
 }
 
-TEST(Dilation, OfASpikeIsTheTipUpsideDown) {
+TEST(Dilation, OfASpikeIsTheInvertedTip) {
     auto surface = flat_map(41, 37);
     surface.heights(20, 18) = 6.0;
     const auto image = dilated(surface, SphereTip{10.0});
@@ -57,7 +57,7 @@ TEST(Dilation, OfASpikeIsTheTipUpsideDown) {
         }
 }
 
-TEST(Dilation, OfABallIsTheBallOfSummedRadii) {
+TEST(Dilation, OfABallIsABallOfTheSumOfRadii) {
     // contacts are between grid points: their error is second order, pixel²/8 (1/R + 1/R_s) = 0.0021 of a pixel at the
     // top
     const double bump = 120.0, tip = 200.0;
@@ -144,7 +144,7 @@ TEST(Dilation, IsTheSameForAnyNumberOfThreads) {
     EXPECT_TRUE((one.heights == three.heights).all());
 }
 
-TEST(Dilation, LetsUndefinedHeightsNeitherTouchNorSpread) {
+TEST(Dilation, IgnoresUndefinedHeightsAndDoesNotSpreadThem) {
     auto surface = flat_map(20, 20);
     surface.heights(10, 10) = undefined;
     surface.heights(3, 3) = 1.0;
@@ -155,7 +155,7 @@ TEST(Dilation, LetsUndefinedHeightsNeitherTouchNorSpread) {
     EXPECT_NEAR(filled.heights(10, 10), -(3.0 - std::sqrt(8.0)), 1e-15);
 }
 
-TEST(Dilation, OfALineIgnoresTheSurfaceAround) {
+TEST(Dilation, OfALineScanUsesTheLineOnly) {
     auto surface = flat_map(30, 30);
     surface.heights.row(10).setConstant(2.0);
     LineScan line{surface.heights.col(5), 30.0};
@@ -178,7 +178,7 @@ TEST(DilatedAt, EqualsTheDilatedMapAtItsPoints) {
     for (Index k = 0; k < n; ++k) EXPECT_EQ(readings[k], image.heights((k + 100) % 200, (k * k) % 150));
 }
 
-TEST(Dilator, ReadsSinglePointsAsTheMap) {
+TEST(Dilator, GivesSinglePointsEqualToTheMap) {
     const auto surface = rough_map(40, 30, true);
     const Dilator dilator(surface, SphereTip{6.0});
     const Array2D image = dilator.readings();
@@ -225,7 +225,7 @@ TEST(Erosion, RecoversASurfaceNoSharperThanTheTip) {
     EXPECT_GT((back.heights - line.heights).minCoeff(), -1e-12);
 }
 
-TEST(Erosion, OfALopsidedTipUsesItsMirrorImage) {
+TEST(Erosion, OfAnAsymmetricTipUsesItsMirrorImage) {
     ArrayTip tip{Array2D::Constant(3, 3, infinite), {1.0, 1.0}, 1, 1};
     tip.heights(1, 1) = 0.0;
     tip.heights(2, 1) = 0.25;  // extends only towards larger x

@@ -22,7 +22,7 @@ Profile contour(std::vector<double> x, std::vector<double> h) {
     return profile;
 }
 
-TEST(Validate, NamesTheOffendingPoint) {
+TEST(Validate, NamesTheInvalidPoint) {
     const auto bad = contour({0.0, 1.0, 1.0, 2.0}, {0.0, 0.0, 0.0, 0.0});
     try {
         validate(bad);
@@ -40,7 +40,7 @@ TEST(Validate, RefusesEmptyUndefinedAndInfinite) {
     EXPECT_NO_THROW(validate(HeightMap{Array2D::Zero(2, 2), {1.0, 1.0}}));
 }
 
-TEST(CleanContour, LeavesAFunctionAlone) {
+TEST(CleanContour, LeavesASingleValuedContourUnchanged) {
     const auto clean = clean_contour(contour({0.0, 1.0, 2.5}, {0.0, 1.0, 0.0}));
     EXPECT_EQ(clean.profile.positions.size(), 3);
     EXPECT_EQ(clean.reentrant_share, 0.0);
@@ -101,7 +101,7 @@ TEST(ReferenceArtefact, ShorterThanTheScanCutsTheScan) {
     EXPECT_EQ(corrected.heights.abs().maxCoeff(), 0.0);
 }
 
-TEST(LineScans, OfAMapRunAlongX) {
+TEST(LineScans, OfAMapAreAlongX) {
     HeightMap map{Array2D(3, 2), {3.0, 5.0}};
     map.heights << 0, 10, 1, 11, 2, 12;
     const auto scans = line_scans(map);
@@ -117,7 +117,7 @@ TEST(ToLineScan, AcceptsRoundedPositionsAndRefusesUnevenOnes) {
     EXPECT_FALSE(to_line_scan(contour({0.0, 1.0, 2.5, 3.0}, {0, 1, 2, 3})));
 }
 
-TEST(ToProfile, LeavesOutUndefinedPoints) {
+TEST(ToProfile, OmitsUndefinedPoints) {
     LineScan scan{Array1D::Zero(4), 4.0};
     scan.heights[1] = undefined;
     const auto profile = to_profile(scan);

@@ -35,7 +35,7 @@ HeightMap with_marks(HeightMap map, double value, double share, unsigned seed = 
     return map;
 }
 
-TEST(NoData, FindsTheMarksThatProgramsWrite) {
+TEST(NoData, FindsMarksOfKnownPrograms) {
     for (const double mark :
          {-9999.0, -999.25, 10000.0, -25400.0, -32768.0, 0.0, 3.402823466e38, 1e30, 999.999, -1e10, 65535.0})
         for (const double share : {0.002, 0.05, 0.4}) {
@@ -51,7 +51,7 @@ TEST(NoData, FindsTheMarksThatProgramsWrite) {
         }
 }
 
-TEST(NoData, FindsAUsualMarkJustBeyondTheHeights) {  // no gap, but every step to it is a jump
+TEST(NoData, FindsAUsualMarkNearTheHeights) {  // no gap, but every step to it is a jump
     auto map = rough();
     map.heights = 2500.0 * (map.heights - 5e-6);  // within ±8 mm
     const auto report = find_no_data(with_marks(map, -9999e-6, 0.05), in_micrometres);
@@ -59,7 +59,7 @@ TEST(NoData, FindsAUsualMarkJustBeyondTheHeights) {  // no gap, but every step t
     EXPECT_TRUE(report.values[0].no_height);
 }
 
-TEST(NoData, FindsFewMarksAmongHeightsThatAllDiffer) {
+TEST(NoData, FindsFewMarksAmongDistinctHeights) {
     auto map = rough(40, 25);
     for (Index k = 7; k < 1000; k += 131) map.heights.data()[k] = 0.0;
     const auto report = find_no_data(map, in_micrometres);
@@ -78,7 +78,7 @@ TEST(NoData, FindsSeveralMarks) {
               report.values[0].count + report.values[1].count + report.values[2].count);
 }
 
-TEST(NoData, FindsASingleHeightThatCannotBeOne) {
+TEST(NoData, FindsASingleImpossibleHeight) {
     auto map = rough();
     map.heights(3, 4) = 1e24;
     const auto report = find_no_data(map, in_micrometres);
@@ -87,7 +87,7 @@ TEST(NoData, FindsASingleHeightThatCannotBeOne) {
     EXPECT_EQ(report.values[0].count, 1);
 }
 
-TEST(NoData, FindsTheExtremesOfItsNumbers) {
+TEST(NoData, FindsTheExtremesOfTheNumberType) {
     const double code = -32768.0 * 0.37e-9 + 1e-3;
     auto map = rough();
     map.heights = map.heights * 0.2 + 1e-3;
@@ -95,7 +95,7 @@ TEST(NoData, FindsTheExtremesOfItsNumbers) {
     EXPECT_TRUE(find_no_data(map, {.unit = micrometre, .codes = {code}}).any_undefined());
 }
 
-TEST(NoData, FindsZerosWithinTheRangeWhereAllStepsToThemAreJumps) {
+TEST(NoData, FindsZerosThatAreAllReachedByJumps) {
     LineScan scan{Array1D(4000), 1e-2, false, {}};
     for (Index i = 0; i < 4000; ++i)
         scan.heights[i] = micrometre * (4.0 * std::sin(0.004 * static_cast<double>(i)) + 3.9);
@@ -107,7 +107,7 @@ TEST(NoData, FindsZerosWithinTheRangeWhereAllStepsToThemAreJumps) {
     EXPECT_TRUE(report.values[0].no_height);
 }
 
-TEST(NoData, OnlySuspectsZerosAmongHeightsLikeThem) {
+TEST(NoData, OnlySuspectsZerosAmongSimilarHeights) {
     auto map = rough();
     map.heights -= map.heights.mean();
     const auto report = find_no_data(with_marks(map, 0.0, 0.05), in_micrometres);
@@ -133,7 +133,7 @@ void expect_nothing(const Measurement& measurement, const char* what) {
     EXPECT_TRUE(find_no_data(measurement, in_micrometres).values.empty()) << what;
 }
 
-TEST(NoData, LeavesSurfacesAlone) {
+TEST(NoData, FindsNothingInOrdinarySurfaces) {
     expect_nothing(rough(), "rough");
     auto map = rough();
     map.heights = map.heights.max(5e-6);

@@ -22,7 +22,7 @@ ArrayTip roof() {
     return tip;
 }
 
-TEST(TipHeight, OfASphereIsItsLowerHalf) {
+TEST(TipHeight, OfASphereIsTheLowerHemisphere) {
     EXPECT_EQ(tip_height(SphereTip{5.0}, 0.0), 0.0);
     EXPECT_DOUBLE_EQ(tip_height(SphereTip{5.0}, 3.0), 1.0);
     EXPECT_DOUBLE_EQ(tip_height(SphereTip{5.0}, 5.0), 5.0);
@@ -31,7 +31,7 @@ TEST(TipHeight, OfASphereIsItsLowerHalf) {
     EXPECT_NEAR(tip_height(SphereTip{1.0}, 1e-9), 0.5e-18, 1e-33);
 }
 
-TEST(TipHeight, OfAConeContinuesItsBallWithTheSameSlope) {
+TEST(TipHeight, OfAConeContinuesTheSphereWithEqualSlope) {
     const ConeTip cone{pi / 6.0, 2.0};
     const double end = 2.0 * std::cos(pi / 6.0), step = 1e-6;
     EXPECT_NEAR(tip_height(cone, end), 1.0, 1e-12);  // R (1 − sin 30°)
@@ -42,7 +42,7 @@ TEST(TipHeight, OfAConeContinuesItsBallWithTheSameSlope) {
     EXPECT_DOUBLE_EQ(tip_height(ConeTip{pi / 4.0, 0.0}, 3.0), 3.0);
 }
 
-TEST(TipHeight, OfAParaboloid) { EXPECT_DOUBLE_EQ(tip_height(ParabolicTip{4.0}, 2.0), 0.5); }
+TEST(TipHeight, OfAParaboloidIsQuadratic) { EXPECT_DOUBLE_EQ(tip_height(ParabolicTip{4.0}, 2.0), 0.5); }
 
 TEST(TipReach, InvertsTheProfile) {
     for (const Tip& tip : {Tip(SphereTip{3.0}), Tip(ConeTip{0.5, 1.0}), Tip(ConeTip{0.7, 0.0}), Tip(ParabolicTip{2.0})})
@@ -51,7 +51,7 @@ TEST(TipReach, InvertsTheProfile) {
     EXPECT_EQ(tip_reach(SphereTip{3.0}, 100.0), 3.0);
 }
 
-TEST(TipReach, OfAnArrayIsItsFarthestPointLowEnough) {
+TEST(TipReach, OfAnArrayIsItsFarthestPointBelowTheHeight) {
     EXPECT_EQ(tip_reach(roof(), 0.5), 0.0);
     EXPECT_EQ(tip_reach(roof(), 1.0), 1.0);
     EXPECT_EQ(tip_reach(roof(), 3.5), 2.0);
@@ -83,7 +83,7 @@ TEST(TipImage, OfAnArrayOnFinerPixelsIsInterpolated) {
     EXPECT_DOUBLE_EQ(image.heights(image.centre_x + 1, image.centre_y), 2.5);
 }
 
-TEST(Tip, OutsideItsDomainIsRefusedByName) {
+TEST(Tip, OutsideItsDomainIsRefused) {
     EXPECT_THROW(validate(SphereTip{0.0}), InvalidArgument);
     EXPECT_THROW(validate(SphereTip{undefined}), InvalidArgument);
     EXPECT_THROW(validate(ParabolicTip{-1.0}), InvalidArgument);

@@ -12,7 +12,7 @@
 namespace setae::topography::trace_response_test {
 namespace {
 
-TEST(SmoothingTransfer, IsThatOfAnEquidistantSmoothingSpline) {
+TEST(SmoothingTransfer, EqualsThatOfAnEquidistantSmoothingSpline) {
     // the discrete smoother min Σ(g − h)² + λ Σ(Δ²g)² on a ring: λ = (smoothing_length/step)⁴
     const Index n = 48;
     const TraceResponse response{0.0, 0.9, 0.5, 0.0};
@@ -32,13 +32,13 @@ TEST(SmoothingTransfer, IsThatOfAnEquidistantSmoothingSpline) {
     }
 }
 
-TEST(TraceTransfer, OfBlurAloneIsAGaussian) {
+TEST(TraceTransfer, OfBlurOnlyIsAGaussian) {
     const TraceResponse response{0.2, 0.0, 0.1, 0.0};
     EXPECT_NEAR(trace_transfer(response, Array1D::Constant(1, 5.0))[0], std::exp(-0.5), 1e-15);
     EXPECT_NEAR(trace_band_end(response), std::sqrt(std::log(10.0)) / 0.2, 1e-12);
 }
 
-TEST(TraceBandEnd, IsNyquistWhereAllIsKept) { EXPECT_NEAR(trace_band_end({0.0, 0.0, 0.1, 1.0}), 10.0 * pi, 1e-12); }
+TEST(TraceBandEnd, IsNyquistIfAllWavesAreKept) { EXPECT_NEAR(trace_band_end({0.0, 0.0, 0.1, 1.0}), 10.0 * pi, 1e-12); }
 
 }  // namespace
 }  // namespace setae::topography::trace_response_test

@@ -59,7 +59,7 @@ double height_at(const Profile& profile, double x) {
     return profile.heights[above - 1] + t * (profile.heights[above] - profile.heights[above - 1]);
 }
 
-RC_GTEST_PROP(Levelled, IsTheSameFromAnyDirection, ()) {
+RC_GTEST_PROP(Levelled, IsInvariantUnderRotation, ()) {
     const auto curve = wandering(*rc::gen::arbitrary<std::uint64_t>(), *rc::gen::inRange(20, 60));
     const double angle = 0.01 * *rc::gen::inRange(-314, 314);
     for (const auto reentrance : {Reentrance::envelope, Reentrance::cut}) {
@@ -71,7 +71,7 @@ RC_GTEST_PROP(Levelled, IsTheSameFromAnyDirection, ()) {
     }
 }
 
-RC_GTEST_PROP(Envelope, TouchesTheHighestOfTheCurveAwayFromJumps, ()) {
+RC_GTEST_PROP(Envelope, IsTheMaximumOfTheCurveAwayFromJumps, ()) {
     const Index points = *rc::gen::inRange(20, 60);
     const auto curve = wandering(*rc::gen::arbitrary<std::uint64_t>(), points);
     const auto level = levelled(curve, Reentrance::envelope);
@@ -108,7 +108,7 @@ RC_GTEST_PROP(Envelope, TouchesTheHighestOfTheCurveAwayFromJumps, ()) {
     RC_ASSERT(apart <= 2 + places * 1.5 * step * static_cast<double>(level.reentrant.size()));
 }
 
-RC_GTEST_PROP(ParametricStatistics, AreTheSameFromAnyDirection, ()) {
+RC_GTEST_PROP(ParametricStatistics, AreInvariantUnderRotation, ()) {
     const auto curve = wandering(*rc::gen::arbitrary<std::uint64_t>(), *rc::gen::inRange(20, 60));
     const auto one = parametric_statistics(curve),
                other = parametric_statistics(turned(curve, 0.01 * *rc::gen::inRange(-314, 314)));

@@ -61,7 +61,7 @@ double height_at(const Profile& profile, double x) {
     return profile.heights[i] + t * (profile.heights[i + 1] - profile.heights[i]);
 }
 
-TEST(Levelled, TurnsASineFromAnyDirectionVacuumUp) {
+TEST(Levelled, RotatesASineFromAnyDirection) {
     const Index n = 2001;
     TracedCurve sine;
     sine.x = Array1D::LinSpaced(n, 0.0, 20.0 * pi);
@@ -77,7 +77,7 @@ TEST(Levelled, TurnsASineFromAnyDirectionVacuumUp) {
     }
 }
 
-TEST(Levelled, TakesThePerpendicularDistanceForTheMeanLine) {
+TEST(Levelled, FitsTheMeanLineByPerpendicularDistance) {
     // a zigzag of half a right angle: the line through the middles of its sides
     const auto level = levelled(turned(curve_of({0, 1, 2, 3, 4}, {0.5, -0.5, 0.5, -0.5, 0.5}), 0.3), Reentrance::cut);
     EXPECT_NEAR(level.rotation, -0.3, 1e-12);
@@ -85,7 +85,7 @@ TEST(Levelled, TakesThePerpendicularDistanceForTheMeanLine) {
     EXPECT_NEAR(level.profile.size(), 4.0, 1e-12);
 }
 
-TEST(Levelled, SteepHeapIsTurnedByItsEnds) {
+TEST(Levelled, SteepHillIsRotatedByItsEnds) {
     const auto level = levelled(turned(curve_of({0, 0.9, 1.1, 2}, {0, 9, 9, 0}), 1.0), Reentrance::cut);
     EXPECT_NEAR(level.rotation, -1.0, 1e-12);
 }
@@ -134,7 +134,7 @@ TEST(Envelope, HasAPointWhereBranchesCross) {
         EXPECT_NEAR(height_at(profile, at), highest(u[0] + at) - offset, 1e-12) << at;
 }
 
-TEST(Cut, LeavesOutWhatCleanContourCuts) {
+TEST(ReentranceCut, EqualsCleanContour) {
     const auto trace = densely(mushroom(), 0.1);
     const auto level = levelled(trace, Reentrance::cut);
     const auto clean = clean_contour({trace.x, trace.y, {}});
@@ -144,7 +144,7 @@ TEST(Cut, LeavesOutWhatCleanContourCuts) {
     EXPECT_NEAR(level.reentrant[0].depth, 1.0, 1e-9);
 }
 
-TEST(Levelled, TakesNoiseOnASteepFlankForNoise) {
+TEST(Levelled, NoiseOnASteepFlankIsNotAnOverhang) {
     // a wall inclined by a twentieth of a step per step, with noise of a third of a step: it turns back frequently
     std::mt19937 random(5);
     std::normal_distribution<double> normal;
@@ -181,7 +181,7 @@ TEST(Levelled, OverhangsDeeperThanNoiseAreFoundInNoise) {
     EXPECT_NEAR(level.reentrant_share, 7.0 / 17.0, 1.2 / 17.0);  // either edge of the hat may be partly visible
 }
 
-TEST(Levelled, ClosedOutlineIsSeenFromAboveAndNotTurned) {
+TEST(Levelled, ClosedOutlineIsProjectedFromAboveWithoutRotation) {
     TracedCurve circle;
     circle.closed = true;
     const Index n = 400;
@@ -202,7 +202,7 @@ TEST(Levelled, ClosedOutlineIsSeenFromAboveAndNotTurned) {
     EXPECT_NEAR(height_at(pore.profile, 0.5 * pore.profile.size()), -2.0 + 4.0 / pi, 1e-3);
 }
 
-TEST(Levelled, TurnsErrorsAlongTheNormalIntoErrorsAlongTheHeight) {
+TEST(Levelled, ConvertsErrorsAlongTheNormalToErrorsOfHeight) {
     auto roof = curve_of({0, 1, 2, 3, 4, 5, 6, 7, 8}, {0, 1, 2, 3, 4, 3, 2, 1, 0});
     roof.standard_error = Array1D::Constant(9, 0.01);
     roof.response = TraceResponse{0.3, 0.5, 0.1, 1e-3};
@@ -216,7 +216,7 @@ TEST(Levelled, TurnsErrorsAlongTheNormalIntoErrorsAlongTheHeight) {
     EXPECT_NEAR(profile.response->noise_density, 1e-3 * std::sqrt(2.0), 1e-14);
 }
 
-TEST(Levelled, LimitsErrorsOfWalls) {
+TEST(Levelled, LimitsErrorsAtVerticalWalls) {
     auto step = densely(curve_of({0, 10, 10, 20}, {0, 0, 5, 5}), 0.5);
     step.standard_error = Array1D::Constant(step.x.size(), 0.01);
     const auto profile = levelled(step, Reentrance::envelope).profile;
@@ -278,7 +278,7 @@ TEST(Levelled, NoiseAlongNormalsHasTheStatedDensityAlongTheHeight) {
     EXPECT_NEAR(power / stated, 1.0, 4.0 / std::sqrt(runs * modes));  // exponential values, independent
 }
 
-TEST(Levelled, RefusesWhatIsNoCurve) {
+TEST(Levelled, RefusesInvalidCurves) {
     EXPECT_THROW((void)levelled(curve_of({0, 1}, {0}), Reentrance::cut), InvalidArgument);
     EXPECT_THROW((void)levelled(curve_of({1}, {1}), Reentrance::cut), UndefinedDataError);
     EXPECT_THROW((void)levelled(curve_of({1, 1, 1}, {2, 2, 2}), Reentrance::envelope), UndefinedDataError);
@@ -296,7 +296,7 @@ TEST(ParametricStatistics, OfAStraightLineAreZero) {
     EXPECT_EQ(statistics.reentrant_share, 0.0);
 }
 
-TEST(ParametricStatistics, OfAZigzagAreItsAngle) {
+TEST(ParametricStatistics, OfAZigzagFollowFromItsAngle) {
     std::vector<double> x, y;
     for (int i = 0; i <= 400; ++i) {
         x.push_back(i);
@@ -326,7 +326,7 @@ TEST(ParametricStatistics, OfACircularArcAreClosedForms) {
     EXPECT_NEAR(statistics.rms_normal_distance, radius * std::sqrt(mean_square - mean * mean), 1e-6);
 }
 
-TEST(ParametricStatistics, OfAClosedCircle) {
+TEST(ParametricStatistics, OfAClosedCircleAreClosedForms) {
     TracedCurve circle;
     circle.closed = true;
     const Index n = 1000;
@@ -340,7 +340,7 @@ TEST(ParametricStatistics, OfAClosedCircle) {
     EXPECT_NEAR(statistics.rms_curvature, 1.0 / 3.0, 1e-5);
 }
 
-TEST(ParametricStatistics, CountHiddenStretches) {
+TEST(ParametricStatistics, IncludeHiddenStretches) {
     EXPECT_NEAR(parametric_statistics(mushroom()).reentrant_share,
                 levelled(mushroom(), Reentrance::envelope).reentrant_share, 0.0);
     EXPECT_GT(parametric_statistics(mushroom()).reentrant_share, 0.3);
@@ -353,7 +353,7 @@ Profile with_errors() {
     return profile;
 }
 
-TEST(ErrorsOfAProfile, StayWithTheirPointsWhenCleaned) {
+TEST(ProfileErrors, StayAssignedToTheirPointsAfterCleaning) {
     auto profile = with_errors();
     profile.positions[2] = 0.5;
     profile.positions.reverseInPlace();
@@ -368,7 +368,7 @@ TEST(ErrorsOfAProfile, StayWithTheirPointsWhenCleaned) {
     EXPECT_THROW((void)clean_contour(profile), InvalidArgument);
 }
 
-TEST(ErrorsOfAProfile, AreNotDetrendedButScaled) {
+TEST(ProfileErrors, AreNotDetrendedButScaled) {
     const auto flat = detrended(with_errors(), Trend::tilt);
     EXPECT_TRUE((flat.standard_error == with_errors().standard_error).all());
     const auto doubled = std::get<Profile>(scaled(flat, -2.0));
@@ -377,7 +377,7 @@ TEST(ErrorsOfAProfile, AreNotDetrendedButScaled) {
     EXPECT_EQ(doubled.response->blur, 1.0);
 }
 
-TEST(ErrorsOfAProfile, AreNotLostToALineScan) {
+TEST(ProfileErrors, PreventConversionToALineScan) {
     auto profile = with_errors();
     EXPECT_FALSE(to_line_scan(profile));
     profile.standard_error = Array1D();
@@ -386,7 +386,7 @@ TEST(ErrorsOfAProfile, AreNotLostToALineScan) {
     EXPECT_TRUE(to_line_scan(profile));
 }
 
-TEST(ErrorsOfAProfile, AreValidated) {
+TEST(ProfileErrors, AreValidated) {
     EXPECT_NO_THROW(validate(with_errors()));
     auto short_errors = with_errors(), negative = with_errors(), no_step = with_errors();
     short_errors.standard_error = array({1, 2});

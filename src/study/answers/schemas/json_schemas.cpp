@@ -24,8 +24,6 @@ namespace {
 
 using output::Json;
 
-/// The file of schemas that several commands share.
-constexpr std::string_view shared = "shared";
 constexpr std::string_view place_of_shared = "#/$defs/";
 
 std::string command_of(std::string_view file) {
@@ -96,8 +94,7 @@ JsonSchemas::JsonSchemas(std::span<const DescribedOutput> further) {
 
 std::vector<std::string> JsonSchemas::commands() const {
     std::set<std::string> names;
-    for (const auto& [name, text] : schemas::texts)
-        if (name != shared) names.insert(command_of(name));
+    for (const auto& [name, text] : schemas::texts) names.insert(command_of(name));
     for (const auto& output : outputs_) names.emplace(output.command);
     return {names.begin(), names.end()};
 }
@@ -115,8 +112,8 @@ Json JsonSchemas::own_schema(const std::string& command) const {
 }
 
 Json JsonSchemas::shared_parts() const {
-    auto parts = parsed(shared);
     std::map<std::string, Json> described;
+    output::add_schemas_of_numbers(described);
     output::add_study_schemas(described);
     output::add_named_schemas(fields::Described<ReplicateSummary>::description, described);
     output::add_named_schemas(fields::Described<loops::LoopAnalysis>::description, described);
@@ -125,8 +122,7 @@ Json JsonSchemas::shared_parts() const {
     output::add_named_schemas(fields::Described<loops::GlobalFit>::description, described);
     output::add_named_schemas(fields::Described<loops::CrackSpeedFit>::description, described);
     for (const auto& output : outputs_) output::add_named_schemas(*output.description, described);
-    for (auto& [name, schema] : described) parts[name] = std::move(schema);
-    return parts;
+    return described;
 }
 
 Json JsonSchemas::of(const std::string& command) const {

@@ -34,7 +34,7 @@ study::SurfaceInput surface_of(std::vector<study::MeasurementInput> measurements
     return {.name = "surface", .measurements = std::move(measurements)};
 }
 
-TEST(PowerSpectrum, OfAWaveInMemoryHasItsClosedForm) {
+TEST(PowerSpectrum, OfAWaveInMemoryMatchesTheClosedForm) {
     AnalysisRequest analysis;
     analysis.window = "none";
     const auto answer = power_spectrum({.surface = surface_of({wave("wave")}), .analysis = analysis.analysis()});
@@ -45,7 +45,7 @@ TEST(PowerSpectrum, OfAWaveInMemoryHasItsClosedForm) {
     EXPECT_EQ(json["units"]["C1D"], "m3");
 }
 
-TEST(PowerSpectrum, WithoutAFailedMeasurementOrItsFailure) {
+TEST(PowerSpectrum, SkipsAFailedMeasurementOrThrows) {
     auto bad = wave("bad");
     bad.in_memory.read = []() -> topography::Measurement { throw FormatError("bad", {}, "torn"); };
     PowerSpectrumRequest request{.surface = surface_of({wave("wave"), bad}), .analysis = AnalysisRequest{}.analysis()};
@@ -55,7 +55,7 @@ TEST(PowerSpectrum, WithoutAFailedMeasurementOrItsFailure) {
     EXPECT_THROW((void)power_spectrum(request), FormatError);
 }
 
-TEST(AnalysisRequest, RefusesWhatItDoesNotKnow) {
+TEST(AnalysisRequest, RefusesUnknownValues) {
     EXPECT_THROW((void)AnalysisRequest{.contours = "lines"}.analysis(), InvalidArgument);
     EXPECT_THROW((void)AnalysisRequest{.conversion = "none"}.analysis(), InvalidArgument);
     EXPECT_THROW((void)AnalysisRequest{.longest = "5 kg"}.analysis(), InvalidArgument);
@@ -63,7 +63,7 @@ TEST(AnalysisRequest, RefusesWhatItDoesNotKnow) {
     EXPECT_THROW((void)MeasurementRequest{.instrument = "camera"}.input("a"), InvalidArgument);
 }
 
-TEST(AdhesionRequest, NeedsItsThreeNumbersAndBothOfASphere) {
+TEST(AdhesionRequest, RequiresThreeQuantitiesAndBothOrNoneOfASphere) {
     const AdhesionRequest whole{.youngs_modulus = "1 MPa", .work = "37 mJ/m2", .surface_energy = "25 mJ/m2"};
     EXPECT_EQ(whole.study({}).elastomers.size(), 1U);
     auto without_work = whole;
@@ -80,7 +80,7 @@ TEST(AdhesionRequest, RefusesAPoissonRatioAboveOneHalf) {
     EXPECT_THROW((void)solids.study({}), InvalidArgument);
 }
 
-TEST(Diagnosis, TakesATipWithItsStandardError) {
+TEST(Diagnosis, AcceptsATipWithItsStandardError) {
     const std::vector<Suspect> suspects{{"wave", [] { return std::vector{wave("wave").in_memory.read()}; }}};
     EXPECT_TRUE(diagnosis(suspects, {"10 ± 2 nm"}).failures.empty());
     EXPECT_THROW((void)diagnosis(suspects, {"-10 nm"}), InvalidArgument);
@@ -103,7 +103,7 @@ ComparisonRequest comparison(const std::string& pressure) {
     return request;
 }
 
-TEST(ContactComparison, InFullContactTheoryAndSolutionsAreOne) {
+TEST(ContactComparison, TheoryAndSolutionsAgreeInFullContact) {
     const auto found = compare_contact(self_affine_surface(), comparison("100 GPa"));
     const auto& load = found.load;
     EXPECT_EQ(load.at("area_fraction")[0], 1.0);
@@ -116,7 +116,7 @@ TEST(ContactComparison, InFullContactTheoryAndSolutionsAreOne) {
     EXPECT_LT(load.at("stored_energy_standard_error")[0], 1e-6 * stored) << "surfaces differ by places of waves alone";
 }
 
-TEST(ContactComparison, AtLowLoadTheTheorysAreaIsAFifthTooSmall) {
+TEST(ContactComparison, TheoryUnderestimatesAreaByAFifthAtLowLoad) {
     const auto surface = self_affine_surface();
     const auto found = compare_contact(surface, comparison("5 MPa,20 MPa"));
     const double slope = found.made.rms_slope;
@@ -133,7 +133,7 @@ TEST(ContactComparison, AtLowLoadTheTheorysAreaIsAFifthTooSmall) {
     EXPECT_EQ(output::described(found)["surfaces"], 3);
 }
 
-TEST(ContactComparison, RefusesWhatTheGridDoesNotHold) {
+TEST(ContactComparison, RefusesGridsThatDoNotFitTheSurface) {
     const auto surface = self_affine_surface();
     auto request = comparison("5 MPa");
     for (const char* pixels : {"32", "0", "-96", "100000000", "96x1"}) {

@@ -50,7 +50,7 @@ output::Json json_of(const FrontAnswer& answer) {
     return output::described(ContactOutput{&answer, &none});
 }
 
-// hardly any roughness: JKR's own loop, and works of adhesion as told
+// very small roughness: the loop of JKR with the given works of adhesion
 TEST(ContactFront, OfANearlySmoothSurfaceIsJkr) {
     auto request = asked();
     request.steps = 400;
@@ -64,7 +64,7 @@ TEST(ContactFront, OfANearlySmoothSurfaceIsJkr) {
     EXPECT_NEAR(value_of(answer, "energy_share"), 1e-9, 1e-11);
 }
 
-TEST(ContactFront, HoldsOnWhereTheSurfaceIsRough) {
+TEST(ContactFront, OfARoughSurfaceHasHysteresis) {
     const auto answer = contact_front("map", {rough(0.03, 1), rough(0.03, 2)}, asked());
     EXPECT_NEAR(value_of(answer, "energy_share"), 0.03, 1e-3);
     EXPECT_GT(value_of(answer, "work_of_adhesion_retraction"), 1.005 * W);
@@ -88,7 +88,7 @@ TEST(ContactFront, IsTheSameForAnyNumberOfThreads) {
               json_of(contact_front("map", maps, request, {2})).dump());
 }
 
-TEST(ContactFront, OnAStageAndUnderADeadLoadTurnsAtTheForce) {
+TEST(ContactFront, TurnsAtTheForceOnAStageAndUnderADeadLoad) {
     auto request = asked();
     request.to_displacement.clear();
     request.to_force = "5 uN";
@@ -110,7 +110,7 @@ void expect_refusal(const FrontRequest& request, const topography::Measurement& 
     }
 }
 
-TEST(ContactFront, RefusesInOneLine) {
+TEST(ContactFront, RefusesWithAOneLineMessage) {
     const auto map = rough(0.03, 1);
     auto request = asked();
     request.to_force = "1 uN";
@@ -138,7 +138,7 @@ TEST(ContactFront, RefusesInOneLine) {
     expect_refusal(asked(), topography::LineScan{.heights = Array1D::Zero(8), .size = 1e-6}, "no map");
 }
 
-TEST(ContactFront, SaysWhatItRestsOn) {
+TEST(ContactFront, WarnsWhereTheModelIsInvalid) {
     const auto alerts_of = [](double share) {
         auto request = asked();
         request.steps = 20;

@@ -50,7 +50,7 @@ double area_of(const processing::PipelineResult& result) {
     return undefined;
 }
 
-TEST(SurfaceInContact, IsLevelledWhateverItsTilt) {
+TEST(SurfaceInContact, IsLevelledForAnyTilt) {
     const auto level = taken(measured(0.0)), tilted = taken(measured(60e-9));
     EXPECT_LT((map_in(level).heights - map_in(tilted).heights).abs().maxCoeff(), 1e-20);
     ASSERT_FALSE(tilted.records.empty());
@@ -61,7 +61,7 @@ TEST(SurfaceInContact, IsLevelledWhateverItsTilt) {
     EXPECT_LT(area_of(unlevelled), 0.8 * area_of(level));
 }
 
-TEST(SurfaceInContact, WarnsOfTheStepWhereAMapMeetsItself) {
+TEST(SurfaceInContact, WarnsOfTheStepAtThePeriodicBoundary) {
     const auto result = taken(measured(60e-9));
     const auto& alerts = map_in(result).metadata.alerts;
     ASSERT_EQ(alerts.size(), 1U);
@@ -75,12 +75,12 @@ TEST(SurfaceInContact, WarnsOfTheStepWhereAMapMeetsItself) {
     EXPECT_EQ(answer.alerts.front().code, "MAP_NOT_PERIODIC");
 }
 
-TEST(SurfaceInContact, IsNotRepeatedWhereNothingTouchesBeyond) {
+TEST(SurfaceInContact, HasNoBoundaryWarningWithFreeEdges) {
     EXPECT_TRUE(map_in(taken(measured(60e-9), {}, BeyondMap::nothing)).metadata.alerts.empty());
     EXPECT_EQ(taken(measured(60e-9), {}, BeyondMap::nothing).records.front().step, "level_plane");
 }
 
-TEST(SurfaceInContact, OfHeightsThatRepeatThemselvesIsThatOfTheFile) {
+TEST(SurfaceInContact, OfPeriodicHeightsIsUnchanged) {
     const auto map = repeating(128);
     const auto result = taken(map);
     EXPECT_TRUE(result.records.empty());
@@ -89,14 +89,14 @@ TEST(SurfaceInContact, OfHeightsThatRepeatThemselvesIsThatOfTheFile) {
     EXPECT_TRUE((map_in(result).heights == map.heights).all());
 }
 
-TEST(SurfaceInContact, IsPeriodicWhereTheUserSaysSo) {
+TEST(SurfaceInContact, IsPeriodicOnRequest) {
     const auto result = taken(measured(60e-9), {.edges = "periodic"});
     EXPECT_TRUE(result.records.empty());
     EXPECT_TRUE(map_in(result).periodic);
     EXPECT_TRUE(map_in(result).metadata.alerts.empty());
 }
 
-TEST(SurfaceInContact, MeetsItselfBehindAWindow) {
+TEST(SurfaceInContact, IsPeriodicAfterAWindow) {
     const auto result = taken(measured(60e-9), {.edges = "windowed"});
     EXPECT_TRUE(map_in(result).periodic);
     EXPECT_TRUE(map_in(result).metadata.alerts.empty());
@@ -104,20 +104,20 @@ TEST(SurfaceInContact, MeetsItselfBehindAWindow) {
     EXPECT_EQ(result.records.back().step, "window_edges");
 }
 
-TEST(SurfaceInContact, IsLevelledByThePipelineWhereThatLevels) {
+TEST(SurfaceInContact, IsLevelledOnlyOnceByAPipelineThatLevels) {
     const processing::Pipeline pipeline{.entries = {{processing::step_named("level_polynomial")}}};
     const auto result = taken(measured(60e-9), {}, BeyondMap::itself, pipeline);
     ASSERT_EQ(result.records.size(), 1U);
     EXPECT_EQ(result.records.front().step, "level_polynomial");
 }
 
-TEST(SurfaceInContact, OfAStylusLosesAParabola) {
+TEST(SurfaceInContact, OfAStylusHasAParabolaRemoved) {
     auto map = measured(60e-9);
     map.metadata.instrument.type = "stylus";
     EXPECT_EQ(taken(map).records.front().step, "level_polynomial");
 }
 
-TEST(SurfaceInContact, RefusesOtherWords) {
+TEST(SurfaceInContact, RefusesUnknownOptions) {
     EXPECT_THROW((void)taken(measured(0.0), {.edges = "open"}), InvalidArgument);
     EXPECT_THROW((void)taken(measured(0.0), {.trend = "cubic"}), InvalidArgument);
 }

@@ -1,23 +1,49 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/file_figures/parameter_figure.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "axes.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/units.hpp"
+#include "setae/roughness/spectral_moments.hpp"
 
 namespace setae::file_figures {
 namespace {
 
-/// Rows to draw: from the first visible share on, at most a given number in even steps of ln q.
+constexpr Index max_rows = 200;
+
+/// The curve with more nodes on its power laws, so that shares between few rows of a table are those of the curve.
+spectra::Spectrum refined(spectra::Spectrum curve) {
+    if (curve.nodes == spectra::Nodes::modes) return curve;
+    const auto& q = curve.wavevector;
+    std::vector<double> nodes(q.begin(), q.end());
+    const double step = std::log(curve.band.upper / curve.band.lower) / static_cast<double>(max_rows);
+    for (Index i = 0; i < max_rows; ++i) {
+        const double at = curve.band.lower * std::exp(step * (static_cast<double>(i) + 0.5));
+        const auto above = std::upper_bound(q.begin(), q.end(), at);
+        const bool gap = above == q.begin() || above == q.end() || std::log(*above / *(above - 1)) > step;
+        if (gap) nodes.push_back(at);
+    }
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    spectra::Spectrum result{.band = curve.band, .kind = curve.kind, .waves_end = curve.waves_end};
+    result.wavevector = Eigen::Map<const Array1D>(nodes.data(), static_cast<Index>(nodes.size()));
+    result.density = roughness::values_at(curve, result.wavevector);
+    for (Index i = 0; i < q.size(); ++i)
+        result.density[std::lower_bound(nodes.begin(), nodes.end(), q[i]) - nodes.begin()] = curve.density[i];
+    return result;
+}
+
+/// Rows to draw: from the first visible share on, at most max_rows in even steps of ln q.
 std::vector<Index> rows_of(const roughness::CumulativeParameters& below) {
-    constexpr Index most = 200;
     constexpr double seen = 1e-3;
     const auto last = below.wavevector.size() - 1;
-    const double step = std::log(below.wavevector[last] / below.wavevector[0]) / static_cast<double>(most);
+    const double step = std::log(below.wavevector[last] / below.wavevector[0]) / static_cast<double>(max_rows);
     std::vector<Index> rows;
     double next = 0.0;
     for (Index i = 0; i <= last; ++i) {
@@ -33,7 +59,7 @@ std::vector<Index> rows_of(const roughness::CumulativeParameters& below) {
 
 StudyFigure parameter_figure(const study::SurfaceResult& surface, const Look& look) {
     const auto& spectrum = surface.used();
-    const auto below = roughness::cumulative_parameters(spectrum.curve);
+    const auto below = roughness::cumulative_parameters(refined(spectrum.curve));
     const auto rows = rows_of(below);
     const auto last = below.wavevector.size() - 1;
     const Array1D wavelength = 2.0 * pi / below.wavevector(rows);
@@ -64,6 +90,7 @@ StudyFigure parameter_figure(const study::SurfaceResult& surface, const Look& lo
         format_value(2.0 * pi / spectrum.curve.band.lower, "m", 3));
     drawn.figure = {
         .panels = {panel}, .width_mm = look.wide() ? 140.0 : column_mm, .height_mm = look.wide() ? 95.0 : 70.0};
+    figures::put_legend_above(drawn.figure);
     return drawn;
 }
 

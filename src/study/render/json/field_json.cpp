@@ -26,6 +26,7 @@ public:
 
     void flag(const Row& row, bool value) override { add(row, value); }
     void whole(const Row& row, long long value) override { add(row, value); }
+    void whole(const Row& row, std::uint64_t value) override { add(row, value); }
     void number(const Row& row, double value) override { add(row, output::number(value)); }
     void value(const Row& row, double value) override {
         add(row, {{"value", output::number(value)}, {"unit", row.unit}});
@@ -174,6 +175,14 @@ void add_named_schemas(const fields::Description& description, std::map<std::str
         schemas[std::string(description.name)] = schema_of(description);
     for (const auto& row : description.rows)
         if (row.inner) add_named_schemas(*row.inner, schemas);
+}
+
+void add_schemas_of_numbers(std::map<std::string, Json>& schemas) {
+    schemas["number"] = {{"description", "number; null where it is unknown"},
+                         {"anyOf", {type("number"), type("null"), {{"enum", {"infinity", "-infinity"}}}}}};
+    for (const auto* description :
+         {&fields::value_description, &fields::values_description, &fields::quantity_description})
+        add_named_schemas(*description, schemas);
 }
 
 }  // namespace setae::output

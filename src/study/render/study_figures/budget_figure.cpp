@@ -17,8 +17,8 @@ namespace {
 using figures::Mark;
 
 /// The end of a long name is more specific than the beginning: "…E07.surface_energy".
-std::string shortened_name(std::string_view name) {
-    constexpr std::size_t longest = 34;
+std::string shortened_name(std::string_view name, FigureWidth width) {
+    const std::size_t longest = width == FigureWidth::single_column ? 36 : 60;
     if (display_width(name) <= longest) return std::string(name);
     while (display_width(name) >= longest) name.remove_prefix(std::max<std::size_t>(1, utf8_length(name)));
     return "…" + std::string(name);
@@ -48,17 +48,19 @@ void budget_of_work(const FigureRequest& request, StudyFigure& drawn) {
     constexpr std::size_t most = 8;
     const auto& budget = *found;
     const auto count = std::min(most, budget.rows.size());
-    figures::Panel panel{.x = {.quantity = "share of variance", .unit = "%", .from = 0.0, .to = 135.0},
+    const double largest = budget.rows.empty() ? 1.0 : budget.rows.front().share,
+                 end = 160.0 * std::max(0.01, largest);  // space for the text beside the longest bar
+    figures::Panel panel{.x = {.quantity = "share of variance", .unit = "%", .from = 0.0, .to = end},
                          .y = {.from = -0.6, .to = static_cast<double>(count) - 0.4},
                          .legend = false};
     panel.y.tick_labels.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
         const auto& row = budget.rows[i];
         const double height = static_cast<double>(count - 1 - i), length = 100.0 * row.share;
-        panel.y.tick_labels[count - 1 - i] = shortened_name(row.input);
+        panel.y.tick_labels[count - 1 - i] = shortened_name(row.input, request.options.width);
         panel.series.push_back(bar(length, height));
         panel.notes.push_back({.text = fmt::format("± {}", format_value(row.halved, budget.unit, 2)),
-                               .x = length + 2.0,
+                               .x = length + 0.015 * end,
                                .y = height,
                                .side = figures::Note::Side::right});
     }

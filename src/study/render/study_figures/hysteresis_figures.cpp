@@ -173,7 +173,7 @@ Panel losses_panel(const std::vector<LossBar>& bars) {
         }
         if (!bar.measured) continue;
         const double error = std::isfinite(bar.measured->standard_error) ? bar.measured->standard_error : 0.0;
-        panel.series.push_back({.label = bar.of_works ? "from *W*_app and *W*_ret" : "measured",
+        panel.series.push_back({.label = bar.of_works ? "from W_app and W_ret" : "measured",
                                 .x = one(bar.measured->value / unit.factor),
                                 .y = one(place),
                                 .mark = Mark::points,

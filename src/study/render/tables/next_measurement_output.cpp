@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/output/next_measurement_output.hpp"
 
+#include <cmath>
 #include <optional>
 
 #include <fmt/format.h>
@@ -19,15 +20,21 @@ std::string words_of(const adhesion::Candidate& candidate) {
     return "";
 }
 
+/// Percent with one digit; a gain that rounds to 0 has no sign.
+std::string gain_text(double gain) {
+    const double tenths = std::round(1000.0 * gain);
+    return fmt::format("{:.1f}", tenths == 0.0 ? 0.0 : tenths / 10.0);
+}
+
 }  // namespace
 
 tables::TidyTable next_table(const std::string& target, const std::vector<adhesion::NextMeasurement>& measurements) {
     tables::TidyTable table{fmt::format("± of {} with one further measurement", target),
-                            {"measurement", "± [mJ/m²]", "smaller by [%]", "hours", "% an hour"},
+                            {"measurement", "± [mJ/m²]", "smaller by [%]", "hours", "% per hour"},
                             {}};
     for (const auto& [candidate, error, gain] : measurements)
         table.rows.push_back(
-            {words_of(candidate), fmt::format("{:.4g}", 1e3 * error), fmt::format("{:.1f}", 100.0 * gain),
+            {words_of(candidate), fmt::format("{:.4g}", 1e3 * error), gain_text(gain),
              candidate.hours ? fmt::format("{:.3g}", *candidate.hours) : std::string("–"),
              candidate.hours ? fmt::format("{:.2g}", 100.0 * gain / *candidate.hours) : std::string("–")});
     return table;

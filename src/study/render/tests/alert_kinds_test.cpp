@@ -11,7 +11,7 @@
 namespace setae::output::alert_kinds_test {
 namespace {
 
-TEST(AlertKinds, SayWhatEachThresholdRestsOn) {
+TEST(WarningKinds, StateTheBasisOfEachThreshold) {
     const std::regex threshold(R"(\d (%|times|robust)|(above|below|than) ([1-9]|0[.])|p < |\d+ GiB)");
     int with_threshold = 0;
     for (const auto& kind : alert_kinds()) {
@@ -22,7 +22,7 @@ TEST(AlertKinds, SayWhatEachThresholdRestsOn) {
     EXPECT_GT(with_threshold, 30);
 }
 
-TEST(AlertKinds, SayTheirEffectAndWhatToDoInFullSentences) {
+TEST(WarningKinds, StateEffectAndActionInFullSentences) {
     for (const auto& kind : alert_kinds())
         for (const auto* text : {&kind.said, &kind.effect, &kind.action}) {
             ASSERT_FALSE(text->empty()) << kind.code;
@@ -30,13 +30,13 @@ TEST(AlertKinds, SayTheirEffectAndWhatToDoInFullSentences) {
         }
 }
 
-TEST(AlertKinds, HaveGeneralOnesAmongThem) {
+TEST(WarningKinds, IncludeGeneralWarnings) {
     int general = 0;
     for (const auto& kind : alert_kinds()) general += is_general_warning(kind.code) ? 1 : 0;
     EXPECT_EQ(general, 17);
 }
 
-TEST(AlertKinds, AreListedOnce) {
+TEST(WarningKinds, AreListedOnce) {
     std::set<std::string> codes;
     for (const auto& kind : alert_kinds()) EXPECT_TRUE(codes.insert(kind.code).second) << kind.code;
 }

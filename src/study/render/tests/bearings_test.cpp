@@ -19,7 +19,7 @@ bool says(const StudyResult& result, const std::string& part) {
     return false;
 }
 
-TEST(Bearings, EveryKindOfAlertHasOneOrIsKnownToNeedNone) {
+TEST(WarningEffects, CoverEveryKindOfWarningExceptListedOnes) {
     // failures, reconstructions and Eq. 7 below 0 have sentences of their own
     const std::set<std::string> elsewhere{"LIKELIHOOD_FAILED", "FILES_LEFT_OUT", "RECONSTRUCTION", "EMPTY_STUDY",
                                           "WILL_NOT_CONFORM"};
@@ -49,7 +49,7 @@ TEST(Bearings, EveryKindOfAlertHasOneOrIsKnownToNeedNone) {
             << code << ": add a sentence to verdict/bearings.cpp, or its code here if it limits no conclusion";
 }
 
-TEST(Bearings, NameMeasurementsWhileTheyAreFewElseTheirSurface) {
+TEST(WarningEffects, NameAFewMeasurementsOrTheirSurface) {
     StudyResult result;
     result.surfaces.push_back({.name = "A"});
     auto& measurements = result.surfaces.front().measurements;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which spectrum a surface rests on, and what results say of a fitted one.
+// Which spectrum a surface uses, and results of a fitted spectrum.
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -76,7 +76,7 @@ bool has_alert(const study::SurfaceResult& surface, const std::string& code) {
                        [&](const Alert& alert) { return alert.code == code; });
 }
 
-TEST_F(FittedSpectrum, IsUsedOfSeveralMeasurements) {
+TEST_F(FittedSpectrum, IsUsedForSeveralMeasurements) {
     const auto result = study::analyse_surface(surface("two", {walk(1), walk(2)}), {}, {1});
     ASSERT_EQ(result.error, "");
     EXPECT_EQ(result.method, study::SpectrumMethod::likelihood);
@@ -86,7 +86,7 @@ TEST_F(FittedSpectrum, IsUsedOfSeveralMeasurements) {
     EXPECT_EQ(study::spectra_of(result)[1].method, "average");
 }
 
-TEST_F(FittedSpectrum, IsNotUsedOfOneMeasurementUnlessAskedFor) {
+TEST_F(FittedSpectrum, IsNotUsedForOneMeasurementUnlessRequested) {
     const auto alone = study::analyse_surface(surface("one", {walk(6)}), {}, {1});
     EXPECT_EQ(alone.method, study::SpectrumMethod::average);
     EXPECT_FALSE(alone.fitted);
@@ -99,7 +99,7 @@ TEST_F(FittedSpectrum, IsNotUsedOfOneMeasurementUnlessAskedFor) {
             .likelihood);
 }
 
-TEST_F(FittedSpectrum, SaysWhatWavesBeyondItsDataWouldAdd) {
+TEST_F(FittedSpectrum, ReportsTheContributionOfUnmeasuredWaves) {
     const auto coarse = surface("two", {walk(1), walk(2)});  // waves to 0.2 µm
     const auto open = study::analyse_surface(coarse, {}, {1});
     EXPECT_TRUE(has_alert(open, "WAVES_BEYOND_DATA"));
@@ -110,7 +110,7 @@ TEST_F(FittedSpectrum, SaysWhatWavesBeyondItsDataWouldAdd) {
     EXPECT_FALSE(has_alert(study::analyse_surface(coarse, ends, {1}), "WAVES_BEYOND_DATA"));
 }
 
-TEST_F(FittedSpectrum, LeavesTheAverageWhereItIsRefused) {
+TEST_F(FittedSpectrum, FallsBackToTheAverageWhenRefused) {
     const auto result = study::analyse_surface(surface("short", {walk(1, 7), walk(2, 7)}), {}, {1});
     ASSERT_EQ(result.error, "");
     EXPECT_EQ(result.method, study::SpectrumMethod::average);
@@ -118,7 +118,7 @@ TEST_F(FittedSpectrum, LeavesTheAverageWhereItIsRefused) {
     EXPECT_TRUE(has_alert(result, "LIKELIHOOD_FAILED"));
 }
 
-TEST_F(FittedSpectrum, SaysWhichFilesItHasToDoWithout) {
+TEST_F(FittedSpectrum, NamesExcludedFiles) {
     auto missing = walk(2);
     missing.file += ".gone";
     const auto result = study::analyse_surface(surface("two", {walk(1), missing}), {}, {1});
@@ -132,7 +132,7 @@ TEST_F(FittedSpectrum, SaysWhichFilesItHasToDoWithout) {
 }
 
 // Increments of variance s² a step Δ: C1D = s²/(Δ q²) up to the turn of sampling; here over the decade 2e5 … 2e6 1/m.
-TEST_F(FittedSpectrum, HoldsTheSpectrumOfRandomWalks) {
+TEST_F(FittedSpectrum, RecoversTheSpectrumOfRandomWalks) {
     const auto result =
         study::analyse_surface(surface("six", {walk(1), walk(2), walk(3), walk(4), walk(5), walk(6)}), {}, {1});
     ASSERT_TRUE(result.fitted);
@@ -150,7 +150,7 @@ TEST_F(FittedSpectrum, HoldsTheSpectrumOfRandomWalks) {
     EXPECT_LT(error / nodes, 0.2);
 }
 
-TEST_F(FittedSpectrum, ErrorsOfDecadeMeansAreThoseOfItsLines) {
+TEST_F(FittedSpectrum, ErrorsOfDecadeMeansMatchThoseOfLines) {
     // SE of a mean of ln C1D is at most the mean SE, and at least that over √10, ten coefficients a decade
     const auto result = study::analyse_surface(surface("two", {walk(1), walk(2)}), {.bootstrap_resamples = 400}, {1});
     ASSERT_TRUE(result.fitted);
@@ -173,7 +173,7 @@ TEST_F(FittedSpectrum, ErrorsOfDecadeMeansAreThoseOfItsLines) {
     EXPECT_GE(checked, 1);
 }
 
-TEST_F(FittedSpectrum, StandsBesideTheAverageInEveryTable) {
+TEST_F(FittedSpectrum, IsListedWithTheAverageInEveryTable) {
     auto result = study::run_study(study(), {2});
     ASSERT_EQ(result.failures(), 0);
     ASSERT_TRUE(result.by_average);
@@ -201,7 +201,7 @@ TEST_F(FittedSpectrum, StandsBesideTheAverageInEveryTable) {
     EXPECT_NE(text.find("likelihood"), std::string::npos);
 }
 
-TEST_F(FittedSpectrum, SaysHowWellInstrumentsAgree) {
+TEST_F(FittedSpectrum, ReportsAgreementBetweenInstruments) {
     const auto result = study::run_study(study(), {2});
     const auto table = agreement_table(result);
     ASSERT_FALSE(table.rows.empty());
@@ -224,7 +224,7 @@ TEST_F(FittedSpectrum, SaysHowWellInstrumentsAgree) {
         EXPECT_TRUE(json["by_average"].contains(key)) << key;
 }
 
-TEST_F(FittedSpectrum, BandsHoldTheCurveAtNinetyFivePercent) {
+TEST_F(FittedSpectrum, BandsAreNinetyFivePercentIntervals) {
     const auto result = study::analyse_surface(surface("two", {walk(1), walk(2)}), {}, {1});
     const auto table = fitted_spectrum_table(*result.fitted);
     for (const std::string name : {"C_iso", "C1D"}) {
@@ -235,7 +235,7 @@ TEST_F(FittedSpectrum, BandsHoldTheCurveAtNinetyFivePercent) {
     }
 }
 
-TEST_F(FittedSpectrum, IsTheSameBytesForAnyNumberOfThreads) {
+TEST_F(FittedSpectrum, HasTheSameBytesForAnyNumberOfThreads) {
     const auto written = [&](int threads) {
         auto result = study::run_study(study(), {threads});
         std::string all;

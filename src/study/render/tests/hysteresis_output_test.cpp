@@ -30,7 +30,7 @@ const study::PairHysteresis& pair_of(const study::Hysteresis& h, const std::stri
                          [&](const auto& pair) { return pair.surface == surface && pair.elastomer == elastomer; });
 }
 
-TEST(HysteresisOfAStudy, RanksByPairsThatConformAndPredictsTheOthersApart) {
+TEST(StudyHysteresis, RanksByPairsInFullContactAndPredictsOthersSeparately) {
     const auto& h = published_hysteresis();
     EXPECT_EQ(h.measured_pairs, 16);
     EXPECT_EQ(h.conforming_pairs, 10);
@@ -51,8 +51,8 @@ TEST(HysteresisOfAStudy, RanksByPairsThatConformAndPredictsTheOthersApart) {
 
 // W_ret of sixteen pairs against r α, α of docs/validation/conformity.md at their U_el/AW, by least squares in Python:
 // 85.2 mJ/m², 13.6 mJ/m² rms off; against r alone 70.3 and 36.6. With the crack tip's factor or without cannot be
-// distinguished; every model that says less of the true area is clearly worse.
-TEST(HysteresisOfAStudy, OneWorkATrueAreaInContactSaysAllPairs) {
+// distinguished; every model that depends less on the true area is clearly worse.
+TEST(StudyHysteresis, OneWorkPerTrueAreaInContactFitsAllPairs) {
     const auto& h = published_hysteresis();
     const auto opening = std::ranges::find_if(
         h.all.models, [](const auto& score) { return score.fitted.model.name() == "opening_work"; });
@@ -83,7 +83,7 @@ TEST(HysteresisOfAStudy, OneWorkATrueAreaInContactSaysAllPairs) {
     EXPECT_EQ(loops, 11);
 }
 
-TEST(HysteresisOfAStudy, JoulesOfALoopAddUp) {
+TEST(StudyHysteresis, EnergySharesOfALoopAddUp) {
     const auto& h = published_hysteresis();
     for (const auto& pair : h.pairs) {
         if (!pair.loop) continue;
@@ -100,10 +100,10 @@ TEST(HysteresisOfAStudy, JoulesOfALoopAddUp) {
     }
 }
 
-// A contact as wide as JKR's under 1 mN, of the measured W_app, says that it was pressed with that. Its edge is as long
+// A contact as wide as JKR's under 1 mN, of the measured W_app, implies this preload. Its edge is as long
 // as that contact, which moves the pinned W_app by less than 1 %, where the stated preload takes the predicted
 // contact's.
-TEST(HysteresisOfAStudy, WithoutAPreloadPressesAsMeasuredContactsWere) {
+TEST(StudyHysteresis, WithoutPreloadUsesTheForceOfMeasuredContacts) {
     auto result = published();
     const auto& stated = published_hysteresis();
     for (auto& elastomer : result.elastomers) elastomer.input.preload.reset();
@@ -123,7 +123,7 @@ TEST(HysteresisOfAStudy, WithoutAPreloadPressesAsMeasuredContactsWere) {
     }
 }
 
-TEST(HysteresisOfAStudy, WithoutReferencesHasNoCrackTips) {
+TEST(StudyHysteresis, WithoutReferencesHasNoCrackTips) {
     auto result = published();
     result.references.clear();
     const auto h = study::hysteresis_of(result);
@@ -132,7 +132,7 @@ TEST(HysteresisOfAStudy, WithoutReferencesHasNoCrackTips) {
     EXPECT_EQ(h.all.unranked.front().reason, "no smooth reference on E0.7");
 }
 
-TEST(HysteresisOfAStudy, OfFewPairsIsByTheBalanceOfTheLoop) {
+TEST(StudyHysteresis, OfFewPairsUsesTheTrueAreaLoss) {
     auto result = published();
     for (auto& pair : result.pairs)
         if (pair.surface != "UNCD") pair.retraction = pair.pull_off = std::nullopt;
@@ -145,7 +145,7 @@ TEST(HysteresisOfAStudy, OfFewPairsIsByTheBalanceOfTheLoop) {
         << hysteresis_answer(h, 200);
 }
 
-TEST(HysteresisOfAStudy, APairThatCannotBeSaidDoesNotLoseTheOthers) {
+TEST(StudyHysteresis, OneImpossiblePairDoesNotAffectOthers) {
     auto result = published();
     result.elastomers.front().input.surface_energy.value = 1.0;  // more than W_int pays for, where areas differ
     const auto h = study::hysteresis_of(result);
@@ -154,13 +154,13 @@ TEST(HysteresisOfAStudy, APairThatCannotBeSaidDoesNotLoseTheOthers) {
     EXPECT_NE(h.skipped.front().reason.find("stretching"), std::string::npos);
 }
 
-TEST(HysteresisOfAStudy, WithoutAWorkOfAdhesionIsRefused) {
+TEST(StudyHysteresis, WithoutAWorkOfAdhesionIsRefused) {
     auto result = published();
     result.work_of_adhesion = study::Outcome<Estimate>::missing("nothing was measured");
     EXPECT_THROW((void)study::hysteresis_of(result), UndefinedDataError);
 }
 
-TEST(HysteresisText, BeginsWithTheAnswer) {
+TEST(HysteresisText, StartsWithTheAnswer) {
     const auto& h = published_hysteresis();
     const auto text = hysteresis_text(h, 1000);
     EXPECT_EQ(text.find("For 10 pairs"), 0U) << text;
@@ -174,7 +174,7 @@ TEST(HysteresisText, BeginsWithTheAnswer) {
 }
 
 // docs/validation/crack-front.md: from the maximum load of 1 mN to pull-off
-TEST(HysteresisOfAStudy, CountsTheLarkinLengthsOfPublishedContacts) {
+TEST(StudyHysteresis, CountsLarkinLengthsOfPublishedContacts) {
     const auto& h = published_hysteresis();
     struct Published {
         const char *surface, *elastomer;
@@ -197,7 +197,7 @@ TEST(HysteresisOfAStudy, CountsTheLarkinLengthsOfPublishedContacts) {
     EXPECT_NE(hysteresis_text(h, 200).find(", N "), std::string::npos);
 }
 
-TEST(HysteresisTables, HaveARowAPairAndALaw) {
+TEST(HysteresisTables, HaveOneRowPerPairAndModel) {
     const auto& h = published_hysteresis();
     EXPECT_EQ(hysteresis_table(h).rows.size(), 16U);
     EXPECT_EQ(model_table(h).rows.size(), 28U);

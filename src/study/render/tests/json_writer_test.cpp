@@ -11,7 +11,7 @@
 namespace setae::output::json_writer_test {
 namespace {
 
-TEST(JsonText, IsTheDocumentAgain) {
+TEST(JsonText, ParsesBackToTheDocument) {
     const Json json{{"a", {1, 2.0, -0.5e-300, nullptr, true, "ä\n\"", 1e100, 0.1}},
                     {"empty", {{"object", Json::object()}, {"array", Json::array()}}},
                     {"nested", {{{"x", 1}}, {{"x", {{"y", {1, 2}}}}}}},
@@ -22,14 +22,14 @@ TEST(JsonText, IsTheDocumentAgain) {
         EXPECT_EQ(Json::parse(as_text(one)), one);
 }
 
-TEST(JsonText, KeepsRealNumbersRealAndListsOnALine) {
+TEST(JsonText, KeepsRealNumbersAndListsOnOneLine) {
     EXPECT_EQ(as_text(Json{{"x", {1.0, 2.5, 3}}}), "{\n  \"x\": [1.0, 2.5, 3]\n}\n");
     EXPECT_EQ(as_text(Json{{"x", {{{"y", 1}}}}}), "{\n  \"x\": [\n    {\n      \"y\": 1\n    }\n  ]\n}\n");
     EXPECT_EQ(as_text(Json(std::numeric_limits<double>::infinity())), "null\n");
     EXPECT_EQ(as_text(Json("\xff")), "\"\uFFFD\"\n");
 }
 
-TEST(JsonWriter, WritesByPiecesWhatItWritesAtOnce) {
+TEST(JsonWriter, WritesEquallyInPiecesAndAtOnce) {
     const Json first{{"a", {1, 2}}}, second{{"b", {{{"c", 1.5}}}}};
     std::string text;
     JsonWriter writer([&](std::string_view piece) { text += piece; });

@@ -22,13 +22,13 @@ loops::LoopAnalysis loop() {
     return analysis;
 }
 
-TEST(LoopAnswer, SaysModulusWorkWithItsRangePullOffAndLoss) {
+TEST(LoopAnswer, StatesModulusWorkWithRangePullOffAndLoss) {
     EXPECT_EQ(answer(loop()),
               "E* 1.84 ± 0.20 MPa, W 40 ± 11 mJ/m² (36.1 to 69.6 for other ranges) on loading, "
               "59.820 ± 0.010 mJ/m² at pull-off (-2.11430 ± 0.00030 µN), loss 1.6141 ± 0.0017 pJ");
 }
 
-TEST(LoopAnswer, PutsADashAndTheReasonWhereThereIsNoNumber) {
+TEST(LoopAnswer, ShowsADashAndTheReasonForMissingNumbers) {
     auto analysis = loop();
     analysis.pull_off = Outcome<loops::PullOff>::missing("the record ends in contact");
     analysis.loop = Outcome<loops::LoopEnergy>::missing("no return to free flight");
@@ -39,7 +39,7 @@ TEST(LoopAnswer, PutsADashAndTheReasonWhereThereIsNoNumber) {
         "to free flight)");
 }
 
-TEST(LoopAnswer, SaysThatABranchIsNoJkrCurve) {
+TEST(LoopAnswer, ReportsABranchThatIsNotAJkrCurve) {
     auto analysis = loop();
     analysis.alerts.push_back({"POOR_FIT", "a", "unloading: rms residual 2 nm", ""});
     EXPECT_EQ(answer(analysis).find("no JKR curve"), std::string::npos);
@@ -47,7 +47,7 @@ TEST(LoopAnswer, SaysThatABranchIsNoJkrCurve) {
     EXPECT_NE(answer(analysis).find("on loading (poor fit"), std::string::npos);
 }
 
-TEST(CurveAnswer, SaysWhereEachNumberIsFrom) {
+TEST(CurveAnswer, StatesTheSourceOfEachNumber) {
     loops::ForceCurveSummary curve{.fitted_segment = "extend", .work_by_pull_off = true};
     curve.contact_modulus = Estimate{27.9e3, 1.3e3};
     curve.pull_off_force = Estimate{-0.54e-9, 0.08e-9};
@@ -59,7 +59,7 @@ TEST(CurveAnswer, SaysWhereEachNumberIsFrom) {
         "retraction)");
 }
 
-TEST(CurveAnswer, SaysOneReasonOnce) {
+TEST(CurveAnswer, StatesACommonReasonOnce) {
     loops::ForceCurveSummary curve{.fitted_segment = "extend", .work_by_pull_off = true};
     curve.contact_modulus = Estimate{27.9e3, 1.3e3};
     curve.energy_loss = Estimate{2e-15, 1e-16};

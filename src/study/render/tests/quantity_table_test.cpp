@@ -26,7 +26,7 @@ Quantity height(double longest, int n) {
 
 const Quantity modulus{.quantity = "contact_modulus", .symbol = "E*", .estimate = {.value = 933333.3}, .unit = "Pa"};
 
-TEST(QuantityTable, SaysOnceWhatAllShare) {
+TEST(QuantityTable, StatesCommonValuesOnce) {
     EXPECT_EQ(quantity_table("a.spm", {height(1e-6, 3), modulus}),
               "a.spm: waves 1.000 µm … 1.000 nm; n = 3; 95 % by jackknife\n"
               "  quantity         symbol  value ± [95 %]\n"
@@ -34,14 +34,14 @@ TEST(QuantityTable, SaysOnceWhatAllShare) {
               "  contact_modulus  E*      933.33 kPa\n");
 }
 
-TEST(QuantityTable, HasAColumnForWhatDiffers) {
+TEST(QuantityTable, HasColumnsForDifferingValues) {
     const auto text = quantity_table("", {height(1e-6, 3), height(2e-6, 1)});
     EXPECT_NE(text.find("wavelengths"), std::string::npos);
     EXPECT_NE(text.find("2.000 µm … 1.000 nm"), std::string::npos);
     EXPECT_EQ(text.find("n = "), std::string::npos);
 }
 
-TEST(QuantityTable, FitsItsWidth) {
+TEST(QuantityTable, FitsTheGivenWidth) {
     auto long_name = height(1e-6, 3);
     long_name.quantity = "elastic_energy_per_modulus_from_spectrum";
     std::istringstream lines(quantity_table("a title of several words that is longer than the width of lines here",

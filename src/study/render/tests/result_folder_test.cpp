@@ -29,7 +29,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-TEST(FileNames, AreReadableAndNoTwoAlike) {
+TEST(FileNames, AreReadableAndUnique) {
     const std::vector<std::string> names{"A 1", "A_1",  "A/B",       "a_b", "Ä",    "Ö",
                                          "α",   "名前", "5'' wafer", "",    "\xff", "a\nb"};
     const auto files = file_names(names);
@@ -37,7 +37,7 @@ TEST(FileNames, AreReadableAndNoTwoAlike) {
                                                "__2", "a_b_3"}));
 }
 
-TEST(FileNames, AreCutBetweenCharacters) {
+TEST(FileNames, AreTruncatedBetweenCharacters) {
     std::string name;
     for (int i = 0; i < 100; ++i) name += "ä";
     const auto files = file_names(std::vector<std::string>{name, name + "b"});
@@ -45,7 +45,7 @@ TEST(FileNames, AreCutBetweenCharacters) {
     EXPECT_EQ(files[1], files[0] + "_2");
 }
 
-class FolderTest : public testing::Test {
+class ResultFolderTest : public testing::Test {
 protected:
     void SetUp() override {
         root = fs::temp_directory_path() / ("setae_results_" + std::to_string(getpid()));
@@ -77,7 +77,7 @@ protected:
     study::Study study;
 };
 
-TEST_F(FolderTest, HoldsWhatTheLastRunWroteAndWhatOthersPutThere) {
+TEST_F(ResultFolderTest, ContainsFilesOfTheLastRunAndForeignFiles) {
     run({"a.csv", "b.csv", "figures/1.svg"});
     std::ofstream(fs::path(study.output) / "notes.txt") << "mine";
     EXPECT_EQ(files(), (std::set<std::string>{"a.csv", "b.csv", "figures/1.svg", "files.txt", "notes.txt"}));
@@ -86,14 +86,14 @@ TEST_F(FolderTest, HoldsWhatTheLastRunWroteAndWhatOthersPutThere) {
     EXPECT_FALSE(fs::exists(fs::path(study.output) / "figures"));
 }
 
-TEST_F(FolderTest, KeepsWhatNoRunWrote) {
+TEST_F(ResultFolderTest, KeepsForeignFiles) {
     fs::create_directories(study.output);
     std::ofstream(fs::path(study.output) / "a.csv") << "mine";
     EXPECT_THROW(run({"a.csv"}), FileError);
     EXPECT_EQ(bytes::read_back(study.output + "/a.csv"), "mine");
 }
 
-TEST_F(FolderTest, KnowsFilesOfARunThatWasKilled) {
+TEST_F(ResultFolderTest, RemovesFilesOfAKilledRun) {
     {
         ResultFolder folder(study);
         bytes::write_whole_file(folder.claim("a.csv"), "of the killed");
@@ -102,7 +102,7 @@ TEST_F(FolderTest, KnowsFilesOfARunThatWasKilled) {
     EXPECT_EQ(files(), (std::set<std::string>{"b.csv", "files.txt"}));
 }
 
-TEST_F(FolderTest, ServesRunsAtOnceWithoutLosingANameOfAny) {
+TEST_F(ResultFolderTest, ListsEveryFileOfSimultaneousRuns) {
     constexpr int runs = 4, files_of_each = 40;
     std::deque<ResultFolder> folders;
     for (int r = 0; r < runs; ++r) folders.emplace_back(study);
@@ -119,7 +119,7 @@ TEST_F(FolderTest, ServesRunsAtOnceWithoutLosingANameOfAny) {
     EXPECT_EQ(std::ranges::count(list, '\n'), 2 + runs * files_of_each);
 }
 
-TEST_F(FolderTest, RemovesTheMarksOfAWholeRunFirst) {
+TEST_F(ResultFolderTest, RemovesTheFilesOfACompleteRunFirst) {
     run({"study.json", "report.html", "a.csv"});
     ResultFolder(study).begin();
     EXPECT_EQ(files(), (std::set<std::string>{"a.csv", "files.txt"}));
@@ -130,7 +130,7 @@ TEST_F(FolderTest, RemovesTheMarksOfAWholeRunFirst) {
     EXPECT_TRUE(fs::exists(fs::path(study.output) / "study.json"));
 }
 
-TEST_F(FolderTest, OfAnotherStudyIsRefusedWhileThatOneIsThere) {
+TEST_F(ResultFolderTest, OfAnotherStudyIsRefusedWhileThatOneIsThere) {
     run({"a.csv"});
     const auto first = study.path;
     study.path = (root / "other.toml").string();
@@ -141,7 +141,7 @@ TEST_F(FolderTest, OfAnotherStudyIsRefusedWhileThatOneIsThere) {
     EXPECT_EQ(files(), (std::set<std::string>{"b.csv", "files.txt"}));
 }
 
-TEST_F(FolderTest, OfAnotherStudyIsRefusedByARelativePathToo) {
+TEST_F(ResultFolderTest, OfAnotherStudyIsRefusedByARelativePathToo) {
     const auto before = fs::current_path();
     fs::current_path(root);
     study.output = "results";
@@ -155,14 +155,14 @@ TEST_F(FolderTest, OfAnotherStudyIsRefusedByARelativePathToo) {
     study.output = (root / "results").string();
 }
 
-TEST_F(FolderTest, OfAnotherStudyThatHasBegunIsRefused) {
+TEST_F(ResultFolderTest, OfAnotherStudyThatHasStartedIsRefused) {
     const ResultFolder first(study);
     study.path = (root / "other.toml").string();
     std::ofstream(study.path) << "title = \"b\"";
     EXPECT_THROW(ResultFolder{study}, FileError);
 }
 
-TEST_F(FolderTest, ThatAnotherStudyHasTakenIsRefusedAtTheNextFile) {
+TEST_F(ResultFolderTest, TakenByAnotherStudyIsRefusedAtTheNextFile) {
     ResultFolder folder(study);
     bytes::write_whole_file(folder.claim("a.csv"), "mine");
     std::ofstream(root / "other.toml") << "title = \"b\"";
@@ -172,7 +172,7 @@ TEST_F(FolderTest, ThatAnotherStudyHasTakenIsRefusedAtTheNextFile) {
     EXPECT_THROW(folder.finish(), FileError);
 }
 
-TEST_F(FolderTest, WhoseListNamesNoStudyIsRefused) {
+TEST_F(ResultFolderTest, WithoutStudyInItsListIsRefused) {
     run({"a.csv"});
     bytes::write_whole_file(study.output + "/files.txt",
                             std::string(study::result_list_heading) + "# study: \na.csv\n");
@@ -180,7 +180,7 @@ TEST_F(FolderTest, WhoseListNamesNoStudyIsRefused) {
     EXPECT_TRUE(fs::exists(study.output + "/a.csv"));
 }
 
-TEST_F(FolderTest, OfAStudyWithoutAPathIsKnownByItsTitle) {
+TEST_F(ResultFolderTest, OfAStudyWithoutAPathIsIdentifiedByTitle) {
     study.path.clear();
     study.title = "one";
     run({"a.csv"});
@@ -191,7 +191,7 @@ TEST_F(FolderTest, OfAStudyWithoutAPathIsKnownByItsTitle) {
     EXPECT_EQ(files(), (std::set<std::string>{"b.csv", "files.txt"}));
 }
 
-TEST_F(FolderTest, IsNotEnteredByTheNameOfAStudy) {
+TEST_F(ResultFolderTest, ListIsNotChangedByTheNameOfAStudy) {
     study.path = (root / "study\nnotes.txt\n.toml").string();
     std::ofstream(study.path) << "title = \"a\"";
     fs::create_directories(study.output);
@@ -201,7 +201,7 @@ TEST_F(FolderTest, IsNotEnteredByTheNameOfAStudy) {
     EXPECT_EQ(files(), (std::set<std::string>{"b.csv", "files.txt", "notes.txt"}));
 }
 
-TEST_F(FolderTest, KeepsFilesThatAreNamedLikeTemporaryOnes) {
+TEST_F(ResultFolderTest, KeepsFilesNamedLikeTemporaryOnes) {
     run({"a.csv"});
     for (const char* name : {"x.999999.1.part", "a.csv.999999.1.part", "x.999999-0123456789abcdef.part"})
         std::ofstream(fs::path(study.output) / name) << "mine";
@@ -218,7 +218,7 @@ TEST_F(FolderTest, KeepsFilesThatAreNamedLikeTemporaryOnes) {
     EXPECT_TRUE(fs::exists(study.output + "/x.999999-0123456789abcdef.part"));
 }
 
-TEST_F(FolderTest, MovesWithItsStudy) {
+TEST_F(ResultFolderTest, CanBeMovedWithItsStudy) {
     run({"a.csv", "b.csv"});
     const auto moved = root.string() + "_moved";
     fs::remove_all(moved);
@@ -230,7 +230,7 @@ TEST_F(FolderTest, MovesWithItsStudy) {
     EXPECT_EQ(files(), (std::set<std::string>{"b.csv", "files.txt"}));
 }
 
-TEST_F(FolderTest, NeverReachesOutside) {
+TEST_F(ResultFolderTest, NeverRemovesFilesOutside) {
     std::ofstream(root / "precious") << "mine";
     fs::create_directories(study.output);
     fs::create_directory_symlink(root, fs::path(study.output) / "link");
@@ -241,7 +241,7 @@ TEST_F(FolderTest, NeverReachesOutside) {
     EXPECT_TRUE(fs::exists(root / "precious"));
 }
 
-TEST_F(FolderTest, DoesNotReplaceWhatTheStudyReads) {
+TEST_F(ResultFolderTest, DoesNotReplaceWhatTheStudyReads) {
     const bytes::ProtectedInputs inputs;
     run({"a.csv"});
     study.surfaces.push_back({.name = "A"});
@@ -251,7 +251,7 @@ TEST_F(FolderTest, DoesNotReplaceWhatTheStudyReads) {
     EXPECT_TRUE(fs::exists(study.output + "/a.csv"));
 }
 
-TEST_F(FolderTest, LeavesNoEmptyFolderBehind) {
+TEST_F(ResultFolderTest, LeavesNoEmptyFolderBehind) {
     { const ResultFolder nothing_written(study); }
     EXPECT_FALSE(fs::exists(study.output));
     fs::create_directories(study.output);
@@ -261,7 +261,7 @@ TEST_F(FolderTest, LeavesNoEmptyFolderBehind) {
     EXPECT_TRUE(fs::exists(study.output + "/a.csv"));
 }
 
-TEST_F(FolderTest, TablesThatCommandsWriteAreKnownAsOwn) {
+TEST_F(ResultFolderTest, RecognisesTablesWrittenByCommands) {
     const auto own = [&](const tables::TidyTable& table) {
         const auto path = (root / "table.csv").string();
         bytes::write_whole_file(path, tables::as_csv(table));

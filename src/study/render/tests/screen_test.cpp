@@ -40,7 +40,7 @@ adhesion::PredictionTest test(double chi_squared, double probability, double sca
     return found;
 }
 
-/// A study whose approach says one W_int and whose loss another.
+/// A study whose approach and loss give different W_int.
 StudyResult result_of(const adhesion::PredictionTest& tested, double loss) {
     StudyResult result;
     result.study.title = "Two ways";
@@ -60,7 +60,7 @@ StudyResult result_of(const adhesion::PredictionTest& tested, double loss) {
 
 bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-TEST(Verdict, SaysThatRoughnessExplainsTheApproachAndTheLossAgrees) {
+TEST(Verdict, StatesThatRoughnessExplainsApproachAndLoss) {
     const auto said = verdict(result_of(test(0.4, 0.94, 0.0), 0.0372));
     ASSERT_EQ(said.answer.size(), 3u);
     EXPECT_EQ(
@@ -75,7 +75,7 @@ TEST(Verdict, SaysThatRoughnessExplainsTheApproachAndTheLossAgrees) {
         std::any_of(said.limits.begin(), said.limits.end(), [](const auto& s) { return holds(s, "does not fit"); }));
 }
 
-TEST(Verdict, SaysThatTheBalanceFailsAndWithWhichScatterItFits) {
+TEST(Verdict, StatesThatTheBalanceFailsAndTheRequiredScatter) {
     auto tested = test(194.0, 4.2e-33, 8.5e-3);
     const auto said = verdict(result_of(tested, 0.050));
     EXPECT_EQ(
@@ -99,7 +99,7 @@ TEST(Verdict, SaysThatTheBalanceFailsAndWithWhichScatterItFits) {
     EXPECT_FALSE(holds(verdict(result_of(tested, 0.050)).answer[0], "It fits"));
 }
 
-TEST(Verdict, ExplainsAPairFarOffWhereAllTogetherAreNot) {
+TEST(Verdict, ExplainsOneDeviatingPairIfAllTogetherAgree) {
     auto tested = test(2.0, 0.57, 0.0);
     tested.pairs.front().residual = -3.3e-3;
     tested.work_fitted = true;
@@ -118,7 +118,7 @@ TEST(Verdict, ExplainsAPairFarOffWhereAllTogetherAreNot) {
         EXPECT_FALSE(holds(sentence, "standard errors from")) << "one of four pairs may be two off";
 }
 
-TEST(Verdict, SaysThatLossAndApproachDiffer) {
+TEST(Verdict, StatesThatLossAndApproachDiffer) {
     const auto differ = verdict(result_of(test(0.4, 0.94, 0.0), 0.050));
     EXPECT_TRUE(std::any_of(differ.limits.begin(), differ.limits.end(), [](const auto& s) {
         return holds(s, "The energy loss and the approach give different W_int");
@@ -129,7 +129,7 @@ TEST(Verdict, SaysThatLossAndApproachDiffer) {
     EXPECT_TRUE(holds(agree.findings.front(), "The energy loss of loops is proportional to the true area (Eq. 10)"));
 }
 
-TEST(Verdict, OfNothingSaysSo) {
+TEST(Verdict, OfAnEmptyStudyConcludesNothing) {
     const auto said = verdict(StudyResult{});
     EXPECT_TRUE(holds(said.answer.at(0), "Nothing can be concluded"));
     EXPECT_TRUE(holds(said.limits.at(0), "names no surface and no experiment"));
@@ -137,7 +137,7 @@ TEST(Verdict, OfNothingSaysSo) {
     EXPECT_EQ(said.reservations[0], said.limits[0]);
 }
 
-TEST(Verdict, NamesWhatIsNotStated) {
+TEST(Verdict, NamesMissingInformation) {
     StudyResult result;
     result.surfaces.push_back({.name = "A"});
     auto& surface = result.surfaces.front();
@@ -156,7 +156,7 @@ TEST(Verdict, NamesWhatIsNotStated) {
     EXPECT_TRUE(said("1 part of the study failed and does not contribute to any number."));
 }
 
-TEST(AlertGroups, PutWhatMisleadsFirst) {
+TEST(WarningGroups, PutMisleadingWarningsFirst) {
     StudyResult result;
     result.alerts = {{"ONE_DIRECTION", "a", "", ""}, {"NO_INSTRUMENT", "b", "", ""}, {"ONE_DIRECTION", "c", "", ""}};
     const auto groups = grouped_alerts(result);
@@ -165,7 +165,7 @@ TEST(AlertGroups, PutWhatMisleadsFirst) {
     EXPECT_EQ(groups[1].alerts.size(), 2u);
 }
 
-TEST(WarningLines, AreOnePerWarningAndTheWorstFirst) {
+TEST(WarningLines, AreOnePerWarningWithTheWorstFirst) {
     const auto lines = warning_lines({{"ONE_DIRECTION", "a", "one direction", "measure more"},
                                       {"SCARS", "a", "3 scars", ""},
                                       {"NO_INSTRUMENT", "b", "no instrument", "set it"}});
@@ -174,7 +174,7 @@ TEST(WarningLines, AreOnePerWarningAndTheWorstFirst) {
     EXPECT_TRUE(warning_lines({}).empty());
 }
 
-TEST(WarningLines, NameTheFilesOfAKindTogether) {
+TEST(WarningLines, ListFilesOfOneKindTogether) {
     std::vector<Alert> alerts;
     for (int i = 1; i <= 8; ++i) {
         alerts.push_back({"SCARS", fmt::format("{}.ibw", i), fmt::format("{} scars", i), "despike"});
@@ -203,7 +203,7 @@ StudyResult many() {
     return result;
 }
 
-TEST(Screen, NeverHasMoreLinesOrColumnsThanItIsGiven) {
+TEST(Screen, NeverExceedsTheGivenLinesAndColumns) {
     const auto result = many();
     for (const std::size_t width : {60u, 80u, 100u, 120u}) {
         std::istringstream text(screen(result, {.width = width, .lines = 40}, 2));
@@ -214,7 +214,7 @@ TEST(Screen, NeverHasMoreLinesOrColumnsThanItIsGiven) {
     }
 }
 
-TEST(Screen, CountsWhatItLeavesOut) {
+TEST(Screen, CountsOmittedLines) {
     const auto text = screen(many());
     EXPECT_TRUE(holds(text, " more in surfaces.csv")) << text;
     EXPECT_TRUE(holds(text, " more in pairs.csv")) << text;

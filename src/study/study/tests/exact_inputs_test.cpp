@@ -38,14 +38,14 @@ std::vector<std::string> words_of(const Study& study) {
     return words;
 }
 
-TEST(ExactInputs, AreWhatNobodyGaveAnErrorFor) {
+TEST(ExactInputs, AreInputsWithoutStandardError) {
     EXPECT_EQ(words_of(study()),
               (std::vector<std::string>{"surface energy: soft", "sphere radius: soft",
                                         "calibration of heights and lengths: afm stylus", "tip radius: stylus",
                                         "calibration of displacement and contact radii:"}));
 }
 
-TEST(ExactInputs, OfCalibrationsStandApartWhereTheyDiffer) {
+TEST(ExactInputs, OfCalibrationsAreListedSeparatelyIfDifferent) {
     auto one = study();
     one.surfaces[0].measurements[0].height_calibration = Estimate{1.0, 0.02};
     const auto words = words_of(one);
@@ -53,7 +53,7 @@ TEST(ExactInputs, OfCalibrationsStandApartWhereTheyDiffer) {
     EXPECT_EQ(words[3], "calibration of lengths: afm stylus");
 }
 
-TEST(ExactInputs, HaveTheLimitsOfIntegralsThatAStudyGives) {
+TEST(ExactInputs, IncludeIntegrationLimitsOfTheStudy) {
     auto one = study();
     one.analysis.longest_wavelength = Estimate{1e-4, 1e-5};
     EXPECT_EQ(words_of(one).size(), words_of(study()).size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a run takes from an earlier one, what it says meanwhile, and how it is stopped.
+// Results reused from an earlier run, reported progress, and cancellation.
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -81,7 +81,7 @@ protected:
         std::filesystem::temp_directory_path() / ("setae_kept_results_" + std::to_string(getpid()));
 };
 
-TEST_F(KeptResults, AreThoseThatWouldBeComputed) {
+TEST_F(KeptResults, EqualComputedResults) {
     const auto fresh = text_of(run_study(study()));
     const auto first = run(study()), second = run(study());
     EXPECT_EQ(text_of(first.result), fresh);
@@ -96,7 +96,7 @@ TEST_F(KeptResults, AreThoseThatWouldBeComputed) {
     EXPECT_EQ(b.preview.heights.size(), 300);
 }
 
-TEST_F(KeptResults, OfUnchangedFilesServeWhenOneChanges) {
+TEST_F(KeptResults, OfUnchangedFilesAreUsedWhenOneChanges) {
     static_cast<void>(run(study()));
     write_walk(2, 1.5);
     const auto again = run(study());
@@ -105,7 +105,7 @@ TEST_F(KeptResults, OfUnchangedFilesServeWhenOneChanges) {
     EXPECT_EQ(text_of(again.result), text_of(run_study(study())));
 }
 
-TEST_F(KeptResults, DependOnTheSettingsThatDecideThem) {
+TEST_F(KeptResults, DependOnTheRelevantSettings) {
     static_cast<void>(run(study()));
     auto other = study();
     other.analysis.seed = 7;  // of draws: the measurements are the same
@@ -125,7 +125,7 @@ TEST_F(KeptResults, DependOnTheSettingsThatDecideThem) {
     EXPECT_EQ(run(other).cached("surface"), 2);
 }
 
-TEST_F(KeptResults, HoldNoFailure) {
+TEST_F(KeptResults, DoNotIncludeFailures) {
     auto broken = study();
     broken.surfaces[0].measurements.push_back(stylus(9));
     EXPECT_TRUE(run(broken).result.surfaces[0].measurements[2].failed());
@@ -135,7 +135,7 @@ TEST_F(KeptResults, HoldNoFailure) {
     EXPECT_EQ(text_of(mended.result), text_of(run_study(broken)));
 }
 
-TEST_F(KeptResults, AreNotThoseOfAFileThatChangesDuringTheRun) {
+TEST_F(KeptResults, AreNotStoredForAFileThatChangesDuringTheRun) {
     const auto fresh = text_of(run_study(study()));
     const cache::Store store((folder_ / "cache").string(), "test");
     const auto original = bytes::read_back(walk(3));
@@ -156,7 +156,7 @@ TEST_F(KeptResults, AreNotThoseOfAFileThatChangesDuringTheRun) {
     EXPECT_EQ(text_of(run(study()).result), fresh);
 }
 
-TEST_F(KeptResults, ShowInThePlanOfARun) {
+TEST_F(KeptResults, AreMarkedInThePlanOfARun) {
     const cache::Store store((folder_ / "cache").string(), "test");
     const RunOptions options{.store = &store};
     const auto count = [&](const Study& wanted, auto of) {
@@ -188,7 +188,7 @@ TEST_F(KeptResults, AreCountedStepByStep) {
     EXPECT_DOUBLE_EQ(watched.steps.back().share, 1.0);
 }
 
-TEST_F(KeptResults, AreWhatACancelledRunLeaves) {
+TEST_F(KeptResults, OfACancelledRunAreUsed) {
     const cache::Store store((folder_ / "cache").string(), "test");
     std::atomic<bool> cancelled{false};
     RunOptions options{
@@ -202,7 +202,7 @@ TEST_F(KeptResults, AreWhatACancelledRunLeaves) {
     EXPECT_EQ(text_of(rest.result), text_of(run_study(study())));
 }
 
-TEST_F(KeptResults, CutShortAreNoResult) {
+TEST_F(KeptResults, TruncatedAreIgnored) {
     const auto bytes = bytes_of(run_study(study()).surfaces[0]);
     ASSERT_TRUE(value_of<SurfaceResult>(bytes));
     for (const std::size_t length : {std::size_t{0}, std::size_t{7}, bytes.size() / 3, bytes.size() - 1})
@@ -210,7 +210,7 @@ TEST_F(KeptResults, CutShortAreNoResult) {
 }
 
 // A size that the bytes left could not fill takes no memory.
-TEST_F(KeptResults, OfImpossibleSizesAreNoResult) {
+TEST_F(KeptResults, OfImpossibleSizesAreIgnored) {
     const auto bytes = bytes_of(run_study(study()).surfaces[0]);
     std::size_t refused = 0;
     for (std::size_t at = 0; at + 8 <= bytes.size(); at += 1 + bytes.size() / 400) {
@@ -230,7 +230,7 @@ TEST_F(KeptResults, NameEveryInputWithItsDigest) {
     EXPECT_EQ(result.inputs[0].size, 23);
 }
 
-TEST_F(KeptResults, DependOnThePictureOfATip) {
+TEST_F(KeptResults, DependOnTheTipPicture) {
     auto wanted = study();
     const auto picture = (folder_ / "tip.nc").string();
     const auto draw = [&](double drop) {

@@ -83,7 +83,7 @@ std::string camera_file(const TemporaryFolder& folder, double behind, double noi
     return path;
 }
 
-TEST(OpenLoop, SaysWhatItTookAColumnForAndWhichItLeft) {
+TEST(OpenLoop, ReportsUsedAndIgnoredColumns) {
     const TemporaryFolder folder;
     const auto file = folder.write("loop.csv",
                                    "time [s],force [mN],displacement [um],contact radius [um],humidity [%]\n"
@@ -98,7 +98,7 @@ TEST(OpenLoop, SaysWhatItTookAColumnForAndWhichItLeft) {
     EXPECT_TRUE(plain.alerts.empty());
 }
 
-TEST(OpenLoop, PutsRadiiOnTheClockOfTheForce) {
+TEST(OpenLoop, AlignsRadiiWithTheClockOfTheForce) {
     const TemporaryFolder folder;
     const auto opened =
         open_loop({.file = force_file(folder), .camera = CameraInput{.file = camera_file(folder, 3.0)}});
@@ -108,7 +108,7 @@ TEST(OpenLoop, PutsRadiiOnTheClockOfTheForce) {
     EXPECT_FALSE(has(opened, "CLOCK_DOUBTFUL"));
 }
 
-TEST(OpenLoop, DoubtsAClockWhoseRadiiHaveNothingOfTheForce) {
+TEST(OpenLoop, WarnsOfRadiiUnrelatedToTheForce) {
     const TemporaryFolder folder;
     const auto opened =
         open_loop({.file = force_file(folder), .camera = CameraInput{.file = camera_file(folder, 0.0, 3e-5)}});
@@ -161,7 +161,7 @@ TEST(OpenLoop, CountsFramesOfARecordingWithoutARadius) {
     EXPECT_NEAR(radius[1600], 2e-6 * 12.0, 0.5e-6);  // the first frame, at 16 s
 }
 
-TEST(OpenLoop, TakesChosenColumnsOfTablesMappingsAndLoopFiles) {
+TEST(OpenLoop, UsesChosenColumnsOfTablesMappingsAndLoopFiles) {
     const TemporaryFolder folder;
     const auto table = folder.write("t.csv", "Kraft,gap [um]\n1,60\n2,50\n");
     const auto opened = open_loop({.file = table, .columns = {{"force", "-1 uN * kraft"}}});

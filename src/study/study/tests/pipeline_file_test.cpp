@@ -28,7 +28,7 @@ protected:
         std::ofstream(folder / name) << text;
         return (folder / name).string();
     }
-    /// What reading says, without the folder.
+    /// The error of reading, without the folder.
     [[nodiscard]] std::string complaint(const std::string& name, const std::string& text) const {
         try {
             (void)read_pipeline(write(name, text));
@@ -63,7 +63,7 @@ Pipeline everything() {
     return pipeline;
 }
 
-TEST_F(PipelineFile, WrittenAndReadIsTheSameInEitherFormat) {
+TEST_F(PipelineFile, IsUnchangedAfterWritingAndReadingInEitherFormat) {
     for (const std::string name : {"p.yml", "p.yaml", "p.toml"}) {
         const auto path = (folder / name).string();
         write_pipeline(path, everything());
@@ -73,7 +73,7 @@ TEST_F(PipelineFile, WrittenAndReadIsTheSameInEitherFormat) {
     }
 }
 
-TEST_F(PipelineFile, HoldsUnitsSwitchesListsAndSingleLines) {
+TEST_F(PipelineFile, SupportsUnitsSwitchesListsAndSingleLines) {
     const auto yaml = read_pipeline(write(
         "p.yml",
         "# levels\nsteps:\n  - despike threshold=5\n  - step: crop\n    x_to: 8 um\n    enabled: false\n  - step: level_plane\n    region:\n"
@@ -89,7 +89,7 @@ TEST_F(PipelineFile, HoldsUnitsSwitchesListsAndSingleLines) {
     EXPECT_EQ(std::get<processing::LevelPlane>(yaml.entries[2].step).region.exclude.size(), 2u);
 }
 
-TEST_F(PipelineFile, SaysOnWhichLineWhatIsWrong) {
+TEST_F(PipelineFile, NamesTheLineOfAnError) {
     EXPECT_EQ(complaint("p.yml", "steps:\n  - step: level_plane\n  - step: dispike\n    threshold: 5\n"),
               "p.yml:3: unknown step 'dispike'; did you mean 'despike'?; setae level --explain lists them");
     EXPECT_EQ(
@@ -139,12 +139,12 @@ TEST_F(PipelineFile, NamesFilesRelativeToItsFolder) {
     EXPECT_EQ(std::get<processing::SubtractMap>(read.entries[0].step).file, "reference.nc");
 }
 
-TEST_F(PipelineFile, OfMoreThanAMegabyteIsRefused) {
+TEST_F(PipelineFile, LargerThanOneMegabyteIsRefused) {
     EXPECT_NE(complaint("p.yml", std::string((1 << 20) + 1, '#')).find("are too many for a pipeline"),
               std::string::npos);
 }
 
-TEST_F(PipelineFile, WithAliasesThatRepeatIsReadOnce) {
+TEST_F(PipelineFile, ResolvesAliasesAndRefusesUnknownKeys) {
     std::string bomb = "a: &a [x, x]\n";
     EXPECT_NE(complaint("p.yml", bomb + "steps: []\n").find("unknown key 'a'"), std::string::npos);
     expect_same(read_pipeline(write("p.yml", "steps:\n  - &level level_plane\n  - *level\n")),

@@ -64,7 +64,7 @@ TEST_F(ReplicateFiles, AreReadInSiByMethodAndBranch) {
     EXPECT_TRUE(std::isnan(modulus.data.rows.at(0).standard_error));
 }
 
-TEST_F(ReplicateFiles, WithSeveralMethodsAskForOne) {
+TEST_F(ReplicateFiles, WithSeveralMethodsRequireAChoice) {
     const auto path = write("fits.csv", tidy);
     EXPECT_NE(
         message_of([&] { (void)read_replicates({path}, {.branch = "loading"}, {}); }).find("choose one with `method`"),
@@ -75,7 +75,7 @@ TEST_F(ReplicateFiles, WithSeveralMethodsAskForOne) {
               std::string::npos);
 }
 
-TEST_F(ReplicateFiles, OfOtherProgramsNeedOnlyNames) {
+TEST_F(ReplicateFiles, OfOtherProgramsRequireColumnNamesOnly) {
     const auto path =
         write("other.csv", "# made elsewhere\r\nProbe;Linse;Arbeit;Fehler\r\nA;1;40,5;2,5\r\nA;2;41,5;\r\n");
     const auto tables = read_replicates(
@@ -87,7 +87,7 @@ TEST_F(ReplicateFiles, OfOtherProgramsNeedOnlyNames) {
     EXPECT_EQ(tables.data.rows.at(1).name, path + ":4");
 }
 
-TEST_F(ReplicateFiles, TakeThePrimaryFitOfEachLoopAndSayWhyThereIsNone) {
+TEST_F(ReplicateFiles, UseThePrimaryFitOfEachLoopOrGiveTheReason) {
     const auto path = write(
         "tidy.csv",
         "file,surface,elastomer,lens,spot,contact,cycle,branch,method,W [J/m2],W_standard_error [J/m2],primary,reason\n"
@@ -105,7 +105,7 @@ TEST_F(ReplicateFiles, TakeThePrimaryFitOfEachLoopAndSayWhyThereIsNone) {
               std::string::npos);
 }
 
-TEST_F(ReplicateFiles, CountAContactsEnergyOnce) {
+TEST_F(ReplicateFiles, CountTheEnergyOfAContactOnce) {
     const auto path = write("energies.csv",
                             "file,surface,contact,cycle,E_loss [nJ],E_loss_standard_error [nJ],reason\n"
                             "a.csv,A,1,,3,0.1,\na.csv,A,,1,1,0.1,\na.csv,A,,2,2,0.1,\nb.csv,A,1,,4,0.1,\n");
@@ -114,7 +114,7 @@ TEST_F(ReplicateFiles, CountAContactsEnergyOnce) {
     EXPECT_DOUBLE_EQ(tables.data.rows[1].value, 4e-9);
 }
 
-TEST_F(ReplicateFiles, NameTheLineOfABadRow) {
+TEST_F(ReplicateFiles, NameTheLineOfAnInvalidRow) {
     const auto path = write(
         "bad.csv",
         "surface,lens,W [J/m2],W_se [J/m2]\nA,1,0.04,0.001\nA,1,,0.001\nA,,0.05,0.001\nA,2,much,0.001\nA,2,0.04,-1\n");
@@ -128,7 +128,7 @@ TEST_F(ReplicateFiles, NameTheLineOfABadRow) {
     EXPECT_NE(tables.bad_rows[3].reason.find("'-1'"), std::string::npos);
 }
 
-TEST_F(ReplicateFiles, SayWhatIsMissing) {
+TEST_F(ReplicateFiles, ReportMissingColumns) {
     const auto message = [&](const std::string& text, const ReplicateColumns& columns = {}) {
         const auto path = write("table.csv", text);
         return message_of([&] { (void)read_replicates({path}, columns, {}); });
@@ -163,7 +163,7 @@ TEST_F(ReplicateFiles, ExclusionsKeepTheirRowsAndReasons) {
     EXPECT_NE(message_of([] { (void)parse_exclusion("reason=x"); }).find("names no row"), std::string::npos);
 }
 
-TEST_F(ReplicateFiles, ExclusionsAreReadFromFilesToo) {
+TEST_F(ReplicateFiles, ExclusionsCanBeReadFromFiles) {
     const auto toml = write("out.toml", "[[exclude]]\nfile = \"a.csv\"\nspot = 1\nreason = \"dust\"\n");
     const auto rules = read_exclusions(toml);
     ASSERT_EQ(rules.size(), 1U);
@@ -238,7 +238,7 @@ TEST(StudyReplicates, KeepExcludedLoopsWithTheirReason) {
     EXPECT_NE(output::summary(data, *result.replicates[0].model).find("lens slipped"), std::string::npos);
 }
 
-TEST(StudyReplicates, OfLoopsThatAreAllExcludedSaySo) {
+TEST(StudyReplicates, WithoutRemainingLoopsGiveTheReason) {
     auto result = study_with_lenses();
     for (auto& e : result.experiments) e.input.exclusion = "dust";
     result.replicates = elastomer_replicates(result);

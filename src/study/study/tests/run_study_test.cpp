@@ -89,7 +89,7 @@ protected:
         std::filesystem::temp_directory_path() / ("setae_chain_" + std::to_string(::getpid()));
 };
 
-TEST_F(StudyOfFiles, FindsTheRoughnessPutIn) {
+TEST_F(StudyOfFiles, RecoversTheTrueRoughness) {
     const auto result = run(rough_loops);
     const double q = 2.0 * pi / 5e-6;
     for (const auto& [name, amplitude] : {std::pair{"A", 20e-9}, {"B", 60e-9}}) {
@@ -130,7 +130,7 @@ TEST_F(StudyOfFiles, PropagatesTheUncertaintyOfEachTip) {
     EXPECT_GT(surface.average.spread.sources[0].minus.rms_slope, surface.average.spread.sources[0].plus.rms_slope);
 }
 
-TEST_F(StudyOfFiles, FindsTheWorkAlongTheRetraction) {
+TEST_F(StudyOfFiles, RecoversTheWorkAlongTheRetraction) {
     const auto result = run(rough_loops);
     int loops = 0;
     for (const auto& pair : result.pairs) {
@@ -145,7 +145,7 @@ TEST_F(StudyOfFiles, FindsTheWorkAlongTheRetraction) {
     EXPECT_EQ(loops, 4);
 }
 
-TEST_F(StudyOfFiles, FindsTheWorkAndTheLossPutIn) {
+TEST_F(StudyOfFiles, RecoversTheTrueWorkAndLoss) {
     const auto result = run(rough_loops);
     int checked = 0;
     for (const auto& pair : result.pairs) {
@@ -177,7 +177,7 @@ TEST_F(StudyOfFiles, FitsTheLossOfAllPairsAgainstTrueArea) {
     EXPECT_TRUE(result.loop->with_intercept);
 }
 
-TEST_F(StudyOfFiles, PredictsWhatItsFitsUse) {
+TEST_F(StudyOfFiles, PredictionsMatchTheBalancesOfItsFits) {
     // the balances as lines in W_int, which the fits use, against the balances themselves, which the predictions use
     const auto result = run(rough_loops);
     for (const auto& [fit, predicted] : {std::pair{&result.modified, &PairResult::modified},
@@ -203,7 +203,7 @@ TEST_F(StudyOfFiles, ComparesWithReferencesBeforeAndAfter) {
     EXPECT_NEAR(result.reference_drifts[0].change.work_of_adhesion_loading.value, 0.001, 4e-5);
 }
 
-TEST_F(StudyOfFiles, SaysWhichReferenceIsNotWhole) {
+TEST_F(StudyOfFiles, NamesAnIncompleteReference) {
     auto pressed = loop(0.040, 0.0405, 20e-6);
     for (auto& column : pressed.columns) column.values = Array1D(column.values.head(column.values.size() / 2 - 200));
     tables::write_csv((folder_ / "pressed.csv").string(), pressed);
@@ -217,7 +217,7 @@ TEST_F(StudyOfFiles, SaysWhichReferenceIsNotWhole) {
 }
 
 // A power law given to 1e8 1/m; the surface goes on to 4 Å. The table names no units.
-TEST_F(StudyOfFiles, SaysWhatAGivenSpectrumLeavesOpen) {
+TEST_F(StudyOfFiles, ReportsMissingMetadataOfAGivenSpectrum) {
     std::ofstream table(folder_ / "psd.csv");
     table << "q,C1D\n";
     for (int i = 0; i <= 30; ++i)
@@ -232,7 +232,7 @@ TEST_F(StudyOfFiles, SaysWhatAGivenSpectrumLeavesOpen) {
 }
 
 // C1D = C0 (q/q0)^-3 from q0 on is C_iso = 4 C0 q0^3 q^-4, of which h_rms² = C0 q0/π, exactly.
-TEST_F(StudyOfFiles, GivenSpectraCarryTheirErrorsAndTheirConventions) {
+TEST_F(StudyOfFiles, GivenSpectraHaveErrorsAndConventions) {
     constexpr double C0 = 3e-21, q0 = 1e5;
     const auto write = [&](const std::string& name, const std::string& head, double unit, bool errors) {
         std::ofstream table(folder_ / name);
@@ -276,7 +276,7 @@ TEST_F(StudyOfFiles, KeepsTheRestWhenOneLoopIsMissing) {
     EXPECT_NE(result.experiments.back().error.find("none.csv"), std::string::npos);
 }
 
-TEST_F(StudyOfFiles, OneWrongUnitIsNamedWithItsLineAndLosesNothingElse) {
+TEST_F(StudyOfFiles, OneWrongUnitIsNamedWithItsLineAndAffectsNothingElse) {
     const auto with = [&](const std::string& right, const std::string& wrong) {
         auto text = std::string(beginning) + rough_loops;
         text.replace(text.find(right), right.size(), wrong);
@@ -310,7 +310,7 @@ TEST_F(StudyOfFiles, OneWrongUnitIsNamedWithItsLineAndLosesNothingElse) {
         complete(with("surface_energy = \"25 mJ/m2\"", fmt::format("surface_energy = \"{}\"", energy)), energy);
 }
 
-TEST_F(StudyOfFiles, ASolidSofterThanItsContactsLeavesElastomersWithoutModulus) {
+TEST_F(StudyOfFiles, TooSoftRoughSolidLeavesElastomersWithoutModulus) {
     auto text = std::string(beginning) + rough_loops;
     text.replace(text.find("1e9 GPa"), 7, "1 kPa");
     const auto result = run_text(text);
@@ -326,7 +326,7 @@ TEST_F(StudyOfFiles, GivesTheSameBytesForAnyNumberOfThreads) {
     EXPECT_EQ(output::to_json(run(rough_loops, 1)).dump(), output::to_json(run(rough_loops, 3)).dump());
 }
 
-TEST_F(StudyOfFiles, WritesWholeTablesWithUnits) {
+TEST_F(StudyOfFiles, WritesCompleteTablesWithUnits) {
     auto result = run(rough_loops);
     result.study.output = (folder_ / "out").string();
     const auto files = output::write_results(result);

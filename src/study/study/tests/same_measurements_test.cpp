@@ -18,7 +18,7 @@
 namespace setae::study::same_measurements_test {
 namespace {
 
-class SameMeasurements : public testing::Test {
+class RepeatedMeasurements : public testing::Test {
 protected:
     void SetUp() override { std::filesystem::create_directories(folder_); }
     void TearDown() override { std::filesystem::remove_all(folder_); }
@@ -62,7 +62,7 @@ protected:
         std::filesystem::temp_directory_path() / ("setae_same_" + std::to_string(getpid()));
 };
 
-TEST_F(SameMeasurements, OfASurfaceAreFoundWhateverTheirFiles) {
+TEST_F(RepeatedMeasurements, OfASurfaceAreFoundInAnyFiles) {
     tables::write_csv(path("a.csv"), walk(1));
     tables::write_csv(path("b.csv"), walk(2));
     copy_as_others_write("a.csv", "copy.csv");
@@ -75,7 +75,7 @@ TEST_F(SameMeasurements, OfASurfaceAreFoundWhateverTheirFiles) {
             << copy;
 }
 
-TEST_F(SameMeasurements, OfLoopsAreFoundOnOtherElastomersToo) {
+TEST_F(RepeatedMeasurements, OfLoopsAreFoundAcrossElastomers) {
     tables::write_csv(path("a.csv"), walk(1));
     tables::write_csv(path("one.csv"), loop_files::noisy_loop(0.03, 0.06, 20e-6, 1));
     tables::write_csv(path("two.csv"), loop_files::noisy_loop(0.03, 0.06, 20e-6, 2));
@@ -96,7 +96,7 @@ TEST_F(SameMeasurements, OfLoopsAreFoundOnOtherElastomersToo) {
     EXPECT_NE(study("one.csv", "copy.csv").find("listed again as"), std::string::npos);
 }
 
-TEST_F(SameMeasurements, OfOneHeightThroughoutFailAndLeaveTheOthersAlone) {
+TEST_F(RepeatedMeasurements, OfConstantHeightFailWithoutAffectingOthers) {
     tables::write_csv(path("a.csv"), walk(1));
     tables::write_csv(path("b.csv"), walk(2));
     auto flat = walk(1);
@@ -108,7 +108,7 @@ TEST_F(SameMeasurements, OfOneHeightThroughoutFailAndLeaveTheOthersAlone) {
     EXPECT_DOUBLE_EQ(with.surfaces[0].average.parameters.rms_height, without.surfaces[0].average.parameters.rms_height);
 }
 
-TEST_F(SameMeasurements, WithGapsThatLinesCrossAreNamed) {
+TEST_F(RepeatedMeasurements, WithBridgedGapsAreNamed) {
     const auto write = [&](bool gap) {
         const auto whole = walk(1);
         std::string text = "x [um],h [nm]\n";
@@ -124,7 +124,7 @@ TEST_F(SameMeasurements, WithGapsThatLinesCrossAreNamed) {
     EXPECT_TRUE(write(true));
 }
 
-TEST_F(SameMeasurements, WithImpossibleHeightsAreNamed) {
+TEST_F(RepeatedMeasurements, WithImpossibleHeightsAreNamed) {
     auto wrong = walk(1);
     wrong.columns[1].values *= 1e6;  // nm taken for mm
     tables::write_csv(path("wrong.csv"), wrong);

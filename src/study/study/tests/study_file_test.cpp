@@ -57,7 +57,7 @@ TEST_F(StudyFile, ConvertsEveryQuantityToSi) {
     EXPECT_EQ(study.surfaces.at(0).measurements.at(0).file, (folder_ / "a.txt").string());
 }
 
-TEST_F(StudyFile, RefusesQuantitiesThatNothingHas) {
+TEST_F(StudyFile, RefusesImpossibleQuantities) {
     const auto elastomer = [&](const std::string& keys) { return message_of("[elastomers.soft]\n" + keys + "\n"); };
     EXPECT_EQ(elastomer("surface_energy = \"25 mJ/m2\"\nsphere_radius = \"1e-300 m\"").substr(0, 12), "study.toml:3");
     EXPECT_EQ(elastomer("surface_energy = \"1e160 J/m2\"").substr(0, 12), "study.toml:2");
@@ -83,7 +83,7 @@ TEST_F(StudyFile, RefusesZeroBytesInNames) {
               std::string::npos);
 }
 
-TEST_F(StudyFile, ReadsWhatAnElastomerDoesInTime) {
+TEST_F(StudyFile, ReadsTimeDependenceOfAnElastomer) {
     const std::string head = std::string("[rough_solid]\nyoungs_modulus = \"1100 GPa\"\npoisson_ratio = 0.06\n") +
                              surface + "[elastomers.soft]\nsurface_energy = \"25 mJ/m2\"\n";
     const auto study =
@@ -105,7 +105,7 @@ TEST_F(StudyFile, ReadsWhatAnElastomerDoesInTime) {
     EXPECT_NE(message_of(head + "relaxation = [{ share = 0.1, tme = \"1 s\" }]\n").find("time"), std::string::npos);
 }
 
-TEST_F(StudyFile, LeavesTheSpectrumToTheMeasurementsUnlessOneIsAskedFor) {
+TEST_F(StudyFile, LeavesTheSpectrumMethodOpenUnlessGiven) {
     EXPECT_FALSE(read(surface).analysis.spectrum);
     EXPECT_EQ(read(std::string("[analysis]\nspectrum = \"average\"\n") + surface).analysis.spectrum,
               SpectrumMethod::average);
@@ -120,7 +120,7 @@ TEST_F(StudyFile, NamesTheNearestKeyAndItsLine) {
               "study.toml:2: unknown key 'longest_wavelenght' in analysis; did you mean 'longest_wavelength'?");
 }
 
-TEST_F(StudyFile, KnowsWhatEachFileWasReadWithAndAlongWhichDirection) {
+TEST_F(StudyFile, ReadsProbeAndDirectionOfEachFile) {
     const auto study = read(
         "[surfaces.A]\nmeasurements = [\n"
         "{ file = \"a.txt\", instrument = \"stylus\", direction = \"y\", tip_radius = \"2 um\", "
@@ -140,7 +140,7 @@ TEST_F(StudyFile, KnowsWhatEachFileWasReadWithAndAlongWhichDirection) {
     EXPECT_DOUBLE_EQ(*all[3].light_wavelength, 520e-9);
 }
 
-TEST_F(StudyFile, RefusesDirectionsAndShapesItDoesNotKnow) {
+TEST_F(StudyFile, RefusesUnknownDirectionsAndShapes) {
     const auto message = [&](const std::string& key) {
         return message_of("[surfaces.A]\nmeasurements = [{ file = \"a.txt\", instrument = \"afm\", " + key + " }]\n");
     };
@@ -168,11 +168,11 @@ TEST_F(StudyFile, RefusesNamesThatAreNotDeclared) {
         std::string::npos);
 }
 
-TEST_F(StudyFile, WantsOneSourceOfRoughnessForEachSurface) {
+TEST_F(StudyFile, RequiresOneSourceOfRoughnessPerSurface) {
     EXPECT_NE(message_of("[surfaces.A]\n").find("has 0 sources of roughness"), std::string::npos);
 }
 
-TEST_F(StudyFile, WantsOnePublishedValueForEachElastomer) {
+TEST_F(StudyFile, RequiresOnePublishedValuePerElastomer) {
     const std::string head = std::string("[rough_solid]\nyoungs_modulus = \"1 GPa\"\npoisson_ratio = 0.3\n") + surface +
                              "[elastomers.s]\nsurface_energy = \"25 mJ/m2\"\n";
     EXPECT_NE(
@@ -184,11 +184,11 @@ TEST_F(StudyFile, WantsOnePublishedValueForEachElastomer) {
               std::string::npos);
 }
 
-TEST_F(StudyFile, ReportsBrokenTomlWithItsLine) {
+TEST_F(StudyFile, ReportsInvalidTomlWithItsLine) {
     EXPECT_EQ(message_of("title = \"a\"\nb = = 1\n").substr(0, 13), "study.toml:2:");
 }
 
-TEST_F(StudyFile, NamesWhatLoopsRepeatAndWhyOneIsLeftOut) {
+TEST_F(StudyFile, ReadsReplicateLabelsAndReasonsForExclusion) {
     const std::string head = std::string("[rough_solid]\nyoungs_modulus = \"1100 GPa\"\npoisson_ratio = 0.06\n") +
                              surface + "[elastomers.soft]\nyoungs_modulus = \"1 MPa\"\nsurface_energy = \"25 mJ/m2\"\n";
     const auto loop = [](const std::string& file, const std::string& more) {
@@ -206,7 +206,7 @@ TEST_F(StudyFile, NamesWhatLoopsRepeatAndWhyOneIsLeftOut) {
               std::string::npos);
 }
 
-TEST_F(StudyFile, FitsToEachLoopWhatItAsksForAndElseWhatAllAskFor) {
+TEST_F(StudyFile, LoopOptionsOverrideCommonOptions) {
     const std::string head = std::string("[rough_solid]\nyoungs_modulus = \"1100 GPa\"\npoisson_ratio = 0.06\n") +
                              "[elastomers.soft]\nsurface_energy = \"25 mJ/m2\"\n[loops]\nmodels = [\"jkr\"]\nprofile = "
                              "true\nexponent = 0.5\nshare = [\"work\"]\n";
@@ -227,7 +227,7 @@ TEST_F(StudyFile, FitsToEachLoopWhatItAsksForAndElseWhatAllAskFor) {
               std::string::npos);
 }
 
-TEST(StudyKeys, TellWhatTheProgramDoesWithoutThem) {
+TEST(StudyKeys, StateTheDefaultsOfTheProgram) {
     std::map<std::string, KeyDescription> keys;
     for (const auto& table : study_keys())
         for (const auto& key : table.keys)

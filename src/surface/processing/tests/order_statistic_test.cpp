@@ -42,7 +42,7 @@ void expect_sorted_quantiles(const Array1D& values) {
                 << probability;
 }
 
-TEST(Quantile, OfManyNumbersIsThatOfTheSortedOnes) {
+TEST(Quantile, OfManyNumbersMatchesSorting) {
     std::mt19937_64 engine(1);
     std::normal_distribution<double> normal(0.0, 1e-9);
     Array1D values = Array1D::NullaryExpr(many, [&] { return normal(engine); });
@@ -52,21 +52,21 @@ TEST(Quantile, OfManyNumbersIsThatOfTheSortedOnes) {
     expect_sorted_quantiles(values.head(4 * columns));
 }
 
-TEST(Quantile, OfFewLevelsIsThatOfTheSortedOnes) {
+TEST(Quantile, OfFewLevelsMatchesSorting) {
     std::mt19937_64 engine(2);
     std::normal_distribution<double> normal(0.0, 3.0);
     expect_sorted_quantiles(Array1D::NullaryExpr(many, [&] { return std::round(normal(engine)); }));
     expect_sorted_quantiles(Array1D::Constant(many, 4.0));
 }
 
-TEST(Quantile, OfAFieldThatRepeatsIsThatOfTheSortedOnes) {
+TEST(Quantile, OfAPeriodicFieldMatchesSorting) {
     expect_sorted_quantiles(
         Array1D::NullaryExpr(many, [](Index k) { return std::sin(0.001 * static_cast<double>(k % 512)); }));
     expect_sorted_quantiles(Array1D::LinSpaced(many, -1.0, 2.0));
 }
 
 /// A sample without the quantile: all numbers outside the sample are larger.
-TEST(Quantile, WhereTheSampleMissesItIsThatOfTheSortedOnes) {
+TEST(Quantile, OutsideItsSampleMatchesSorting) {
     Array1D values = Array1D::LinSpaced(many, 1.0, 2.0);
     std::vector<Index> places;
     auto seen = rows_of(values);
@@ -76,7 +76,7 @@ TEST(Quantile, WhereTheSampleMissesItIsThatOfTheSortedOnes) {
     expect_sorted_quantiles(values);
 }
 
-TEST(Quantile, OfNoDefinedNumberIsNothing) {
+TEST(Quantile, OfNoDefinedNumberIsUndefined) {
     EXPECT_FALSE(quantile(rows_of(Array1D::Constant(many, undefined)), 0.5));
     EXPECT_FALSE(quantile(rows_of(Array1D(0)), 0.5));
 }

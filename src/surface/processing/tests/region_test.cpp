@@ -28,12 +28,12 @@ Index chosen(const std::string& text, const HeightMap& map = ramp()) {
     return (mask_of(region_from_text(text), map) != 0).count();
 }
 
-TEST(Region, WithoutShapesIsEverything) {
+TEST(Region, WithoutShapesIsTheWholeMap) {
     EXPECT_TRUE(Region{}.everything());
     EXPECT_EQ(chosen(""), 80);
 }
 
-TEST(Region, OfARectangleHasItsEnds) {
+TEST(Region, OfARectangleIncludesItsEdges) {
     EXPECT_EQ(chosen("include rectangle 2 um to 4 um, 1 um to 5 um"), 3 * 5);
     EXPECT_EQ(chosen("include rectangle 2 um to 4 um"), 3 * 8);
     EXPECT_EQ(chosen("include rectangle all, above 6 um"), 10 * 2);
@@ -66,7 +66,7 @@ TEST(Region, OfAPolygonFollowsTheEvenOddRule) {
     EXPECT_GT((mask != 0).count(), 1000);
 }
 
-TEST(Region, OfHeightsAndPercentilesLeavesUndefinedPointsOut) {
+TEST(Region, OfHeightsAndPercentilesExcludesUndefinedPoints) {
     auto map = ramp();
     EXPECT_EQ(chosen("include heights 10 nm to 20 nm", map), 11);
     EXPECT_EQ(chosen("include heights above 70.5 nm", map), 10);
@@ -96,7 +96,7 @@ TEST(Region, IsTheUnionOfIncludedShapesLessTheExcludedOnes) {
         3 * 7);
 }
 
-TEST(Region, OfLinesHasRangesOfXAndHeights) {
+TEST(Region, OfLinesUsesRangesOfXAndHeights) {
     const LineScan scan{Array1D::LinSpaced(11, 0.0, 1e-6), 11e-6};
     const auto mask = mask_of(region_from_text("include rectangle 3 um to 5 um; include heights above 0.95 um"), scan);
     EXPECT_EQ(mask.rows(), 11);
@@ -132,7 +132,7 @@ std::string complaint(const std::string& text) {
     return "accepted";
 }
 
-TEST(Region, ThatCannotBeReadIsNamed) {
+TEST(Region, WhenInvalidIsNamedInTheError) {
     EXPECT_EQ(
         complaint("rectangle 1 um to 2 um"),
         "region 'rectangle 1 um to 2 um': 'rectangle' begins no shape; expected include or exclude before each shape");
@@ -157,7 +157,7 @@ TEST(MaskOut, MakesTheRegionUndefined) {
     EXPECT_THROW((void)apply(MaskOut{region_from_text("include heights above 0 nm")}, ramp()), UndefinedDataError);
 }
 
-TEST(MaskOut, LeavesPointsOfAPolylineOut) {
+TEST(MaskOut, RemovesPointsOfAPolyline) {
     Profile profile{Array1D::LinSpaced(5, 0.0, 4.0), Array1D::LinSpaced(5, 0.0, 4.0), {}};
     profile.standard_error = Array1D::LinSpaced(5, 1.0, 5.0);
     const auto kept = profile_of(apply(MaskOut{region_from_text("include rectangle 1 m to 2 m")}, profile));

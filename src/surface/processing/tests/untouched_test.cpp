@@ -24,7 +24,7 @@ double kept_power(const Step& filter, double wavevector) {
 }
 
 // At its ends the band keeps 99 %, and little more: much less at half the distance beyond.
-TEST(Untouched, BandsOfFiltersKeepWhatTheySay) {
+TEST(Untouched, BandsOfFiltersTransmitNinetyNinePercent) {
     const double cutoff = 20e-6;
     for (const Step& filter : {Step(GaussianFilter{.cutoff = cutoff, .keep = Kept::short_waves}),
                                Step(SplineFilter{.cutoff = cutoff, .keep = Kept::short_waves}),
@@ -40,7 +40,7 @@ TEST(Untouched, BandsOfFiltersKeepWhatTheySay) {
     }
 }
 
-TEST(Untouched, SumsUpAPipeline) {
+TEST(Untouched, CombinesTheStepsOfAPipeline) {
     Pipeline pipeline;
     pipeline.entries = {{LevelPolynomial{.degree = 5, .degree_x = 3}},
                         {LevelLines{.degree = 2}},

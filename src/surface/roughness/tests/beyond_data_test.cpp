@@ -30,7 +30,7 @@ spectra::Spectrum curve(double shortest) {
     return found;
 }
 
-TEST(BeyondData, OfAPowerLawIsWhatIsThere) {
+TEST(BeyondData, RecoversTheExcludedPartOfAPowerLaw) {
     const auto whole = spectral_parameters(curve(4e-10));
     for (const double shortest : {8e-10, 5e-9}) {
         const auto found = beyond_data(curve(shortest), 2.0 * pi / 4e-10);
@@ -48,7 +48,7 @@ TEST(BeyondData, OfAPowerLawIsWhatIsThere) {
 }
 
 // C1D = q⁻³ is that of C_iso = 4 q⁻⁴.
-TEST(BeyondData, OfLinesHasTheClosedForm) {
+TEST(BeyondData, OfLinesMatchesTheClosedForm) {
     spectra::Spectrum line;
     line.kind = spectra::Density::C1D;
     line.wavevector = Array1D::LinSpaced(100, std::log(1e6), std::log(1e8)).exp();
@@ -62,7 +62,7 @@ TEST(BeyondData, OfLinesHasTheClosedForm) {
 }
 
 /// A roll-off at 5 µm, beyond a map of 1 µm.
-TEST(BeyondData, LongWavesOfAPowerLawAreWhatIsThere) {
+TEST(BeyondData, RecoversExcludedLongWavesOfAPowerLaw) {
     const spectra::SelfAffine model{.plateau = 5e-27,
                                     .rolloff_wavevector = 2.0 * pi / 5e-6,
                                     .hurst_exponent = 0.8,

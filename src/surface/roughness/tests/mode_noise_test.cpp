@@ -50,7 +50,7 @@ const std::vector<Value>& values() {
     return all;
 }
 
-TEST(ModeNoise, OfFewModesIsThatOfSpectraDrawnOneByOne) {
+TEST(ModeNoise, OfFewModesMatchesIndividualDraws) {
     const auto spectrum = modes(2000);
     const Array1D freedom = Array1D::LinSpaced(2000, 0.5142857142857142, 3.0);
     for (const auto conversion : {Conversion::exact, Conversion::eq11}) {
@@ -77,7 +77,7 @@ double scatter(const std::vector<SpectralParameters>& replicas, const Value& val
 }
 
 // the error of a standard deviation from 400 replicas is 3.5 %
-TEST(ModeNoise, OfManyModesScattersAsTheModesDo) {
+TEST(ModeNoise, OfManyModesHasTheScatterOfTheModes) {
     const auto spectrum = modes(6000);
     const Array1D freedom = Array1D::Constant(6000, spectra::share_under_hann);
     for (const auto limits : {WavelengthLimits{}, WavelengthLimits{1e-7, {}}}) {  // the second: bands only
@@ -92,7 +92,7 @@ TEST(ModeNoise, OfManyModesScattersAsTheModesDo) {
     }
 }
 
-TEST(ModeNoise, HasTheSameBytesForAnyThreads) {
+TEST(ModeNoise, HasTheSameBytesForAnyNumberOfThreads) {
     const auto spectrum = modes(5000);
     const Array1D freedom = Array1D::Ones(5000);
     const auto one = parameters_of_noise(spectrum, freedom, {.count = 5, .seed = 2, .threads = {1}}),
@@ -100,7 +100,7 @@ TEST(ModeNoise, HasTheSameBytesForAnyThreads) {
     for (std::size_t r = 0; r < one.size(); ++r) EXPECT_EQ(one[r].rms_curvature, four[r].rms_curvature);
 }
 
-TEST(ModeNoise, RefusesWhatDoesNotFit) {
+TEST(ModeNoise, RefusesInconsistentInput) {
     auto spectrum = modes(100);
     EXPECT_THROW((void)parameters_of_noise(spectrum, Array1D::Ones(99), {}), InvalidArgument);
     EXPECT_THROW((void)parameters_of_noise(spectrum, Array1D::Zero(100), {}), InvalidArgument);

@@ -13,7 +13,7 @@ namespace {
 SpectralParameters of_height(double height) { return {.rms_height = height}; }
 double height(const SpectralParameters& p) { return p.rms_height; }
 
-TEST(ParameterSpread, IntervalIsStudentsOverTheLogarithmsWithoutEachMeasurement) {
+TEST(ParameterSpread, IntervalIsStudentTOfJackknifedLogarithms) {
     ParameterSpread spread;
     spread.left_out = {{of_height(std::exp(0.1)), of_height(std::exp(-0.1))}};
     const auto estimate = spread.estimate(1.0, height);
@@ -49,7 +49,7 @@ TEST(ParameterSpread, KeepsAreaRatiosAboveOne) {
     EXPECT_NEAR((estimate.interval->lower - 1.0) * (estimate.interval->upper - 1.0), 0.02 * 0.02, 1e-12);
 }
 
-TEST(ParameterSpread, GivesSumsOfVariancesItsFreedom) {
+TEST(ParameterSpread, CombinesDegreesOfFreedomOfStrata) {
     ParameterSpread spread;
     spread.left_out = {{of_height(1.0), of_height(1.2), of_height(1.4)}, {of_height(1.1), of_height(1.1)}};
     const auto term = spread.variance_term(height);
@@ -60,7 +60,7 @@ TEST(ParameterSpread, GivesSumsOfVariancesItsFreedom) {
 }
 
 // ± and interval of one number have the same scatter: SE of f is s of ln f times f, to first order.
-TEST(ParameterSpread, StandardErrorIsThatOfTheInterval) {
+TEST(ParameterSpread, StandardErrorIsConsistentWithTheInterval) {
     ParameterSpread spread;
     spread.replicas = {of_height(1.0), of_height(3.0)};  // not used together with the jackknife
     spread.left_out = {{of_height(1.001), of_height(1.003), of_height(0.998)}};
@@ -73,7 +73,7 @@ TEST(ParameterSpread, StandardErrorIsThatOfTheInterval) {
     EXPECT_NEAR(std::pow(estimate.standard_error, 2), spread.covariance(height, height), 1e-18);
 }
 
-TEST(ParameterSpread, CovarianceOfTheJackknifeIsItsVarianceForTheSameFunction) {
+TEST(ParameterSpread, CovarianceWithItselfIsTheVariance) {
     ParameterSpread spread;
     spread.left_out = {{of_height(1.0), of_height(1.2), of_height(1.4)},
                        {of_height(0.9)}};  // a single one has no scatter
@@ -81,7 +81,7 @@ TEST(ParameterSpread, CovarianceOfTheJackknifeIsItsVarianceForTheSameFunction) {
     EXPECT_NEAR(spread.covariance(height, twice), 2.0 * 2.0 / 3.0 * 0.08, 1e-12);
 }
 
-TEST(ParameterSpread, FallsBackOnReplicasWithoutStrata) {
+TEST(ParameterSpread, UsesReplicasWithoutStrata) {
     ParameterSpread spread;
     spread.seed = 7;
     spread.replicas = {of_height(std::exp(0.1)), of_height(std::exp(-0.1))};
@@ -94,7 +94,7 @@ TEST(ParameterSpread, FallsBackOnReplicasWithoutStrata) {
 }
 
 // Draws of variance 0.1² + 0.1² over one degree of freedom, an input of 0.3: each is included once.
-TEST(ParameterSpread, AddsInputsToDraws) {
+TEST(ParameterSpread, AddsVariancesOfInputsAndDraws) {
     ParameterSpread spread;
     spread.replicas = {of_height(1.1), of_height(0.9)};
     spread.replicas_are_draws = true;
@@ -105,7 +105,7 @@ TEST(ParameterSpread, AddsInputsToDraws) {
     EXPECT_EQ(spread.estimate(1.0, height).method, "likelihood");
 }
 
-TEST(ParameterSpread, HasNoIntervalWithoutAnythingToRestOn) {
+TEST(ParameterSpread, HasNoIntervalWithoutReplicas) {
     EXPECT_FALSE(ParameterSpread{}.estimate(1.0, height).interval);
     ParameterSpread spread;
     spread.left_out = {{of_height(0.9), of_height(1.2)}};  // 0.9 is no area ratio

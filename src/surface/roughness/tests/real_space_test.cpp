@@ -27,7 +27,7 @@ double slope_of_wave(double amplitude, double periods, double size, Index n) {
     return amplitude * std::sqrt(2.0) * std::sin(0.5 * q * d) / d;
 }
 
-TEST(RealSpaceParameters, OfCosinesAreTheirSymbols) {
+TEST(RealSpaceParameters, OfCosinesMatchTheSymbolsOfDifferences) {
     const auto p = real_space_parameters(waves(64, 90, true));
     EXPECT_NEAR(p.rms_height, std::sqrt(0.5 * (0.04 + 0.01)), 1e-14);
     EXPECT_NEAR(p.rms_height_of_lines, 0.2 * std::sqrt(0.5), 1e-14);
@@ -41,7 +41,7 @@ TEST(RealSpaceParameters, OfCosinesAreTheirSymbols) {
     EXPECT_NEAR(p.mean_height, 0.0, 1e-14);
 }
 
-TEST(RealSpaceParameters, OfAParaboloidHaveItsCurvatureAtOpenBorders) {
+TEST(RealSpaceParameters, OfAParaboloidHaveItsCurvatureUpToTheBorders) {
     topography::HeightMap map{Array2D(40, 30), {4.0, 3.0}};
     for (Index i = 0; i < 40; ++i)
         for (Index j = 0; j < 30; ++j)
@@ -49,7 +49,7 @@ TEST(RealSpaceParameters, OfAParaboloidHaveItsCurvatureAtOpenBorders) {
     EXPECT_NEAR(real_space_parameters(map).rms_curvature, 0.5 * (3.0 + 2.0), 1e-8);
 }
 
-TEST(RealSpaceParameters, DropEveryDifferenceThatTouchesAHole) {
+TEST(RealSpaceParameters, ExcludeDifferencesThatUseAHole) {
     // one hole removes 2 differences along x, 2 along y and 5 Laplacians: the slopes of the plane remain exact
     topography::HeightMap map{Array2D(10, 12), {1.0, 1.2}};
     for (Index i = 0; i < 10; ++i)
@@ -73,7 +73,7 @@ TEST(RealSpaceParameters, AreTheSameForAnyNumberOfThreads) {
     EXPECT_EQ(one.rms_height_of_lines, four.rms_height_of_lines);
 }
 
-TEST(RealSpaceParameters, OfAMapAgreeWithItsLinesOneByOne) {
+TEST(RealSpaceParameters, OfAMapAgreeWithThoseOfItsLines) {
     topography::HeightMap map{Array2D::Random(50, 9), {1.0, 1.0}};
     map.heights(20, 3) = undefined;
     double slope2 = 0.0, points = 0.0, variance = 0.0, defined = 0.0;
@@ -100,7 +100,7 @@ TEST(RealSpaceParameters, OfATrianglePolylineAreExact) {
     EXPECT_NEAR(p.rms_slope, std::sqrt((1.0 + 0.5) / 3.0), 1e-15);
 }
 
-TEST(RealSpaceParameters, SurviveAHugeOffset) {
+TEST(RealSpaceParameters, AreUnaffectedByAHugeOffset) {
     topography::LineScan scan{Array1D::Random(1000), 1.0};
     const auto truth = real_space_parameters(scan);
     scan.heights += 1e6;
@@ -112,7 +112,7 @@ TEST(RealSpaceParameters, RefuseAMapWithoutAHeight) {
                  UndefinedDataError);
 }
 
-TEST(RealSpaceParameters, OfAMapByBandsAreThoseOfTheWholeMap) {
+TEST(RealSpaceParameters, OfAMapByBandsEqualThoseOfTheWholeMap) {
     auto map = waves(130, 61, false);
     map.heights += 1e4;
     map.heights(5, 7) = undefined;

@@ -26,7 +26,7 @@ topography::LineScan walk(Distribution distribution, Index n, unsigned seed) {
     return scan;
 }
 
-TEST(SlopeDistribution, OfGaussianSlopesRaisesNoAlarm) {
+TEST(SlopeDistribution, OfGaussianSlopesGivesNoWarning) {
     const auto d = slope_distribution(walk(std::normal_distribution<double>(0.0, 0.3), 5000, 3));
     EXPECT_NEAR(d.directions.front().rms, 0.3, 0.01);
     EXPECT_NEAR(d.directions.front().excess_kurtosis, 0.0, 3.0 * d.directions.front().excess_kurtosis_standard_error);
@@ -35,7 +35,7 @@ TEST(SlopeDistribution, OfGaussianSlopesRaisesNoAlarm) {
     EXPECT_NEAR(d.density.sum() * (d.slope[1] - d.slope[0]), 1.0, 1e-3);
 }
 
-TEST(SlopeDistribution, FalseAlarmsAreRareAndRealOnesFound) {
+TEST(SlopeDistribution, HasFewFalseWarningsAndFindsRealDeviations) {
     int false_alarms = 0, found = 0;
     for (unsigned seed = 0; seed < 100; ++seed) {
         false_alarms +=
@@ -58,7 +58,7 @@ TEST(SlopeDistribution, OfAPolylineIgnoresCollinearPoints) {
     EXPECT_NEAR(slope_distribution(fine).directions[0].rms, slope_distribution(coarse).directions[0].rms, 1e-12);
 }
 
-TEST(SlopeDistribution, FindsAGratingAnisotropic) {
+TEST(SlopeDistribution, FindsThatAGratingIsAnisotropic) {
     topography::HeightMap map{Array2D(64, 64), {1.0, 1.0}, true};
     std::mt19937 random(1);
     std::normal_distribution<double> noise(0.0, 1e-3);

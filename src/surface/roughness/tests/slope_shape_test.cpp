@@ -34,7 +34,7 @@ topography::HeightMap smooth_map(double stretch) {
     return map;
 }
 
-TEST(SlopeShape, OfGaussianSlopesGivesTheirArea) {
+TEST(SlopeShape, OfGaussianSlopesGivesTheGaussianArea) {
     const auto shape = slope_shape(smooth_map(1.0), {1});
     EXPECT_NEAR(shape.share.sum(), 1.0, 1e-12);
     EXPECT_NEAR((shape.share * shape.square).sum(), 1.0, 1e-9);
@@ -42,7 +42,7 @@ TEST(SlopeShape, OfGaussianSlopesGivesTheirArea) {
         EXPECT_NEAR((shape.area_ratio(slope) - 1.0) / (gaussian_area_ratio(slope) - 1.0), 1.0, 0.01) << slope;
 }
 
-TEST(SlopeShape, IsTheTriangulatedAreaAtItsOwnSlope) {
+TEST(SlopeShape, GivesTheTriangulatedAreaAtTheMeasuredSlope) {
     auto map = smooth_map(2.0);
     map.heights = (map.heights / 4e-9).exp() * 4e-9;  // log-normal
     const auto area = triangulated_area(map, {1});
@@ -55,7 +55,7 @@ TEST(SlopeShape, IsTheTriangulatedAreaAtItsOwnSlope) {
     EXPECT_GT(std::abs(gaussian_area_ratio(higher.rms_slope) / higher.area_ratio - 1.0), 0.02) << "(9) would do";
 }
 
-TEST(SlopeShape, HasTheSameBytesForAnyThreadsAndLeavesGapsOut) {
+TEST(SlopeShape, HasTheSameBytesForAnyThreadsAndIgnoresGaps) {
     auto map = smooth_map(1.0);
     map.heights(10, 10) = undefined;
     const auto one = slope_shape(map, {1}), four = slope_shape(map, {4});

@@ -36,7 +36,7 @@ spectra::Spectrum profile_curve() {
     return {q, spectra::profile_power_spectrum(model, q), {q[0], q_s}, spectra::Density::C1D};
 }
 
-TEST(SpectralParameters, OfTheLaterNcdModelAreThosePublished) {
+TEST(SpectralParameters, OfTheLaterNcdModelMatchPublishedValues) {
     // THEORY §11, self-affine NCD model of later work by the authors of [D19]
     const auto p = spectral_parameters(isotropic_curve());
     EXPECT_NEAR(p.rms_height, 93.9e-9, 0.05e-9);
@@ -45,7 +45,7 @@ TEST(SpectralParameters, OfTheLaterNcdModelAreThosePublished) {
     EXPECT_NEAR(4.0 * p.elastic_energy_per_modulus, 4.374e-8, 5e-12);
 }
 
-TEST(SpectralParameters, FromLineScansAreExactlyThoseOfTheSurface) {
+TEST(SpectralParameters, FromLineScansEqualThoseOfTheSurface) {
     const auto from_lines = spectral_parameters(profile_curve()), from_surface = spectral_parameters(isotropic_curve());
     EXPECT_NEAR(from_lines.rms_height / from_surface.rms_height, 1.0, 2e-4);  // lines start at 1 cm
     EXPECT_NEAR(from_lines.elastic_energy_per_modulus / from_surface.elastic_energy_per_modulus, 1.0, 2e-5);
@@ -65,7 +65,7 @@ TEST(SpectralParameters, IntegrateAPowerLawInClosedForm) {
 
 // For lines with waves to 72 nm, the waves of the surface between two others: result of C_iso. The identities, valid
 // only over 0 … ∞, give 3 to 27 % more at the short end and less at the long one.
-TEST(SpectralParameters, OfLinesCutAreThoseOfTheSurfaceCut) {
+TEST(SpectralParameters, OfBandLimitedLinesEqualThoseOfTheBandLimitedSurface) {
     for (const Band& band : {Band{1e4, 2e7}, Band{2e6, 8e7}, Band{3e6, 5e7}}) {
         auto lines = profile_curve(), surface = isotropic_curve();
         lines.band = surface.band = band;
@@ -100,7 +100,7 @@ TEST(SpectralParameters, ContinueTheOuterPowerLawsToTheBand) {
     EXPECT_NEAR(a.rms_curvature / b.rms_curvature, 1.0, 1e-10);
 }
 
-TEST(SpectralParameters, PassOverGaps) {
+TEST(SpectralParameters, InterpolateOverGaps) {
     Array1D q = log_spaced(1e6, 1e9, 7), c = 1e-20 * (q / 1e6).pow(-2.6);
     const auto whole = spectral_parameters({q, c, {1e6, 1e9}});
     c[2] = undefined;
@@ -123,7 +123,7 @@ TEST(SpectralParameters, OfModesObeyParseval) {
 }
 
 // C = c q^−3 between 10^5.5 and 10^8: the mean of ln C over 10^6 … 10^7 is ln C(10^6.5).
-TEST(DecadeMeans, AreGeometricAndOnlyOfWholeDecades) {
+TEST(DecadeMeans, AreGeometricMeansOfWholeDecades) {
     Array1D q(3);
     q << std::pow(10.0, 5.5), 3e6, 1e8;
     const spectra::Spectrum curve{q, 1e-3 * q.pow(-3.0), {q[0], q[2]}};
@@ -135,7 +135,7 @@ TEST(DecadeMeans, AreGeometricAndOnlyOfWholeDecades) {
     EXPECT_EQ(spectral_parameters(curve).decade_C1D[2], means[2]);
 }
 
-TEST(LimitedSpectrum, CutsBothEndsAndRefusesNothing) {
+TEST(LimitedSpectrum, CutsBothEndsAndRefusesAnEmptyBand) {
     const auto curve = isotropic_curve();
     const auto cut = limited(curve, {.longest = 100e-6});
     const double energy = spectral_parameters(curve).elastic_energy_per_modulus;
@@ -145,7 +145,7 @@ TEST(LimitedSpectrum, CutsBothEndsAndRefusesNothing) {
     EXPECT_THROW((void)limited(curve, {.longest = 1e-9, .shortest = 1e-6}), InvalidArgument);
 }
 
-TEST(CumulativeParameters, EndAtTheWholeAndGrow) {
+TEST(CumulativeParameters, IncreaseToTheTotal) {
     const auto curve = profile_curve();
     const auto cumulative = cumulative_parameters(curve);
     const auto whole = spectral_parameters(curve);

@@ -16,7 +16,7 @@ TEST(GaussianAreaRatio, OfAFlatSurfaceIsOne) {
     EXPECT_EQ(area_excess_factor(0.0), 1.0);
 }
 
-TEST(GaussianAreaRatio, HasItsLimits) {
+TEST(GaussianAreaRatio, HasTheLimitsOfSmallAndLargeSlopes) {
     EXPECT_NEAR((gaussian_area_ratio(1e-3) - 1.0) / (small_slope_area_ratio(1e-3) - 1.0), 1.0, 1e-6);
     EXPECT_NEAR(gaussian_area_ratio(1e6) / (0.5 * std::sqrt(pi) * 1e6), 1.0, 2e-6);
     EXPECT_NEAR(area_excess_factor(1.0), 0.7579, 5e-5);  // THEORY §6

@@ -23,7 +23,7 @@ TEST(ProfileFromIsotropic, OfAPlateauIsASemicircle) {
         EXPECT_NEAR(profile[k], q[k] < 10.0 ? 3.0 / pi * std::sqrt(100.0 - q[k] * q[k]) : 0.0, 1e-10 * 10.0) << q[k];
 }
 
-TEST(ProfileFromIsotropic, OfAnInverseFourthPowerIsItsClosedForm) {
+TEST(ProfileFromIsotropic, OfAnInverseFourthPowerMatchesTheClosedForm) {
     // ∫ v-substitution: C = q^-4 gives (1/π) ∫_0^V dv/(q_x²+v²)² = [v/(2q²(q²+v²)) + atan(v/q)/(2q³)]/π
     const Array1D nodes{{0.01, 100.0}};
     const Array1D q = log_spaced(40, 0.01, 99.0);
@@ -43,7 +43,7 @@ TEST(ProfileFromIsotropic, OfAGaussianIsAGaussian) {
     EXPECT_LT((profile / ((-q.square()).exp() / (2.0 * std::sqrt(pi))) - 1.0).abs().maxCoeff(), 1e-5);
 }
 
-TEST(IsotropicFromProfile, ReturnsWhatTheAbelIntegralTook) {
+TEST(IsotropicFromProfile, InvertsTheAbelIntegral) {
     const SelfAffine model{2.0, 1.0, 0.7, 300.0};
     const auto q = log_spaced(60, 0.05, 299.0);
     const Array1D C_iso = isotropic_power_spectrum(model, q);
@@ -61,7 +61,7 @@ TEST(IsotropicFromProfile, ReturnsWhatTheAbelIntegralTook) {
     EXPECT_GT((eq11 / C_iso - 1.0).abs().head(55).maxCoeff(), 0.2);
 }
 
-TEST(IsotropicFromProfileEq11, IsTheFormula) {
+TEST(IsotropicFromProfileEq11, MatchesTheFormula) {
     const Array1D q{{1.0, 6.0, 10.0, 12.0}}, C1D = Array1D::Constant(4, 2.0);
     const auto C_iso = isotropic_from_profile_eq11(q, C1D, 10.0);
     EXPECT_NEAR(C_iso[0], 2.0 * pi / std::sqrt(0.99), 1e-14);
@@ -70,7 +70,7 @@ TEST(IsotropicFromProfileEq11, IsTheFormula) {
     EXPECT_NEAR(isotropic_from_profile_eq11(q, C1D, std::numeric_limits<double>::infinity())[1], 2.0 * pi / 6.0, 1e-14);
 }
 
-TEST(Abel, RefusesCurvesThatAreNone) {
+TEST(Abel, RefusesInvalidCurves) {
     const Array1D two{{1.0, 2.0}}, falling{{2.0, 1.0}}, one = Array1D::Ones(1), negative{{1.0, -1.0}};
     EXPECT_THROW((void)profile_from_isotropic(one, one, one), InvalidArgument);
     EXPECT_THROW((void)profile_from_isotropic(falling, two, one), InvalidArgument);
@@ -80,7 +80,7 @@ TEST(Abel, RefusesCurvesThatAreNone) {
     EXPECT_THROW((void)isotropic_from_profile(two, two, 3.0, -1), InvalidArgument);
 }
 
-TEST(SelfAffine, MomentsOfTheProfileSpectrumAreThoseOfTheSurface) {
+TEST(SelfAffine, MomentsOfTheProfileSpectrumEqualThoseOfTheSurface) {
     // ∫ q^(n+1) C_iso = π k_n ∫ q^n C1D, k_0 = 2/π, k_2 = 4/π, k_4 = 16/(3π)
     const SelfAffine model{1.0, 1.0, 0.8, 1000.0};
     const auto integral = [&](double order) {
@@ -97,13 +97,13 @@ TEST(SelfAffine, MomentsOfTheProfileSpectrumAreThoseOfTheSurface) {
     EXPECT_NEAR(moment(model, 4.0) / (16.0 / 3.0 * integral(4.0)), 1.0, 1e-6);
 }
 
-TEST(SelfAffine, MomentPassesThroughTheLogarithmicCase) {
+TEST(SelfAffine, MomentIsContinuousAtTheLogarithmicCase) {
     const SelfAffine at{1.0, 1.0, 0.5, 100.0}, beside{1.0, 1.0, 0.5 + 1e-9, 100.0};
     EXPECT_NEAR(moment(at, 1.0), 1.0 / 3.0 + std::log(100.0), 1e-12);
     EXPECT_NEAR(moment(at, 1.0), moment(beside, 1.0), 1e-7);
 }
 
-TEST(SelfAffine, IsFoundFromItsMoments) {
+TEST(SelfAffine, IsRecoveredFromItsMoments) {
     for (const double hurst : {0.3, 0.8, 0.97, 1.2})
         for (const double rolloff : {1e5, 3e7}) {
             const SelfAffine model{1e-30, rolloff, hurst, 1.6e10};
@@ -115,7 +115,7 @@ TEST(SelfAffine, IsFoundFromItsMoments) {
         }
 }
 
-TEST(SelfAffine, RefusesModelsAndMomentsThatDoNotExist) {
+TEST(SelfAffine, RefusesImpossibleModelsAndMoments) {
     const Array1D q = Array1D::Ones(1);
     EXPECT_THROW((void)isotropic_power_spectrum(SelfAffine{1.0, 2.0, 0.8, 1.0}, q), InvalidArgument);
     EXPECT_THROW((void)rms_height(SelfAffine{1.0, 1.0, 1.6, 2.0}), InvalidArgument);

@@ -19,7 +19,7 @@ StatedMoments stated(double relative) {
     return {with(rms_height(surface)), with(rms_slope(surface)), with(rms_curvature(surface)), Estimate{q_s, 0.0}};
 }
 
-TEST(AdmissibleSpectra, OfExactMomentsAreTheSpectrum) {
+TEST(AdmissibleSpectra, OfExactMomentsEqualTheSpectrum) {
     const auto drawn = admissible_spectra(stated(0.0), 3, 1);
     ASSERT_EQ(drawn.draws.size(), 3U);
     EXPECT_DOUBLE_EQ(drawn.share, 1.0);
@@ -27,7 +27,7 @@ TEST(AdmissibleSpectra, OfExactMomentsAreTheSpectrum) {
     EXPECT_NEAR(drawn.draws[2].rolloff_wavevector / 1e7, 1.0, 1e-5);
 }
 
-TEST(AdmissibleSpectra, OfSmallErrorsScatterAsTheyAreStated) {
+TEST(AdmissibleSpectra, OfSmallErrorsHaveTheStatedScatter) {
     const double relative = 0.01;
     const auto drawn = admissible_spectra(stated(relative), 4000, 2);
     double mean = 0.0, square = 0.0;
@@ -41,7 +41,7 @@ TEST(AdmissibleSpectra, OfSmallErrorsScatterAsTheyAreStated) {
     EXPECT_GT(drawn.share, 0.99);
 }
 
-TEST(AdmissibleSpectra, OfWideErrorsAreSpectraAllTheSame) {
+TEST(AdmissibleSpectra, OfWideErrorsAreAllPossibleSpectra) {
     // UNCD of Dalvi et al. 2019: slope + 1 standard error gives H > 1
     const StatedMoments uncd{
         {23.4e-9, 1.3e-9, "given"}, {1.46, 0.36, "given"}, {3.37e9, 0.69e9, "given"}, {1.57e10, 0.0}};
@@ -55,7 +55,7 @@ TEST(AdmissibleSpectra, OfWideErrorsAreSpectraAllTheSame) {
     }
 }
 
-TEST(AdmissibleSpectra, BeginWithTheSameOnes) {
+TEST(AdmissibleSpectra, OfMoreDrawsStartWithTheSameDraws) {
     const auto few = admissible_spectra(stated(0.1), 5, 7), many = admissible_spectra(stated(0.1), 50, 7);
     for (std::size_t i = 0; i < few.draws.size(); ++i)
         EXPECT_EQ(few.draws[i].hurst_exponent, many.draws[i].hurst_exponent);

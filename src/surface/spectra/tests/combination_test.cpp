@@ -41,7 +41,7 @@ bool has_alert(const CombinedSpectrum& spectrum, const std::string& code) {
                        [&](const Alert& alert) { return alert.code == code; });
 }
 
-TEST(Combine, IdenticalMembersEqualTheMember) {
+TEST(Combine, OfIdenticalMembersEqualsTheMember) {
     const std::vector<MeasuredSpectrum> one{noisy(1)}, four(4, noisy(1));
     const auto single = combine(one), many = combine(four);
     EXPECT_LT(((many.density - single.density) / single.density).abs().maxCoeff(), 1e-14);
@@ -96,7 +96,7 @@ TEST(Combine, RecoversASteepPowerLawAtTheCentresOfItsBins) {
     }
 }
 
-TEST(Combine, TakesEachMeasurementInsideItsReliableBandOnly) {
+TEST(Combine, UsesEachMeasurementInItsReliableBandOnly) {
     auto low = power_law(1.0, 0.0, 1.0, 1000.0), high = power_law(5.0, 0.0, 1.0, 1000.0);
     low.band.upper = 30.0;
     high.band.lower = 50.0;
@@ -107,7 +107,7 @@ TEST(Combine, TakesEachMeasurementInsideItsReliableBandOnly) {
     EXPECT_TRUE(has_alert(combined, "COVERAGE_GAP"));
 }
 
-TEST(Combine, WeightsPerInstrumentMakeManyScansCountAsOne) {
+TEST(Combine, PerInstrumentWeightsCountManyScansAsOne) {
     std::vector<MeasuredSpectrum> spectra(9, power_law(1.0, 0.0, 1.0, 100.0, "stylus"));
     spectra.push_back(power_law(3.0, 0.0, 1.0, 100.0, "afm"));
     EXPECT_NEAR(combine(spectra, {.weighting = Weighting::equal}).density[5], 1.2, 1e-12);
@@ -115,7 +115,7 @@ TEST(Combine, WeightsPerInstrumentMakeManyScansCountAsOne) {
     EXPECT_EQ(combine(spectra).instrument_count[5], 2.0);
 }
 
-TEST(Combine, InverseVarianceFavoursWhatHasMoreModesInABin) {
+TEST(Combine, InverseVarianceFavoursMeasurementsWithMoreModes) {
     // for a hundred times the length: a hundred times the modes
     const std::vector<MeasuredSpectrum> spectra{power_law(1.0, 0.0, 1.0, 100.0), power_law(2.0, 0.0, 0.01, 100.0)};
     const auto combined = combine(spectra, {.weighting = Weighting::inverse_variance, .slope_correction = false});
@@ -123,7 +123,7 @@ TEST(Combine, InverseVarianceFavoursWhatHasMoreModesInABin) {
     EXPECT_NEAR(combined.density[last], (1.0 + 2.0 * 100.0) / 101.0, 0.01);
 }
 
-TEST(Combine, NamesDecadesWithOneInstrumentAndInstrumentsThatDisagree) {
+TEST(Combine, WarnsOfSingleInstrumentDecadesAndDisagreement) {
     std::vector<MeasuredSpectrum> spectra;
     for (const double level : {1.0, 1.1, 0.9}) {
         spectra.push_back(power_law(level, 0.0, 1.0, 100.0, "stylus"));
@@ -137,14 +137,14 @@ TEST(Combine, NamesDecadesWithOneInstrumentAndInstrumentsThatDisagree) {
     EXPECT_FALSE(has_alert(combine(spectra), "DISAGREE"));
 }
 
-TEST(Combine, OfNothingIsRefused) {
+TEST(Combine, OfNoDataIsRefused) {
     EXPECT_THROW((void)combine(std::vector<MeasuredSpectrum>{}), InvalidArgument);
     auto hidden = power_law(1.0, 0.0, 1.0, 10.0);
     hidden.band.upper = 0.1;
     EXPECT_THROW((void)combine(std::vector<MeasuredSpectrum>{hidden}), InvalidArgument);
 }
 
-TEST(Bootstrap, OfIdenticalMeasurementsIsTheCombination) {
+TEST(Bootstrap, OfIdenticalMeasurementsEqualsTheCombination) {
     const std::vector<MeasuredSpectrum> spectra(3, noisy(2));
     const auto members = binned(spectra);
     const auto curves = bootstrap(members, {.resamples = 20});
@@ -165,7 +165,7 @@ TEST(Bootstrap, ScatterIsTheStandardErrorOfTheMean) {
     EXPECT_LT((deviation / combined.standard_error / std::sqrt(11.0 / 12.0) - 1.0).abs().maxCoeff(), 0.05);
 }
 
-TEST(Bootstrap, FillsLostBinsWithTheShapeOfTheFullCombination) {
+TEST(Bootstrap, FillsMissingBinsWithTheShapeOfTheFullCombination) {
     // only the second member covers the middle and the end; without it, the first gives its level
     auto first = power_law(1.0, -2.0, 1.0, 10.0), second = power_law(4.0, -2.0, 1.0, 100.0);
     const std::vector<MeasuredSpectrum> spectra{first, second};
@@ -181,7 +181,7 @@ TEST(Bootstrap, FillsLostBinsWithTheShapeOfTheFullCombination) {
         }
 }
 
-TEST(Bootstrap, StratifiedDrawsLoseNoInstrument) {
+TEST(Bootstrap, StratifiedDrawsIncludeEveryInstrument) {
     std::vector<MeasuredSpectrum> spectra{power_law(1.0, 0.0, 1.0, 10.0, "stylus"),
                                           power_law(1.0, 0.0, 1.0, 10.0, "stylus"),
                                           power_law(1.0, 0.0, 100.0, 1000.0, "tem")};

@@ -19,7 +19,7 @@ Array1D decades(double from, double to, Index per_decade) {
     return (Array1D::LinSpaced(count, std::log(from), std::log(to))).exp();
 }
 
-TEST(InverseAbel, OfAPowerLawHasTheClosedForm) {
+TEST(InverseAbel, OfAPowerLawMatchesTheClosedForm) {
     for (const double alpha : {0.5, 1.0, 2.6, 5.0}) {
         const Array1D q = decades(1.0, 100.0, 10), C1D = q.pow(-alpha);
         const auto result = isotropic_from_lines(q, C1D);
@@ -31,7 +31,7 @@ TEST(InverseAbel, OfAPowerLawHasTheClosedForm) {
     }
 }
 
-TEST(InverseAbel, OfAGaussianAutocorrelationHasTheClosedForm) {
+TEST(InverseAbel, OfAGaussianAutocorrelationMatchesTheClosedForm) {
     // C1D = √π l h² exp(−q²l²/4), C_iso = π l² h² exp(−q²l²/4)
     const double length = 2e-6, height = 3e-9;
     const Array1D q = decades(1e5, 5e6, 40), fall = (-(q * length).square() / 4.0).exp();
@@ -41,7 +41,7 @@ TEST(InverseAbel, OfAGaussianAutocorrelationHasTheClosedForm) {
         EXPECT_NEAR(result.density[k] / exact[k], 1.0, q[k] < 4e6 ? 1e-3 : 0.1) << q[k];
 }
 
-TEST(InverseAbel, OfASelfAffineSurfaceIsItsSpectrum) {
+TEST(InverseAbel, OfASelfAffineSurfaceRecoversItsSpectrum) {
     const spectra::SelfAffine model{1e-26, 1e6, 0.8, 1e13};
     const Array1D q = decades(1e5, 1e9, 20);
     const auto result = isotropic_from_lines(q, spectra::profile_power_spectrum(model, q));
@@ -55,7 +55,7 @@ TEST(InverseAbel, OfASelfAffineSurfaceIsItsSpectrum) {
     EXPECT_NEAR(result.ratio[60], 2.0 / std::sqrt(pi) * std::tgamma(1.8) / std::tgamma(1.3), 0.01);
 }
 
-TEST(InverseAbel, UndoesTheIntegralOverLines) {
+TEST(InverseAbel, InvertsTheAbelIntegral) {
     // any curve: a bump on a power law
     const Array1D nodes = decades(1e4, 1e9, 40);
     const Array1D C_iso =
@@ -72,7 +72,7 @@ TEST(InverseAbel, UndoesTheIntegralOverLines) {
     }
 }
 
-TEST(InverseAbel, StatesTheErrorsItsValuesScatterWith) {
+TEST(InverseAbel, StandardErrorsMatchTheScatter) {
     const spectra::SelfAffine model{1e-26, 1e6, 0.8, 1e13};
     const Array1D q = decades(1e6, 1e9, 10),
                   C1D = spectra::profile_power_spectrum(model, q);  // where C1D is constant it contains little
@@ -99,7 +99,7 @@ TEST(InverseAbel, StatesTheErrorsItsValuesScatterWith) {
     }
 }
 
-TEST(InverseAbel, SmoothsCombinedSpectraWhoseBinsMayBeOfOneMeasurement) {
+TEST(InverseAbel, SmoothsSpectraWithBinsOfOneMeasurement) {
     const spectra::SelfAffine model{1e-26, 1e6, 0.8, 1e13};
     CombinedSpectrum spectrum;
     spectrum.wavevector = decades(1e5, 1e9, 10);
@@ -116,13 +116,13 @@ TEST(InverseAbel, SmoothsCombinedSpectraWhoseBinsMayBeOfOneMeasurement) {
     EXPECT_TRUE(unknown.standard_error.isNaN().all());
 }
 
-TEST(InverseAbel, HasNoValueWhereLinesRise) {
+TEST(InverseAbel, IsUndefinedWhereC1DRises) {
     const Array1D q = decades(1.0, 10.0, 10);
     const auto result = isotropic_from_lines(q, q);
     EXPECT_TRUE(result.density.isNaN().all());
 }
 
-TEST(InverseAbel, RefusesWhatIsNoSpectrum) {
+TEST(InverseAbel, RefusesInvalidSpectra) {
     const Array1D q = decades(1.0, 10.0, 10);
     EXPECT_THROW((void)isotropic_from_lines(q.head(3), q.head(3)), InvalidArgument);
     EXPECT_THROW((void)isotropic_from_lines(q, -q), InvalidArgument);

@@ -43,14 +43,14 @@ TEST(PowerSpectrumMap, KeepsParseval) {
     }
 }
 
-TEST(PowerSpectrumMap, OfAWindowedMapKeepsItsMeanSquare) {
+TEST(PowerSpectrumMap, OfAWindowedMapKeepsTheMeanSquare) {
     const HeightMap flat{Array2D::Ones(30, 20), {3.0, 2.0}, false, {}};
     for (const auto window : {Window::hann, Window::radial_hann, Window::blackman_harris})
         EXPECT_NEAR(power_spectrum_map(flat, {.window = window, .trend = Trend::none}).sum() / 6.0, 1.0, 1e-12)
             << name(window);
 }
 
-TEST(PowerSpectrumMap, OfARadialWindowIsThatOfTheFormula) {
+TEST(PowerSpectrumMap, OfARadialWindowMatchesTheFormula) {
     const auto map = map_of(12, 10, false);
     const Array2D window = Array2D::NullaryExpr(12, 10, [](Index i, Index j) {
         const double r = std::hypot(static_cast<double>(i - 6) * 2.0 / 12.0, static_cast<double>(j - 5) * 0.13);
@@ -120,7 +120,7 @@ TEST(IsotropicPowerSpectrum, DoesNotDependOnTheDirectionOfAWave) {
 }
 
 // A cos(q·r) stores |q| A²/8 for any direction, only over modes inside the band; sums of waves store the sum.
-TEST(EnergyOfModes, IsThatOfEachWave) {
+TEST(EnergyOfModes, SumsTheEnergyOfEachWave) {
     constexpr Index nx = 48, ny = 35;
     constexpr double size_x = 2e-6, size_y = 1e-6;
     topography::HeightMap map{Array2D::Zero(nx, ny), {size_x, size_y}, true, {}};
@@ -142,7 +142,7 @@ TEST(EnergyOfModes, IsThatOfEachWave) {
     EXPECT_LT(inside, 0.9 * total);
 }
 
-TEST(IsotropicPowerSpectrum, SurvivesTilt) {
+TEST(IsotropicPowerSpectrum, IsUnaffectedByTilt) {
     auto map = map_of(32, 32, false);
     const SpectrumOptions options{.trend = Trend::tilt};
     const auto level = isotropic_power_spectrum(map, options);

@@ -39,7 +39,7 @@ TEST(Jackknife, OfOneInstrumentGivesTheStandardErrorOfTheMean) {
     }
 }
 
-TEST(Jackknife, FillsBinsOnlyTheOneLeftOutCovers) {
+TEST(Jackknife, FillsBinsCoveredOnlyByTheOmittedMeasurement) {
     const auto binned = made_of({{1.0, 1.0, none}, {3.0, 3.0, none}, {none, 2.0, 8.0}, {none, 2.0, none}},
                                 {"stylus", "stylus", "afm", "afm"});
     const auto left_out = jackknife(binned);
@@ -52,7 +52,7 @@ TEST(Jackknife, FillsBinsOnlyTheOneLeftOutCovers) {
     EXPECT_NEAR(left_out.C1D[1](0, 2), 8.0, 1e-14);
 }
 
-TEST(Jackknife, CountsNoMeasurementAsExactlyKnown) {
+TEST(Jackknife, MergesStrataOfOneMeasurement) {
     const auto members_of = [](const std::vector<std::string>& instruments) {
         const auto binned =
             made_of(std::vector<std::array<double, 3>>(instruments.size(), {1.0, 1.0, 1.0}), instruments);
@@ -65,7 +65,7 @@ TEST(Jackknife, CountsNoMeasurementAsExactlyKnown) {
     EXPECT_EQ(members_of({"a"}), std::vector<Index>{});
 }
 
-TEST(Jackknife, LeavesOutOneCopyOfAMeasurementDrawnTwice) {
+TEST(Jackknife, OmitsOneCopyOfAMeasurementDrawnTwice) {
     const auto binned = made_of({{1.0, 1.0, 1.0}, {4.0, 4.0, 4.0}, {100.0, 100.0, 100.0}}, {"afm", "afm", "afm"});
     const auto left_out = jackknife(binned, Weighting::equal, {2, 1, 0});
     ASSERT_EQ(left_out.C1D.size(), 1u);
@@ -76,7 +76,7 @@ TEST(Jackknife, LeavesOutOneCopyOfAMeasurementDrawnTwice) {
     EXPECT_THROW((void)jackknife(binned, Weighting::equal, {1, 1}), InvalidArgument);
 }
 
-TEST(Jackknife, MovesBinsOfASingleMeasurementByTheScatterOfTheirModes) {
+TEST(Jackknife, ShiftsSingleMeasurementBinsByTheirModeScatter) {
     auto binned = made_of({{1.0, 1.0, none}, {3.0, 3.0, none}, {none, 2.0, 8.0}}, {"stylus", "stylus", "afm"});
     binned.relative_variance(2, 2) = 0.01;
     const auto moved = moved_single_bins(binned);

@@ -6,7 +6,7 @@
 namespace setae::spectra::mode_groups_test {
 namespace {
 
-TEST(NarrowGroups, AreSingleModesFirstAndNarrowBandsThen) {
+TEST(NarrowGroups, AreSingleModesThenNarrowBands) {
     const Array1D q = Array1D::LinSpaced(1000, 1.0, 1000.0);
     const auto first = narrow_groups(q, 1.02, 100);
     for (Index k = 0; k < 100; ++k) EXPECT_EQ(first[static_cast<std::size_t>(k)], k);
@@ -18,7 +18,7 @@ TEST(NarrowGroups, AreSingleModesFirstAndNarrowBandsThen) {
     }
 }
 
-TEST(NarrowGroups, OfFewModesAreTheModes) {
+TEST(NarrowGroups, OfFewModesAreSingleModes) {
     EXPECT_EQ(narrow_groups(Array1D::LinSpaced(3, 1.0, 3.0), 1.5, 3), (std::vector<Index>{0, 1, 2, 3}));
     EXPECT_EQ(narrow_groups(Array1D(), 1.5), (std::vector<Index>{0}));
 }

@@ -30,7 +30,7 @@ TEST(TwoSlopes, MeetAtTheCrossover) {
     EXPECT_EQ(C_iso(101.0), 0.0);
 }
 
-TEST(Bump, IsALogNormalOnTheBase) {
+TEST(Bump, IsALogNormalPeakOnTheBase) {
     const SelfAffine base{2.0, 1.0, 0.8, 1000.0};
     const auto C_iso = density(Bump{base, 4.0, 30.0, 0.2}), plain = density(base);
     EXPECT_NEAR(C_iso(30.0) / plain(30.0), 5.0, 1e-14);
@@ -39,7 +39,7 @@ TEST(Bump, IsALogNormalOnTheBase) {
     EXPECT_EQ(C_iso(1001.0), 0.0);
 }
 
-TEST(ModelSpectra, RefuseContradictions) {
+TEST(ModelSpectra, RefuseContradictoryParameters) {
     EXPECT_THROW((void)density(SoftCutoff{1.0, 2.0, 0.5, 1.0}), InvalidArgument);
     EXPECT_THROW((void)density(SoftCutoff{1.0, 2.0, 1.2, 4.0}), InvalidArgument);
     EXPECT_THROW((void)density(TwoSlopes{1.0, 1.0, 0.5, 200.0, 0.5, 100.0}), InvalidArgument);

@@ -33,7 +33,7 @@ TEST(ParametricNoise, HasTheMeanAndTheVarianceOfAPeriodogram) {
     }
 }
 
-TEST(ParametricNoise, BeginsTheSameWithTheSameSeed) {
+TEST(ParametricNoise, StartsEquallyForTheSameSeed) {
     const Array1D freedom = Array1D::Ones(3);
     const Array2D few = parametric_noise(three_modes(), freedom, 3, 5),
                   many = parametric_noise(three_modes(), freedom, 7, 5);
@@ -41,7 +41,7 @@ TEST(ParametricNoise, BeginsTheSameWithTheSameSeed) {
     EXPECT_FALSE((parametric_noise(three_modes(), freedom, 3, 6) == few).any());
 }
 
-TEST(ParametricNoise, RefusesWhatDoesNotFit) {
+TEST(ParametricNoise, RefusesInconsistentInput) {
     EXPECT_THROW((void)parametric_noise(three_modes(), Array1D::Ones(2), 3, 1), InvalidArgument);
     EXPECT_THROW((void)parametric_noise(three_modes(), Array1D::Zero(3), 3, 1), InvalidArgument);
     EXPECT_THROW((void)parametric_noise(three_modes(), Array1D::Ones(3), 0, 1), InvalidArgument);

@@ -45,7 +45,7 @@ double deviation(const Array1D& one, const Array1D& other) {
 
 Window any_window() { return *rc::gen::element(Window::none, Window::hann, Window::blackman_harris); }
 
-RC_GTEST_PROP(PolylinePowerSpectrumProperty, CollinearPointsChangeNothing, ()) {
+RC_GTEST_PROP(PolylinePowerSpectrumProperty, IsInvariantUnderCollinearPoints, ()) {
     const auto n = *rc::gen::inRange(3, 200);
     const auto profile = random_profile(n, 1.0, 0.8, *rc::gen::arbitrary<unsigned>());
     const auto choices = *rc::gen::container<std::vector<int>>(static_cast<std::size_t>(n), rc::gen::inRange(0, 10));
@@ -55,7 +55,7 @@ RC_GTEST_PROP(PolylinePowerSpectrumProperty, CollinearPointsChangeNothing, ()) {
                         polyline_power_spectrum(with_collinear_points(profile, choices), q, window)) < 1e-10);
 }
 
-RC_GTEST_PROP(PolylinePowerSpectrumProperty, AShiftChangesNothing, (std::uint16_t shift)) {
+RC_GTEST_PROP(PolylinePowerSpectrumProperty, IsInvariantUnderShifts, (std::uint16_t shift)) {
     const auto n = *rc::gen::inRange(3, 200);
     auto profile = random_profile(n, 1.0, 0.8, *rc::gen::arbitrary<unsigned>());
     // positions that are exact after a shift: multiples of 2^-20

@@ -38,7 +38,7 @@ TEST(PolylinePowerSpectrum, OfATriangleIsSincToTheFourth) {
             << q[j];
 }
 
-TEST(PolylinePowerSpectrum, OfASampledSineIsAmplitudeSquaredLengthOverFourTimesSincToTheFourth) {
+TEST(PolylinePowerSpectrum, OfASampledSineIsThatOfTheSineTimesSincToTheFourth) {
     const Array1D x = Array1D::LinSpaced(401, 0.0, 10.0);
     const Profile sine{x, (2.0 * pi * x).cos(), {}};
     const Array1D q = Array1D::Constant(1, 2.0 * pi);
@@ -62,12 +62,12 @@ double largest_deviation(const Profile& profile, const Array1D& q, Window window
 
 class PolylineWindows : public testing::TestWithParam<Window> {};
 
-TEST_P(PolylineWindows, MeetTheSumOverSegmentsOverFiveDecades) {
+TEST_P(PolylineWindows, MatchTheSumOverSegmentsOverFiveDecades) {
     const auto profile = topography::detrended(random_profile(1000), topography::Trend::mean);
     EXPECT_LT(largest_deviation(profile, log_spaced(60, 2.0 * pi / 1000.0, 2.0 * pi * 50.0), GetParam()), 1e-10);
 }
 
-TEST_P(PolylineWindows, MeetTheSumOverSegmentsForSmoothHeights) {
+TEST_P(PolylineWindows, MatchTheSumOverSegmentsForSmoothHeights) {
     Profile profile = random_profile(1000);
     profile.heights =
         (0.01 * profile.positions).sin() + 1e-2 * (0.5 * profile.positions).cos() + 1e-4 * profile.heights;
@@ -76,20 +76,20 @@ TEST_P(PolylineWindows, MeetTheSumOverSegmentsForSmoothHeights) {
               1e-10);
 }
 
-TEST_P(PolylineWindows, MeetTheSumOverSegmentsForAFewPoints) {
+TEST_P(PolylineWindows, MatchTheSumOverSegmentsForAFewPoints) {
     EXPECT_LT(largest_deviation(random_profile(5, 1e-9), log_spaced(40, 1e6, 1e11), GetParam()), 1e-10);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, PolylineWindows, testing::Values(Window::none, Window::hann, Window::blackman_harris),
                          [](const auto& test) { return name(test.param); });
 
-TEST(PolylinePowerSpectrum, AgreesOfBothFormsWhereTheyMeet) {
+TEST(PolylinePowerSpectrum, BothFormulasAgreeWhereTheyMeet) {
     // a dense sweep crosses q*, at any position
     const auto profile = topography::detrended(random_profile(300), topography::Trend::mean);
     EXPECT_LT(largest_deviation(profile, Array1D::LinSpaced(200, 0.02, 1.0), Window::hann), 1e-10);
 }
 
-TEST(PolylinePowerSpectrum, TakesAnyOrderAndSignOfWavevectors) {
+TEST(PolylinePowerSpectrum, AcceptsAnyOrderAndSignOfWavevectors) {
     const auto profile = random_profile(50);
     const Array1D q{{3.0, -0.1, 0.0, 0.1, -3.0}};
     const auto spectrum = polyline_power_spectrum(profile, q);

@@ -46,7 +46,7 @@ TEST(PowerSpectrum, OfASineIsASquaredLengthOverFour) {
     }
 }
 
-TEST(PowerSpectrum, OfASineUnderAHannWindowSharesTwoThirdsOneSixthOneSixth) {
+TEST(PowerSpectrum, OfASineUnderAHannWindowSpreadsOverThreeModes) {
     auto scan = sine(2.0, 20, 64, 1.0);
     scan.periodic = false;
     const auto spectrum = power_spectrum(scan);
@@ -95,7 +95,7 @@ TEST(PowerSpectrum, OfAMapKeepsParseval) {
     }
 }
 
-TEST(PowerSpectrum, DoesNotSeeTheTrendItRemoves) {
+TEST(PowerSpectrum, IsUnaffectedByTheRemovedTrend) {
     const Index n = 40;
     const auto heights = random_heights(n);
     const Array1D x = Array1D::LinSpaced(n, 0.0, 1.0);
@@ -109,7 +109,7 @@ TEST(PowerSpectrum, DoesNotSeeTheTrendItRemoves) {
     EXPECT_LT(((power_spectrum(map, tilt).density - power_spectrum(tilted, tilt).density)).abs().maxCoeff(), 1e-12);
 }
 
-TEST(PowerSpectrum, AnOffsetOfAMillionTimesTheRoughnessChangesNothing) {
+TEST(PowerSpectrum, IsUnaffectedByAnOffsetOfAMillionTimesTheRoughness) {
     const auto heights = random_heights(256);
     const auto base = power_spectrum(LineScan{heights, 1.0, false, {}});
     const auto offset = power_spectrum(LineScan{heights + 1e6, 1.0, false, {}});
@@ -156,13 +156,13 @@ TEST(PowerSpectrum, ReliableBandRunsFromTheSizeToNyquist) {
     EXPECT_EQ(within_band(spectrum).density.size(), 50);
 }
 
-TEST(PowerSpectrum, WithinBandKeepsWhatTheInstrumentResolves) {
+TEST(PowerSpectrum, WithinBandKeepsResolvedModes) {
     LineScan scan{random_heights(100), 2.0, false, {}};
     scan.metadata.instrument.resolution = 0.1;  // 2π/0.1 = mode 20
     EXPECT_EQ(within_band(power_spectrum(scan)).density.size(), 20);
 }
 
-TEST(PowerSpectrum, OfAContourSaysHowLargeItsCorrectionIs) {
+TEST(PowerSpectrum, OfAContourReportsTheSizeOfItsCorrection) {
     const auto profile = tests::random_profile(400);
     const auto corrected = power_spectrum(profile),
                segments = power_spectrum(profile, {.contour = ContourTreatment::segments});
@@ -174,12 +174,12 @@ TEST(PowerSpectrum, OfAContourSaysHowLargeItsCorrectionIs) {
     EXPECT_GT(corrected.density[190] / segments.density[190], 2.0);
 }
 
-TEST(PowerSpectrum, OfAnyMeasurementIsThatOfItsKind) {
+TEST(PowerSpectrum, OfAMeasurementEqualsThatOfItsKind) {
     const LineScan scan{random_heights(20), 1.0, false, {}};
     EXPECT_TRUE((power_spectrum(topography::Measurement(scan)).density == power_spectrum(scan).density).all());
 }
 
-TEST(PowerSpectrum, OfAMapByBandsIsThatOfTheWholeMap) {
+TEST(PowerSpectrum, OfAMapByBandsEqualsThatOfTheWholeMap) {
     HeightMap map{random_map(61, 45), {2.0, 3.0}, false, {}};
     map.heights += 1e3;
     for (const auto trend : {Trend::none, Trend::mean, Trend::tilt, Trend::parabola}) {

@@ -31,7 +31,7 @@ double radius_for(double length) {
     return half * half / (4.0 * amplitude * (1.0 - std::cos(half)));
 }
 
-TEST(TipCutoff, OfACosineIsWhereItsSecondDifferenceMeetsTheTip) {
+TEST(TipCutoff, OfACosineIsWhereItsCurvatureReachesThatOfTheTip) {
     const double step = 20.0 * pi / 2000.0;
     for (const Index steps : {40, 60, 90}) {
         // stencil arms that end on grid points, where linear interpolation is exact
@@ -50,7 +50,7 @@ TEST(TipCutoff, DoesNotDependOnTheUnitOfLength) {
         EXPECT_NEAR(tip_cutoff(cosine(true, unit), radius * unit).value / (unit * expected), 1.0, 1e-7);
 }
 
-TEST(TipCutoff, OfAMapLooksAlongXAndWhereAskedAlongY) {
+TEST(TipCutoff, OfAMapIsEvaluatedAlongXOrY) {
     const auto scan = cosine();
     const HeightMap along_x{scan.heights.replicate(1, 50), {scan.size, 5.0}, true, {}};
     const HeightMap along_y{scan.heights.transpose().replicate(50, 1), {5.0, scan.size}, true, {}};
@@ -60,13 +60,13 @@ TEST(TipCutoff, OfAMapLooksAlongXAndWhereAskedAlongY) {
     EXPECT_NEAR(tip_cutoff(along_y, radius, {}, {.both_directions = true}).value, expected, 1e-9);
 }
 
-TEST(TipCutoff, OfAProfileIsThatOfTheLineScanWithItsPoints) {
+TEST(TipCutoff, OfAProfileEqualsThatOfTheLineScan) {
     const auto scan = cosine(false);
     const Profile profile{Array1D::LinSpaced(2000, 0.0, 1999.0) * scan.pixel_size(), scan.heights, {}};
     EXPECT_NEAR(tip_cutoff(profile, radius_for(3.0)).value, tip_cutoff(scan, radius_for(3.0)).value, 1e-7);
 }
 
-TEST(TipCutoff, SaysWhenEverythingOrNothingIsReliable) {
+TEST(TipCutoff, ReportsWhenEverythingOrNothingIsReliable) {
     const auto sharp = tip_cutoff(cosine(), 1e-3);
     EXPECT_EQ(sharp.status, CutoffStatus::all_reliable);
     EXPECT_EQ(sharp.value, 0.0);
@@ -85,14 +85,14 @@ TEST(TipCutoff, APercentileIgnoresASpike) {
     EXPECT_EQ(robust.percentile, 0.002);
 }
 
-TEST(TipCutoff, AHoleLeavesOutOnlyItsStencils) {
+TEST(TipCutoff, ExcludesOnlyStencilsThatUseAHole) {
     auto scan = cosine();
     scan.heights[77] = undefined;
     const double expected = tip_cutoff(cosine(), radius_for(3.0)).value;
     EXPECT_NEAR(tip_cutoff(scan, radius_for(3.0)).value, expected, 1e-9);
 }
 
-TEST(TipCutoff, IntervalIsThatOfTheRadius) {
+TEST(TipCutoff, IntervalFollowsFromThatOfTheRadius) {
     const double radius = radius_for(3.0), error = 0.1 * radius;
     const auto cutoff = tip_cutoff(cosine(), radius, error);
     ASSERT_TRUE(cutoff.interval);
@@ -109,7 +109,7 @@ TEST(TipCutoff, GivesTheSameBytesForAnyNumberOfThreads) {
     }
 }
 
-TEST(TipCutoff, RefusesRadiiAndPercentilesWithoutMeaning) {
+TEST(TipCutoff, RefusesInvalidRadiiAndPercentiles) {
     EXPECT_THROW((void)tip_cutoff(cosine(), 0.0), InvalidArgument);
     EXPECT_THROW((void)tip_cutoff(cosine(), undefined), InvalidArgument);
     EXPECT_THROW((void)tip_cutoff(cosine(), 1.0, {}, {.percentile = 0.7}), InvalidArgument);
@@ -134,7 +134,7 @@ TEST(ReliableBand, EndsAtTheSmallestOfItsLimits) {
     EXPECT_EQ(tip.alerts[0].code, "TIP_CUTOFF");
 }
 
-TEST(ReliableBand, LeavesOutLowModesAndTheShareBelowNyquistAskedFor) {
+TEST(ReliableBand, ExcludesLowModesAndTheRequestedShareBelowNyquist) {
     const auto band = reliable_band(cosine(), {.nyquist_fraction = 0.5, .first_mode = 3}).band;
     EXPECT_NEAR(band.lower, 0.3, 1e-14);
     EXPECT_NEAR(band.upper, 50.0, 1e-12);
@@ -142,14 +142,14 @@ TEST(ReliableBand, LeavesOutLowModesAndTheShareBelowNyquistAskedFor) {
     EXPECT_THROW((void)reliable_band(cosine(), {.first_mode = 0}), InvalidArgument);
 }
 
-TEST(ReliableBand, IsEmptyWhereTheTipHidesEverything) {
+TEST(ReliableBand, IsEmptyIfTheTipHidesEverything) {
     auto scan = cosine(false);
     scan.metadata.instrument.tip_radius = 1e9;
     EXPECT_TRUE(reliable_band(scan).empty());
     EXPECT_FALSE(reliable_band(cosine()).empty());
 }
 
-TEST(ReliableBand, OfAMapByBandsIsThatOfTheWholeMap) {
+TEST(ReliableBand, OfAMapByBandsEqualsThatOfTheWholeMap) {
     topography::HeightMap map{tests::random_map(128, 33), {1.0, 0.3}, false, {}};
     map.heights *= 1e-3;
     map.metadata.instrument.tip_radius = 0.05;

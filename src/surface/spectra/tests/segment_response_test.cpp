@@ -67,27 +67,27 @@ void expect_response(const std::function<double(std::mt19937_64&)>& step, double
                                                                        << sampled.transpose() / realisations;
 }
 
-TEST(SegmentResponse, MeetsWavesSampledAtUniformlyRandomSteps) {
+TEST(SegmentResponse, MatchesWavesSampledAtUniformlyRandomSteps) {
     expect_response([](auto& engine) { return std::uniform_real_distribution<double>(0.5, 1.5)(engine); }, 2.6, 0.05);
 }
 
-TEST(SegmentResponse, MeetsWavesSampledAtExponentiallyRandomSteps) {
+TEST(SegmentResponse, MatchesWavesSampledAtExponentiallyRandomSteps) {
     expect_response([](auto& engine) { return std::exponential_distribution<double>(1.0)(engine); }, 2.6, 0.08);
 }
 
-TEST(SegmentResponse, FindsTheExponentOfAPowerLaw) {
+TEST(SegmentResponse, RecoversTheExponentOfAPowerLaw) {
     const SegmentResponse response(tests::random_profile(300, 1.0, 0.5).positions);
     const Array1D q = Array1D::LinSpaced(150, 0.02, 1.0) * response.band_end();
     for (const double exponent : {0.0, 1.5, 2.8})
         EXPECT_NEAR(response.fitted_exponent(q, q.pow(-exponent) * response.at(q, exponent)), exponent, 1e-3);
 }
 
-TEST(SegmentResponse, TakesASteepExponentWhereNothingTellsOtherwise) {
+TEST(SegmentResponse, DefaultsToASteepExponentWithoutData) {
     const SegmentResponse response(Array1D::LinSpaced(3, 0.0, 1.0));
     EXPECT_EQ(response.fitted_exponent(Array1D::Ones(1), Array1D::Ones(1)), 2.0);
 }
 
-TEST(SegmentResponse, RefusesExponentsThatScatterWithoutBound) {
+TEST(SegmentResponse, RefusesExponentsWithUnboundedScatter) {
     const SegmentResponse response(Array1D::LinSpaced(3, 0.0, 1.0));
     EXPECT_THROW((void)response.at(Array1D::Ones(1), 5.0), InvalidArgument);
     EXPECT_THROW((void)response.at(Array1D::Ones(1), -0.1), InvalidArgument);

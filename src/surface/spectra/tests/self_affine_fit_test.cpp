@@ -33,7 +33,7 @@ CombinedSpectrum exact(const SelfAffine& model, double from, double to) {
 
 const SelfAffine surface{3e-27, 2.0 * pi / 5e-6, 0.72, 2.0 * pi / 5e-9};
 
-TEST(SelfAffineFit, FindsTheModelOfASpectrumWithoutScatter) {
+TEST(SelfAffineFit, RecoversTheModelOfASpectrumWithoutScatter) {
     const auto fit = fit_self_affine(exact(surface, 1e5, 1.2e9), {.short_cutoff = true});
     EXPECT_EQ(fit.status, FitStatus::converged);
     EXPECT_NEAR(fit.hurst_exponent.estimate.value, 0.72, 1e-5);
@@ -68,7 +68,7 @@ TEST(SelfAffineFit, AgreesWithTheSlopeOfAPowerLaw) {
     EXPECT_TRUE(std::isnan(fit.plateau.estimate.value));
 }
 
-TEST(SelfAffineFit, SaysWhereNoRolloffIsSeen) {
+TEST(SelfAffineFit, ReportsThatNoRolloffIsMeasured) {
     SelfAffine endless = surface;
     endless.rolloff_wavevector = 1e2;
     endless.plateau = 1e-14;
@@ -82,7 +82,7 @@ TEST(SelfAffineFit, SaysWhereNoRolloffIsSeen) {
     EXPECT_NEAR(fit.hurst_exponent.estimate.value, 0.72, 0.01);
 }
 
-TEST(SelfAffineFit, KeepsToItsRange) {
+TEST(SelfAffineFit, UsesItsRangeOnly) {
     const Band range{3e6, 1e8};
     const auto fit = fit_self_affine(exact(surface, 1e5, 1e9), {.range = range, .rolloff = false});
     EXPECT_GE(fit.wavevector.minCoeff(), range.lower);
@@ -97,7 +97,7 @@ TEST(SelfAffineFit, KeepsToItsRange) {
                 0.05 * curve.density[1]);
 }
 
-TEST(SelfAffineFit, WidensItsErrorsWhereTheModelMisses) {
+TEST(SelfAffineFit, WidensItsErrorsForAPoorFit) {
     auto spectrum = exact(surface, 1e5, 1e9);
     for (Index b = 0; b < spectrum.density.size(); ++b) spectrum.density[b] *= b % 2 == 0 ? 1.6 : 0.6;
     spectrum.standard_error = 0.1 * spectrum.density;
@@ -116,7 +116,7 @@ TEST(SelfAffineFit, DoesNotDependOnTheUnitOfLength) {
     EXPECT_NEAR(a.rolloff_wavelength.estimate.value * unit / b.rolloff_wavelength.estimate.value, 1.0, 1e-5);
 }
 
-TEST(SelfAffineFit, OfTheModesOfOneMapKnowsWindowAndAliases) {
+TEST(SelfAffineFit, OfTheModesOfOneMapAccountsForWindowAndAliases) {
     // sampled from a surface that continues beyond its pixels
     const SelfAffine model{1e-27, 2.0 * pi / 4e-7, 0.8, 2.0 * pi / 5e-9};
     const auto whole = synthesis::random_surface(spectra::density(model), {1024, 1024, 4e-6, 4e-6}, {.key = {3, 0}});
@@ -151,7 +151,7 @@ MeasuredSpectrum modes_of(const SelfAffine& model, double length, double upper) 
     return spectrum;
 }
 
-TEST(SelfAffineFit, OfMeasurementsThatMeetInNoBinIsOfAllTheirModes) {
+TEST(SelfAffineFit, OfMeasurementsWithoutCommonBinUsesAllModes) {
     // a scan with the plateau and one with the power law: neither determines the roll-off alone, both together do
     auto endless = surface;
     endless.short_wavevector = 1e13;
@@ -165,7 +165,7 @@ TEST(SelfAffineFit, OfMeasurementsThatMeetInNoBinIsOfAllTheirModes) {
     EXPECT_THROW((void)fit_self_affine(std::span<const MeasuredSpectrum>{}), InvalidArgument);
 }
 
-TEST(SelfAffineFit, RefusesWhatItCannotFit) {
+TEST(SelfAffineFit, RefusesInvalidData) {
     const auto spectrum = exact(surface, 1e5, 1e9);
     EXPECT_THROW((void)fit_self_affine(spectrum, {.range = Band{1e6, 1.5e6}}), InvalidArgument);
     EXPECT_THROW((void)fit_self_affine(spectrum, {.range = Band{1e6, 1e5}}), InvalidArgument);
@@ -178,7 +178,7 @@ TEST(SelfAffineFit, RefusesWhatItCannotFit) {
     EXPECT_THROW((void)fit_self_affine(uneven), InvalidArgument);
 }
 
-TEST(SelfAffineFit, SaysWhereNoShortCutoffIsSeen) {
+TEST(SelfAffineFit, ReportsThatNoShortCutoffIsMeasured) {
     const auto fit = fit_self_affine(exact(surface, 1e5, 1e8), {.short_cutoff = true});  // waves end at 1.3e9 1/m
     EXPECT_EQ(fit.short_cutoff, ScaleStatus::bounded);
     ASSERT_EQ(fit.alerts.size(), 1U);
@@ -190,7 +190,7 @@ bool has_alert(const SelfAffineFit& fit, const char* code) {
     return std::any_of(fit.alerts.begin(), fit.alerts.end(), [=](const Alert& alert) { return alert.code == code; });
 }
 
-TEST(SelfAffineFit, SaysWhereReliableValuesBeyondItDepart) {
+TEST(SelfAffineFit, WarnsOfReliableValuesOutsideItsRangeThatDeviate) {
     // 1024 modes of a line: the power law steepens above 0.3 of the highest wavevector
     auto endless = surface;
     endless.short_wavevector = 1e13;
@@ -208,7 +208,7 @@ TEST(SelfAffineFit, SaysWhereReliableValuesBeyondItDepart) {
     EXPECT_FALSE(has_alert(fit_self_affine(bad, {.range = Band{1e6, 1.5e7}}), "MODEL_MISSES_BEYOND"));
 }
 
-TEST(SelfAffineFit, RaisesFewFalseAlarmsBeyondTheFit) {
+TEST(SelfAffineFit, GivesFewFalseWarningsOutsideItsRange) {
     int alarms = 0;
     const int maps = 100;
     for (int m = 0; m < maps; ++m) {
@@ -225,7 +225,7 @@ TEST(SelfAffineFit, RaisesFewFalseAlarmsBeyondTheFit) {
     EXPECT_LE(alarms, 2);
 }
 
-TEST(SelfAffineFit, NamesTheBoundItEndsAt) {
+TEST(SelfAffineFit, NamesTheBoundThatItReaches) {
     auto steep = exact(surface, 1e7, 1e9);
     steep.density = steep.wavevector.pow(-6.0);
     steep.standard_error = 0.1 * steep.density;

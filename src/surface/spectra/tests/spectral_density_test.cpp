@@ -14,7 +14,7 @@ namespace spectral_density_test {
 using namespace setae;
 using namespace setae::spectra;
 
-TEST(SpectralDensityOfASelfAffineModel, IsItsPowerSpectrum) {
+TEST(SelfAffineDensity, EqualsThePowerSpectrumOfTheModel) {
     const SelfAffine model{3.0, 2.0, 0.6, 50.0};
     const auto C_iso = density(model);
     const auto q = tests::log_spaced(50, 0.1, 100.0);
@@ -22,7 +22,7 @@ TEST(SpectralDensityOfASelfAffineModel, IsItsPowerSpectrum) {
     for (Index k = 0; k < q.size(); ++k) EXPECT_NEAR(C_iso(q[k]), expected[k], 1e-15 * expected[k]);
 }
 
-TEST(SpectralDensityOfASelfAffineModel, RefusesContradictions) {
+TEST(SelfAffineDensity, RefusesContradictoryParameters) {
     EXPECT_THROW((void)density(SelfAffine{1.0, 2.0, 0.8, 2.0}), InvalidArgument);
     EXPECT_THROW((void)density(SelfAffine{1.0, 2.0, 1.01, 4.0}), InvalidArgument);
     EXPECT_THROW((void)density(SelfAffine{1.0, 2.0, 0.0, 4.0}), InvalidArgument);
@@ -37,7 +37,7 @@ TEST(SpectralDensityOfASelfAffineModel, RefusesContradictions) {
     }
 }
 
-TEST(SpectralDensityOfATable, IsAPowerLawBetweenNodesAndEndsAtTheLast) {
+TEST(TabulatedDensity, IsAPowerLawBetweenNodesAndZeroAboveTheLast) {
     const auto C = tabulated_density(Array1D{{1.0, 10.0, 100.0, 200.0}}, Array1D{{8.0, 8e-3, 0.0, 0.0}});
     EXPECT_EQ(C(0.01), 8.0);
     EXPECT_EQ(C(1.0), 8.0);
@@ -47,7 +47,7 @@ TEST(SpectralDensityOfATable, IsAPowerLawBetweenNodesAndEndsAtTheLast) {
     EXPECT_EQ(C(201.0), 0.0);
 }
 
-TEST(SpectralDensityOfATable, RefusesRowsThatAreNoSpectrum) {
+TEST(TabulatedDensity, RefusesInvalidRows) {
     const Array1D q{{1.0, 2.0, 3.0}};
     EXPECT_THROW((void)tabulated_density(q, Array1D{{1.0, -1.0, 1.0}}), InvalidArgument);
     EXPECT_THROW((void)tabulated_density(q, Array1D{{1.0, undefined, 1.0}}), InvalidArgument);
@@ -69,7 +69,7 @@ TEST(ProfileDensity, IsTheAbelIntegralOfTheModel) {
     EXPECT_EQ(C1D(301.0), 0.0);
 }
 
-TEST(ProfileDensity, RisesBelowABandThatBeginsAtTheRolloff) {
+TEST(ProfileDensity, RisesBelowABandThatStartsAtTheRolloff) {
     // C_iso is constant there, C1D is not: from q_r to 0 it grows by 60 %
     const SelfAffine model{1.0, 1.0, 0.8, 300.0};
     const auto C1D = profile_density(density(model), {1.0, 300.0});
@@ -83,7 +83,7 @@ TEST(ProfileDensity, RisesBelowABandThatBeginsAtTheRolloff) {
         EXPECT_NEAR(flat(x), std::sqrt(25.0 - x * x) / pi, 1e-5 * flat(x)) << x;
 }
 
-TEST(ProfileDensity, MeetsJumpsWhereTheyAre) {
+TEST(ProfileDensity, ReproducesJumps) {
     // two plateaus: the sum of two semicircles
     const auto C1D = profile_density([](double q) { return q < 3.0 ? 2.0 : 0.5; }, {0.1, 7.0});
     for (const double q : {0.001, 0.5, 2.0, 2.9, 3.1, 6.0, 6.99}) {
@@ -113,7 +113,7 @@ TEST(ProfileDensity, RefusesBandsAndSpectraWithoutPower) {
     EXPECT_THROW((void)profile_density([](double q) { return q > 1.0 ? 0.0 : 1.0; }, {1.0, 2.0}), InvalidArgument);
 }
 
-TEST(SurfaceDensity, IsTheSurfaceWhoseLinesWereTabulated) {
+TEST(SurfaceDensity, RecoversTheSurfaceOfTabulatedLines) {
     const SelfAffine model{3.0, 0.1, 0.8, 100.0};
     const Array1D nodes = tests::log_spaced(61, 1e-2, 100.0), q = nodes.head(60);
     const auto C1D = profile_density(density(model), {1e-3, 100.0});
@@ -124,7 +124,7 @@ TEST(SurfaceDensity, IsTheSurfaceWhoseLinesWereTabulated) {
     EXPECT_THROW((void)surface_density(Array1D{{1.0}}, Array1D{{1.0}}), InvalidArgument);
 }
 
-TEST(MomentOfADensity, IsTheClosedFormOfTheModel) {
+TEST(MomentOfADensity, MatchesTheClosedFormOfTheModel) {
     // below the band the plateau contributes lower^(n+2)/(n+2); the band has ends of pieces at its kinks, a decade
     // apart
     const SelfAffine model{2.0, 1.0, 0.7, 1000.0};

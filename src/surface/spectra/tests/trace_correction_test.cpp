@@ -96,11 +96,11 @@ void expect_truth(bool irregular) {
     }
 }
 
-TEST(TraceCorrection, FreesEqualStepsOfNoiseBlurAndSmoothing) { expect_truth(false); }
+TEST(TraceCorrection, RemovesNoiseBlurAndSmoothingForEqualSteps) { expect_truth(false); }
 
-TEST(TraceCorrection, FreesIrregularStepsOfNoiseBlurAndSmoothing) { expect_truth(true); }
+TEST(TraceCorrection, RemovesNoiseBlurAndSmoothingForIrregularSteps) { expect_truth(true); }
 
-TEST(TraceCorrection, FreesALevelledCurveOfNoiseAlongItsNormalsAndSmoothingAlongIt) {
+TEST(TraceCorrection, RemovesNoiseAlongNormalsAndSmoothingAlongTheCurve) {
     // points at equal lengths of curves of rms slope 0.4, displaced along their normals, both coordinates smoothed
     // along the curve
     constexpr Index n = 400, refinement = 8;
@@ -148,7 +148,7 @@ TEST(TraceCorrection, FreesALevelledCurveOfNoiseAlongItsNormalsAndSmoothingAlong
         EXPECT_NEAR(sums[i] / counts[i], 1.0, std::max(0.1, 2.0 * std::sqrt(2.0 / counts[i]))) << i;
 }
 
-TEST(TraceCorrection, IsNeededAndCanBeLeftOut) {
+TEST(TraceCorrection, IsNecessaryAndCanBeDisabled) {
     SpectrumOptions as_traced;
     as_traced.trace_response = false;
     // blur and smoothing lower the spectrum, noise raises it; a remaining deviation would be accidental
@@ -165,7 +165,7 @@ TEST(TraceCorrection, IsNeededAndCanBeLeftOut) {
     EXPECT_EQ(left_out.alerts.size(), plain.alerts.size());
 }
 
-TEST(TraceCorrection, EndsTheBandWhereNoiseTakesOver) {
+TEST(TraceCorrection, EndsTheBandWhereNoiseDominates) {
     // C1D = 2 N exp((q blur)²) is true at q = 0.46
     std::vector<double> ends;
     for (std::uint64_t seed = 0; seed < 30; ++seed) ends.push_back(power_spectrum(traced(seed, false)).band.upper);
@@ -185,7 +185,7 @@ TEST(TraceCorrection, EndsTheBandWhereBlurLeavesATenth) {
     EXPECT_NEAR(std::pow(transfer(end), 2), 0.1, 1e-9);
 }
 
-TEST(TraceCorrection, SaysWhatItDid) {
+TEST(TraceCorrection, ReportsTheCorrection) {
     const auto spectrum = power_spectrum(traced(4, false));
     const auto alert = std::find_if(spectrum.alerts.begin(), spectrum.alerts.end(),
                                     [](const auto& a) { return a.code == "TRACE_NOISE"; });
@@ -195,7 +195,7 @@ TEST(TraceCorrection, SaysWhatItDid) {
     EXPECT_NE(alert->message.find("noise was 3"), std::string::npos) << alert->message;
 }
 
-TEST(TraceCorrection, FindsTheBandAlsoAtChosenWavevectors) {
+TEST(TraceCorrection, FindsTheBandForChosenWavevectors) {
     const auto profile = traced(5, false);
     SpectrumOptions chosen;
     chosen.wavevectors = Array1D{{0.7, 0.1, 0.3}};
@@ -205,7 +205,7 @@ TEST(TraceCorrection, FindsTheBandAlsoAtChosenWavevectors) {
     EXPECT_EQ(some.alerts[0].message, all.alerts[0].message);
 }
 
-TEST(TraceCorrection, OfSegmentsTakesOffTheirShareOfTheNoise) {
+TEST(TraceCorrection, OfSegmentsSubtractsTheirShareOfTheNoise) {
     // only noise between equal steps, treated as segments: zero on average
     SpectrumOptions segments;
     segments.contour = ContourTreatment::segments;

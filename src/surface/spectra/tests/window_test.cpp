@@ -36,25 +36,25 @@ TEST(Window, AutomaticTapersNonPeriodicDataOnly) {
     EXPECT_EQ(resolved(Window::none, false), Window::none);
 }
 
-TEST(Window, NamesComeBack) {
+TEST(Window, NamesConvertToWindowsAndBack) {
     for (const auto window :
          {Window::automatic, Window::none, Window::hann, Window::blackman_harris, Window::radial_hann})
         EXPECT_EQ(window_from_name(name(window)), window);
     EXPECT_THROW((void)window_from_name("hanning"), InvalidArgument);
 }
 
-TEST(Window, RadialIsNoFunctionOfOneCoordinate) {
+TEST(Window, RadialRequiresTwoCoordinates) {
     EXPECT_THROW((void)window_values(Window::radial_hann, 8), InvalidArgument);
 }
 
-TEST(LogGrid, EdgesFallOnDecades) {
+TEST(LogGrid, EdgesLieOnDecades) {
     const LogGrid grid;
     EXPECT_EQ(grid.edge(60), 1e6);
     EXPECT_EQ(grid.edge(-30), 1e-3);
     EXPECT_NEAR(grid.centre(60), std::sqrt(grid.edge(60) * grid.edge(61)), 1e-9);
 }
 
-TEST(LogGrid, APointOnAnEdgeBelongsAboveItWhateverTheRounding) {
+TEST(LogGrid, PointsOnAnEdgeBelongToTheUpperBinDespiteRounding) {
     const LogGrid grid;
     for (Index bin = -120; bin <= 120; ++bin) {
         EXPECT_EQ(grid.bin_of(grid.edge(bin)), bin);
@@ -64,7 +64,7 @@ TEST(LogGrid, APointOnAnEdgeBelongsAboveItWhateverTheRounding) {
     }
 }
 
-TEST(LogGrid, RefusesWavevectorsWithoutLogarithm) {
+TEST(LogGrid, RefusesNonPositiveWavevectors) {
     EXPECT_THROW((void)LogGrid{}.bin_of(0.0), InvalidArgument);
     EXPECT_THROW((void)LogGrid{}.bin_of(undefined), InvalidArgument);
 }

@@ -32,13 +32,13 @@ std::vector<double> documented(const tests::ProjectionCase& wanted) {
     return {};
 }
 
-TEST(ProjectionTable, OfTheDocumentHoldsForOtherSurfacesOnASmallerGrid) {
+TEST(ProjectionTable, OfTheDocumentMatchesOtherSurfacesOnASmallerGrid) {
     for (const tests::ProjectionCase row :
          {tests::ProjectionCase{0.8, 25e-9, 20e-9}, tests::ProjectionCase{0.8, 50e-9, 20e-9}}) {
         const auto expected = documented(row);
         const auto bias = tests::simulated(row, 4, 99, 204.8e-9);
         ASSERT_EQ(expected.size(), 4 + 2 * static_cast<std::size_t>(bias.C1D.size()));
-        // four surfaces know their own standard error to 40 %: five of them; the page rounds to 0.005 and 0.0005
+        // four surfaces determine their standard error to 40 %: five of them; the page rounds to 0.005 and 0.0005
         const auto agrees = [&](double value, double error, std::size_t at, double rounding, const char* what) {
             EXPECT_NEAR(value, expected[at], 5.0 * std::hypot(error, expected[at + 1]) + rounding) << what << ' ' << at;
         };
@@ -49,7 +49,7 @@ TEST(ProjectionTable, OfTheDocumentHoldsForOtherSurfacesOnASmallerGrid) {
     }
 }
 
-TEST(ProjectionTable, HasARowForEachOfItsCases) {
+TEST(ProjectionTable, HasARowForEveryCase) {
     for (const auto& row : tests::projection_cases())
         EXPECT_EQ(documented(row).size(), 18U)
             << row.hurst_exponent << ' ' << row.rolloff_wavelength << ' ' << row.thickness;

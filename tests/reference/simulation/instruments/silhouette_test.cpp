@@ -16,7 +16,7 @@ struct Highest {
     double mean, variance;  // of the highest of so many standard normal numbers
 };
 
-TEST(Silhouette, OfWhiteNoiseHasTheMomentsOfTheHighestOfNormalNumbers) {
+TEST(Silhouette, OfWhiteNoiseHasTheMomentsOfTheMaximumOfNormalNumbers) {
     const double pixel = 1e-9, height = 2e-9;
     const spectra::SpectralDensity white = [=](double) { return height * height * pixel * pixel; };
     for (const auto& expected : {Highest{2, 0.564189583548, 0.681690113816}, Highest{3, 0.846284375322, 0.559467203797},

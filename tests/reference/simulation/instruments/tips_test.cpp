@@ -32,7 +32,7 @@ double power_between(const spectra::MeasuredSpectrum& spectrum, double lower, do
     return (spectrum.wavevector >= lower && spectrum.wavevector <= upper).select(spectrum.density, 0.0).sum();
 }
 
-TEST(AfmMap, OfATenNanometreBallFallsShortAtItsCutoffAsAnIndependentSimulationDoes) {
+TEST(AfmMap, LosesPowerAtTheTipCutoffAsInAnIndependentSimulation) {
     double at_cutoff = 0.0, at_half = 0.0;
     // surfaces down to half a nanometre: without the shortest waves the ball meets no sharp peaks
     constexpr std::uint64_t surfaces = 6;
@@ -61,7 +61,7 @@ TEST(AfmMap, OfATenNanometreBallFallsShortAtItsCutoffAsAnIndependentSimulationDo
     EXPECT_LT(at_half, 0.93 + 2 * 0.012);
 }
 
-TEST(StylusScan, OfABallLowersThePlateauThatADiscAlongALineRaises) {
+TEST(StylusScan, WithABallLowersThePlateauWhereADiscAlongALineRaisesIt) {
     const double rolloff = 1e-6, pixel = rolloff / 40.0;
     const Index nx = 6000, ny = 640;
     const auto strip = synthesis::random_surface(

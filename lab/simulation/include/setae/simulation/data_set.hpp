@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
+#include "setae/fields/describe.hpp"
 #include "setae/parallel/for_each.hpp"
 #include "setae/simulation/recipe.hpp"
 
@@ -51,4 +54,25 @@ struct KnownLoop {
 /// @throws FileError; InvalidArgument as known_loops and for protocols that contradict a surface.
 std::vector<std::string> make(const Recipe& recipe, const std::string& folder, parallel::Threads threads = {});
 
+/// Output of `setae lab make`.
+struct MakeOutput {
+    std::string recipe;
+    std::uint64_t seed = 0;
+    std::string folder;
+    std::vector<std::string> files;
+};
+
 }  // namespace setae::simulation
+
+template <>
+struct setae::fields::Described<setae::simulation::MakeOutput> {
+    using T = simulation::MakeOutput;
+    static constexpr std::array rows{
+        field<&T::recipe>("recipe", "name of the recipe's file, as given"),
+        field<&T::seed>("seed", "seed of the random numbers"),
+        field<&T::folder>("folder", "folder of the files"),
+        field<&T::files>("files", "files that were written, relative to the folder"),
+    };
+    static constexpr Description description{"", "simulated experimental files", rows};
+};
+static_assert(setae::fields::complete<setae::simulation::MakeOutput>);

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "setae/core/quantity.hpp"
+#include "setae/fields/describe.hpp"
 #include "setae/parallel/for_each.hpp"
 #include "setae/synthesis/random_surface.hpp"
 
@@ -55,4 +58,71 @@ struct ProjectionBias {
 [[nodiscard]] std::vector<Alert> projection_alerts(const ProjectionBias& bias, const std::string& subject,
                                                    double tolerance = 0.02);
 
+/// Output of `setae lab foil`.
+struct FoilOutput {
+    ProjectionBias bias;
+    int surfaces = 0;
+    std::uint64_t seed = 0;
+    std::vector<Alert> alerts;
+};
+
+/// Factor on C1D in a bin of wavevectors.
+struct FactorAtWavevector {
+    BiasFactor factor;
+    double wavevector = 0.0;  ///< [1/m]
+};
+
+[[nodiscard]] inline std::vector<FactorAtWavevector> factors_of(const ProjectionBias& bias) {
+    std::vector<FactorAtWavevector> factors;
+    for (Index b = 0; b < bias.wavevector.size(); ++b)
+        factors.push_back({{bias.C1D[b], bias.C1D_standard_error[b]}, bias.wavevector[b]});
+    return factors;
+}
+
 }  // namespace setae::simulation
+
+template <>
+struct setae::fields::Described<setae::simulation::BiasFactor> {
+    using T = simulation::BiasFactor;
+    static constexpr std::array rows{
+        field<&T::value>("value", "value of the silhouettes divided by that of the lines"),
+        field<&T::standard_error>("standard_error", "standard error of the ratio"),
+    };
+    static constexpr Description description{"ratio", "silhouettes divided by lines of the same surfaces", rows};
+};
+static_assert(setae::fields::complete<setae::simulation::BiasFactor>);
+
+template <>
+struct setae::fields::Described<setae::simulation::FactorAtWavevector> {
+    using T = simulation::FactorAtWavevector;
+    static constexpr std::array rows{
+        fields_of<T>([](const T& of) -> const auto& { return of.factor; }),
+        field<&T::wavevector>("wavevector", "wavevector q").in_unit("1/m"),
+        inner<&T::factor>(),
+    };
+    static constexpr Description description{"", "ratio of C1D at a wavevector", rows};
+};
+static_assert(setae::fields::complete<setae::simulation::FactorAtWavevector>);
+
+template <>
+struct setae::fields::Described<setae::simulation::FoilOutput> {
+    using T = simulation::FoilOutput;
+    static constexpr std::array rows{
+        made<T>("foil_thickness", "thickness of the foil", [](const T& of) { return of.bias.thickness; }).in_unit("m"),
+        made<T>("correlation_length", "correlation length of lines of the surfaces",
+                [](const T& of) { return of.bias.correlation_length; })
+            .in_unit("m"),
+        field<&T::surfaces>("surfaces", "number of simulated surfaces"),
+        field<&T::seed>("seed", "seed of the random numbers"),
+        made<T>("rms_height", "rms height of silhouettes divided by that of lines",
+                [](const T& of) { return of.bias.rms_height; }),
+        made<T>("rms_slope", "rms slope of silhouettes divided by that of lines",
+                [](const T& of) { return of.bias.rms_slope; }),
+        field<&T::alerts>("alerts", "warnings"),
+        made<T>("C1D", "C1D of silhouettes divided by that of lines, by wavevector",
+                [](const T& of) { return simulation::factors_of(of.bias); }),
+        inner<&T::bias>(),
+    };
+    static constexpr Description description{"", "spectra of foils with known surfaces", rows};
+};
+static_assert(setae::fields::complete<setae::simulation::FoilOutput>);

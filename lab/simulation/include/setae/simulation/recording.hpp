@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 
 #include "setae/contact_line/contact_line.hpp"
+#include "setae/fields/describe.hpp"
 #include "setae/parallel/for_each.hpp"
 
 namespace setae::simulation {
@@ -37,4 +39,30 @@ struct RecordingShape {
 RecordingShape write_recording(const std::string& path, const contact_line::ContactLine& edge,
                                const RecordingOptions& options);
 
+/// Output of `setae lab recording`.
+struct RecordingOutput {
+    std::string file;
+    RecordingShape shape;
+    double pixel_size = 0.0;  ///< [m]
+    double frame_rate = 0.0;  ///< [1/s]
+};
+
 }  // namespace setae::simulation
+
+template <>
+struct setae::fields::Described<setae::simulation::RecordingOutput> {
+    using T = simulation::RecordingOutput;
+    static constexpr std::array rows{
+        field<&T::file>("file", "file of the TIFF stack"),
+        made<T>("frames", "number of frames", [](const T& of) { return of.shape.frames; }),
+        made<T>("size", "number of pixels of a frame along x and y",
+                [](const T& of) {
+                    return std::array{of.shape.width, of.shape.height};
+                }),
+        value<&T::pixel_size>("pixel_size", "m", "size of a pixel that the file states"),
+        value<&T::frame_rate>("frame_rate", "1/s", "frame rate that the file states"),
+        inner<&T::shape>(),
+    };
+    static constexpr Description description{"", "rendered recording of an edge by a camera", rows};
+};
+static_assert(setae::fields::complete<setae::simulation::RecordingOutput>);

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "setae/core/estimate.hpp"
+#include "setae/fields/describe.hpp"
 #include "setae/hysteresis/retraction_model.hpp"
 #include "setae/parallel/for_each.hpp"
 #include "setae/simulation/recipe.hpp"
@@ -68,6 +73,12 @@ struct ModelSummary {
     double true_parameter = 0.0, parameter = 0.0, parameter_standard_error = 0.0;  ///< means [J/m²]; NaN without one
     double surface_left_out = 0.0;                                                 ///< mean [J/m²]
     std::string most_taken;  ///< most frequent of the other models found; empty without one
+
+    /// The fitted parameter; empty for models without one.
+    [[nodiscard]] std::optional<Estimate> fitted_parameter() const {
+        if (!std::isfinite(parameter)) return std::nullopt;
+        return Estimate{.value = parameter, .standard_error = parameter_standard_error};
+    }
 };
 [[nodiscard]] std::vector<ModelSummary> summary(const std::vector<ModelRecovery>& recoveries);
 
@@ -75,4 +86,55 @@ struct ModelSummary {
 /// One row a data set, SI.
 [[nodiscard]] tables::TidyTable model_recovery_table(const std::vector<ModelRecovery>& recoveries);
 
+/// Output of `setae lab loops` with mechanisms.
+struct MechanismsOutput {
+    std::string recipe;
+    int runs = 0;
+    std::uint64_t first_seed = 0;
+    std::vector<ModelSummary> mechanisms;
+};
+
 }  // namespace setae::validation
+
+template <>
+struct setae::fields::Described<setae::validation::ModelSummary> {
+    using T = validation::ModelSummary;
+    static constexpr std::array rows{
+        field<&T::planted>("planted", "retraction model of the simulated loops"),
+        field<&T::runs>("runs", "number of data sets"),
+        field<&T::found>("found", "number of data sets in which the true model was ranked best"),
+        field<&T::possible>(
+            "possible",
+            "number of data sets in which another model was ranked best and the true model was not excluded"),
+        field<&T::excluded>("excluded",
+                            "number of data sets in which the true model was excluded: another model was clearly "
+                            "better, or a constant error was found"),
+        value<&T::surface_left_out>("rms_residual_surface_left_out", "J/m2",
+                                    "leave-one-surface-out error (rms) of the model that was ranked best"),
+        made<T>("work_per_true_area", "W_x", "J/m2",
+                "fitted W_x, mean over the data sets, with the mean standard error",
+                [](const T& of) { return of.fitted_parameter(); }),
+        made_value<T>(
+            "work_per_true_area_planted", "J/m2", "true W_x of the simulated loops",
+            [](const T& of) { return of.fitted_parameter() ? std::optional(of.true_parameter) : std::nullopt; }),
+        inner<&T::true_parameter>(),
+        inner<&T::parameter>(),
+        inner<&T::parameter_standard_error>(),
+        inner<&T::most_taken>(),
+    };
+    static constexpr Description description{"", "one retraction model over its data sets", rows};
+};
+static_assert(setae::fields::complete<setae::validation::ModelSummary>);
+
+template <>
+struct setae::fields::Described<setae::validation::MechanismsOutput> {
+    using T = validation::MechanismsOutput;
+    static constexpr std::array rows{
+        field<&T::recipe>("recipe", "name of the recipe's file, as given"),
+        field<&T::runs>("runs", "number of data sets of each mechanism"),
+        field<&T::first_seed>("first_seed", "seed of the first data set"),
+        field<&T::mechanisms>("mechanisms", "one entry per mechanism"),
+    };
+    static constexpr Description description{"", "known mechanisms in the loops of a recipe, with --mechanism", rows};
+};
+static_assert(setae::fields::complete<setae::validation::MechanismsOutput>);

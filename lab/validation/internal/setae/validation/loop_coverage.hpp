@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <functional>
 #include <vector>
 
+#include "setae/fields/describe.hpp"
 #include "setae/parallel/for_each.hpp"
 #include "setae/simulation/loop_simulation.hpp"
 #include "setae/validation/comparison.hpp"
+#include "setae/validation/summary.hpp"
 
 namespace setae::validation {
 
@@ -35,4 +39,25 @@ struct LoopCoverageOptions {
 /// contact point and energy loss. Method "analysis". A refused record gives no comparison.
 [[nodiscard]] std::vector<Comparison> record_coverage(const LoopCoverageOptions& options);
 
+/// Output of `setae lab loops` without a mechanism.
+struct LoopsOutput {
+    int runs = 0;
+    std::uint64_t first_seed = 0;
+    Index samples = 0;
+    std::vector<SummaryRow> rows;
+};
+
 }  // namespace setae::validation
+
+template <>
+struct setae::fields::Described<setae::validation::LoopsOutput> {
+    using T = validation::LoopsOutput;
+    static constexpr std::array rows{
+        field<&T::runs>("runs", "number of loops at each signal-to-noise ratio"),
+        field<&T::first_seed>("first_seed", "seed of the first run"),
+        field<&T::samples>("samples", "number of samples of each branch"),
+        field<&T::rows>("rows", "one entry per quantity and method"),
+    };
+    static constexpr Description description{"", "fits of simulated loops with known parameters", rows};
+};
+static_assert(setae::fields::complete<setae::validation::LoopsOutput>);

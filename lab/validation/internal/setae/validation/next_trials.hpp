@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "setae/adhesion/next_measurement.hpp"
+#include "setae/fields/describe.hpp"
 #include "setae/parallel/for_each.hpp"
 #include "setae/simulation/recipe.hpp"
 #include "setae/tables/tidy_table.hpp"
@@ -45,6 +47,15 @@ struct NextSummary {
     double ratio_error = 0.0;                                 ///< its standard error, by leaving runs out one at a time
 };
 
+/// Output of `setae lab next`.
+struct NextOutput {
+    std::string recipe;
+    int runs = 0;
+    std::uint64_t first_seed = 0;
+    std::string target;
+    std::vector<NextSummary> rows;
+};
+
 struct NextTrials {
     std::vector<NextTrial> trials;
     std::vector<FailedRun> failed;
@@ -74,3 +85,36 @@ struct NextTrials {
 [[nodiscard]] tables::TidyTable next_trials_table(const std::vector<NextTrial>& trials);
 
 }  // namespace setae::validation
+
+template <>
+struct setae::fields::Described<setae::validation::NextSummary> {
+    using T = validation::NextSummary;
+    static constexpr std::array rows{
+        field<&T::measured>("measured", "recommended measurement"),
+        field<&T::n>("runs", "number of data sets"),
+        field<&T::stated>("standard_error", "standard error before, root mean square"),
+        field<&T::promised>("standard_error_promised", "standard error that `setae study --next` predicted"),
+        field<&T::stated_later>("standard_error_found", "standard error with the additional measurement"),
+        field<&T::off>("deviation", "rms deviation from the true value, before"),
+        field<&T::off_later>("deviation_later", "rms deviation from the true value, with the additional measurement"),
+        field<&T::ratio>("ratio", "deviation_later divided by deviation"),
+        field<&T::ratio_error>("ratio_standard_error", "standard error of the ratio; null for fewer than two runs"),
+    };
+    static constexpr Description description{"", "effect of one recommended measurement", rows};
+};
+static_assert(setae::fields::complete<setae::validation::NextSummary>);
+
+template <>
+struct setae::fields::Described<setae::validation::NextOutput> {
+    using T = validation::NextOutput;
+    static constexpr std::array rows{
+        field<&T::recipe>("recipe", "name of the recipe's file, as given"),
+        field<&T::runs>("runs", "number of data sets"),
+        field<&T::first_seed>("first_seed", "seed of the first data set"),
+        field<&T::target>("target", "number whose standard error is to be reduced"),
+        made<T>("unit", "unit of standard errors and deviations", [](const T&) { return std::string_view("J/m2"); }),
+        field<&T::rows>("rows", "one entry per recommended measurement"),
+    };
+    static constexpr Description description{"", "effect of measurements that `setae study --next` recommends", rows};
+};
+static_assert(setae::fields::complete<setae::validation::NextOutput>);

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "setae/core/estimate.hpp"
+#include "setae/fields/describe.hpp"
 #include "setae/parallel/for_each.hpp"
 
 namespace setae::validation {
@@ -26,9 +29,13 @@ struct RecordKind {
 /// displacements of the largest penetration.
 [[nodiscard]] const std::vector<RecordKind>& record_kinds();
 
+/// Quantities of a record, and the routes to them.
+inline constexpr std::array<std::string_view, 6> route_names{"E*",    "W", "W_ret", "W_pull_off", "W_last_points",
+                                                             "E_loss"};
+
 /// Result of one quantity by one route, and its true value.
 struct RecordRoute {
-    std::string name;  ///< "E*", "W", "W_ret", "W_pull_off", "W_last_points", "E_loss"
+    std::string name;  ///< one of route_names
     double known = 0.0;
     Estimate found;
 };
@@ -90,4 +97,65 @@ struct RecordSummary {
 [[nodiscard]] std::string record_table(const std::vector<RecordSummary>& rows);
 [[nodiscard]] std::string record_csv(const std::vector<RecordTrial>& trials);
 
+/// Output of `setae lab records`.
+struct RecordsOutput {
+    int runs = 0;
+    std::uint64_t first_seed = 0;
+    bool pairs = false;
+    std::vector<RecordSummary> rows;
+};
+
 }  // namespace setae::validation
+
+template <>
+struct setae::fields::Described<setae::validation::RouteSummary> {
+    using T = validation::RouteSummary;
+    static constexpr std::array rows{
+        field<&T::name>("quantity", "quantity and the route to it").one_of(validation::route_names),
+        field<&T::count>("n", "number of records that give the quantity"),
+        field<&T::bias>("bias",
+                        "median of the found value divided by the true value, minus 1; for a true value of 0, divided "
+                        "by the work of retraction"),
+        field<&T::bias_in_errors>("bias_in_standard_errors", "median error in standard errors"),
+        field<&T::coverage>("coverage", "share of 95 % intervals that cover the true value"),
+    };
+    static constexpr Description description{"", "all records of one quantity", rows};
+};
+static_assert(setae::fields::complete<setae::validation::RouteSummary>);
+
+template <>
+struct setae::fields::Described<setae::validation::RecordSummary> {
+    using T = validation::RecordSummary;
+    static constexpr std::array rows{
+        field<&T::kinds>("kinds", "kind, or both kinds of a pair; `all` for all records"),
+        field<&T::count>("records", "number of records"),
+        field<&T::refused>("refused", "number of records that are not analysed"),
+        field<&T::named>("cause_named", "number of records that are refused, or have a warning, with the fault named"),
+        field<&T::silent>("silently_wrong",
+                          "number of records with a quantity wrong by more than four standard errors and 2 %, without "
+                          "the fault named"),
+        field<&T::warnings>("warnings", "number of records with a warning, by code"),
+        made<T>("routes", "one entry per quantity",
+                [](const T& of) {
+                    auto found = of.routes;
+                    std::erase_if(found, [](const auto& route) { return route.count == 0; });
+                    return found;
+                }),
+        inner<&T::routes>(),
+    };
+    static constexpr Description description{"", "all records of one kind, or of one pair of kinds", rows};
+};
+static_assert(setae::fields::complete<setae::validation::RecordSummary>);
+
+template <>
+struct setae::fields::Described<setae::validation::RecordsOutput> {
+    using T = validation::RecordsOutput;
+    static constexpr std::array rows{
+        field<&T::runs>("runs", "number of records of each kind or pair"),
+        field<&T::first_seed>("first_seed", "seed of the first record"),
+        field<&T::pairs>("pairs", "whether all pairs of kinds are simulated"),
+        field<&T::rows>("rows", "one entry per kind or pair, and one entry for all"),
+    };
+    static constexpr Description description{"", "simulated records with the faults of real experiments", rows};
+};
+static_assert(setae::fields::complete<setae::validation::RecordsOutput>);

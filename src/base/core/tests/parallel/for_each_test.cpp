@@ -38,7 +38,7 @@ TEST(ForEachIndex, RethrowsTheFailureOfTheLowestIndexAfterRunningAll) {
     EXPECT_EQ(visits, std::vector<int>(100, 1));
 }
 
-TEST(ForEachIndex, RunsWithinItselfAndFromSeveralThreads) {
+TEST(ForEachIndex, RunsNestedAndFromSeveralThreads) {
     std::vector<std::vector<int>> visits(8, std::vector<int>(50, 0));
     const auto outer = [&](std::size_t i) { for_each_index(50, Threads{3}, [&](std::size_t j) { ++visits[i][j]; }); };
     {
@@ -48,7 +48,7 @@ TEST(ForEachIndex, RunsWithinItselfAndFromSeveralThreads) {
     EXPECT_EQ(visits, std::vector(8, std::vector<int>(50, 1)));
 }
 
-TEST(ForEachIndex, RunsInAChildThatThreadsDidNotFollowInto) {
+TEST(ForEachIndex, RunsInAForkedChildWithoutItsThreads) {
     for_each_index(10, Threads{2}, [](std::size_t) {});
     const pid_t child = fork();
     if (child == 0) {
@@ -61,7 +61,7 @@ TEST(ForEachIndex, RunsInAChildThatThreadsDidNotFollowInto) {
     EXPECT_EQ(status, 0);
 }
 
-TEST(Cancellation, BeginsNoFurtherIndexHoweverDeepTheLoop) {
+TEST(Cancellation, StartsNoFurtherIndexInNestedLoops) {
     std::atomic<bool> cancelled{false};
     std::atomic<int> begun{0};
     const auto inner = [&](std::size_t) {

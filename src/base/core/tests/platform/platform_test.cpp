@@ -39,7 +39,7 @@ protected:
 using Files = Folder;
 using Processes = Folder;
 
-TEST_F(Files, AreReadAtAnyPlace) {
+TEST_F(Files, AreReadAtAnyOffset) {
     const ReadableFile file(written("a", "0123456789"));
     std::string text(4, ' ');
     ASSERT_FALSE(file.failure());
@@ -49,7 +49,7 @@ TEST_F(Files, AreReadAtAnyPlace) {
     EXPECT_FALSE(file.read(8, 4, text.data())) << "two bytes are left";
 }
 
-TEST_F(Files, SayWhenTheyChanged) {
+TEST_F(Files, HaveAChangeTime) {
     const auto file = written("a", "x");
     const auto first = facts_of(file);
     EXPECT_EQ(facts_of(file), first);
@@ -59,7 +59,7 @@ TEST_F(Files, SayWhenTheyChanged) {
     EXPECT_EQ(first->changed - second->changed, 1'500'000'000);
 }
 
-TEST_F(Files, OfOneNumberAreOne) {
+TEST_F(Files, WithOneInodeAreIdentical) {
     const auto file = written("a", "x");
     fs::create_hard_link(file, path_ / "b");
     fs::create_symlink(file, path_ / "c");
@@ -71,7 +71,7 @@ TEST_F(Files, OfOneNumberAreOne) {
     EXPECT_FALSE(facts_of((path_ / "none").string()));
 }
 
-TEST_F(Files, ThatAreMissingSayWhy) {
+TEST_F(Files, WhenMissingGiveTheReason) {
     EXPECT_EQ(ReadableFile((path_ / "none").string()).failure(), std::errc::no_such_file_or_directory);
     std::error_code failure;
     EXPECT_EQ(new_folder((path_ / "none" / "a").string(), failure), "");
@@ -79,14 +79,14 @@ TEST_F(Files, ThatAreMissingSayWhy) {
     EXPECT_LT(lock_folder((path_ / "none").string()), 0);
 }
 
-TEST_F(Files, AreProgramsWhereTheyMayBeRun) {
+TEST_F(Files, AreExecutableOnlyWithPermission) {
     const auto script = written("script", "#!/bin/sh\n");
     EXPECT_FALSE(is_executable(script));
     fs::permissions(script, fs::perms::owner_all);
     EXPECT_TRUE(is_executable(script));
 }
 
-TEST_F(Processes, RunWhereTheyAreToldWithTheEnvironmentTheyAreGiven) {
+TEST_F(Processes, RunInTheGivenFolderWithTheGivenEnvironment) {
     const auto words = (path_ / "words").string();
     const auto end = run({.words = {"sh", "-c", "echo $COLOUR; pwd; echo wrong >&2; exit 3"},
                           .environment = {"COLOUR=blue", "PATH=/usr/bin:/bin"},
@@ -104,17 +104,17 @@ TEST_F(Processes, RunWhereTheyAreToldWithTheEnvironmentTheyAreGiven) {
     EXPECT_EQ(wrong, "wrong");
 }
 
-TEST_F(Processes, ThatCannotBeStartedSayWhy) {
+TEST_F(Processes, WhenNotStartedGiveTheReason) {
     const auto end = run({.words = {"no-such-program"}, .environment = {}, .folder = ".", .output = "/dev/null"});
     EXPECT_EQ(end.start, std::errc::no_such_file_or_directory);
 }
 
-TEST_F(Processes, OfTheShellAnswerOrFail) {
+TEST_F(Processes, OfTheShellReturnOutputOrNothing) {
     EXPECT_EQ(output_of("echo yes"), "yes\n");
     EXPECT_EQ(output_of("echo no; exit 1"), std::nullopt);
 }
 
-TEST_F(Processes, InAChildLeaveThisOneAsItWas) {
+TEST_F(Processes, InAChildDoNotChangeTheParent) {
     int here = 0;
     EXPECT_TRUE(run_in_child([&] { here = 1; }, 10)->well());
     EXPECT_EQ(here, 0);
@@ -126,19 +126,19 @@ TEST_F(Processes, InAChildLeaveThisOneAsItWas) {
     EXPECT_TRUE(endless->out_of_time);
 }
 
-TEST_F(Processes, ThatLiveAreNotGone) {
+TEST_F(Processes, AreGoneOnlyAfterTheyEnd) {
     EXPECT_FALSE(is_gone(this_process()));
     EXPECT_TRUE(is_gone(999'999'999));
 }
 
-TEST(Memory, OfAMachineIsSome) {
+TEST(Memory, OfTheMachineIsPositive) {
     EXPECT_GT(memory_of_machine(), std::uint64_t{1} << 26);
     std::string text(1 << 22, 'a');
     prefer_large_pages(text.data(), text.size());
     EXPECT_EQ(text.back(), 'a');
 }
 
-TEST(Libraries, AreThereOrSayWhyNot) {
+TEST(Libraries, AreLoadedOrGiveTheReason) {
     EXPECT_EQ(loaded_library("libnone.so.0"), nullptr);
     EXPECT_NE(loading_error().find("libnone"), std::string::npos);
     auto* const own = loaded_library(nullptr);
@@ -146,7 +146,7 @@ TEST(Libraries, AreThereOrSayWhyNot) {
     EXPECT_EQ(function_of(own, "no_such_function"), nullptr);
 }
 
-TEST(Terminal, HasNoColumnsWhereThereIsNone) {
+TEST(Terminal, HasNoColumnsForOtherOutput) {
     for (const auto stream : {Stream::output, Stream::errors}) {
         if (!is_terminal(stream)) {
             EXPECT_EQ(columns_of(stream), 0u);

@@ -24,7 +24,7 @@ RetractionPair pair_of(double share, double error, const std::string& input, dou
             .work_of_adhesion = work};
 }
 
-TEST(PairsInFullContact, AreThoseBelowTheShareWhereNothingIsUncertain) {
+TEST(PairsInFullContact, CountPairsBelowTheThresholdWithoutErrors) {
     const auto found =
         pairs_in_full_contact({pair_of(0.1, 0.0, "a"), pair_of(0.29, 0.0, "b"), pair_of(0.31, 0.0, "c")});
     EXPECT_EQ(found.lower, 2);
@@ -33,7 +33,7 @@ TEST(PairsInFullContact, AreThoseBelowTheShareWhereNothingIsUncertain) {
 
 // at the share itself each of ten is in or out by chance: binomial, 2.5 % below 2 and above 8 where they are
 // independent, all or none where one input moves them
-TEST(PairsInFullContact, RangeWithWhatTheyShare) {
+TEST(PairsInFullContact, HaveAWiderRangeForSharedInputs) {
     std::vector<RetractionPair> apart, together;
     for (int i = 0; i < 10; ++i) {
         apart.push_back(pair_of(0.3, 0.1, "E of " + std::to_string(i)));
@@ -46,7 +46,7 @@ TEST(PairsInFullContact, RangeWithWhatTheyShare) {
     EXPECT_EQ(of_together.upper, 10);
 }
 
-TEST(PairsInFullContact, AreNoneOfPairsThatGainNothing) {
+TEST(PairsInFullContact, DoNotCountPairsWithoutGain) {
     const auto found = pairs_in_full_contact({pair_of(0.1, 0.1, "a", 1e-9, 2.0)});
     EXPECT_EQ(found.upper, 0);
 }

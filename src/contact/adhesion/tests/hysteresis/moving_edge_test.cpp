@@ -52,7 +52,7 @@ EdgeRetraction by_time(const HystereticSphere& of, const Pressing& pressing, con
     return result;
 }
 
-TEST(MovingEdge, DoesWhatItsEquationsDoInTime) {
+TEST(MovingEdge, MatchesIntegrationInTime) {
     const Pressing pressing{.maximum_force = 1e-3};
     for (const double speed : {0.3e-6, 1e-6, 10e-6}) {
         auto edge = rubber;
@@ -64,7 +64,7 @@ TEST(MovingEdge, DoesWhatItsEquationsDoInTime) {
     }
 }
 
-TEST(MovingEdge, ThatDoesNotMindItsSpeedIsTheRestingOne) {
+TEST(MovingEdge, WithoutSpeedDependenceEqualsTheStaticEdge) {
     auto edge = rubber;
     edge.law.reference_speed = 1e6;
     for (const double stiffness : {60.0, fixed_grips}) {
@@ -76,7 +76,7 @@ TEST(MovingEdge, ThatDoesNotMindItsSpeedIsTheRestingOne) {
     }
 }
 
-TEST(MovingEdge, CourseEnclosesWhatTheLoopLoses) {
+TEST(MovingEdge, CourseEnclosesTheEnergyLoss) {
     for (const double stiffness : {60.0, fixed_grips}) {
         const Pressing pressing{.maximum_force = 1e-3, .machine_stiffness = stiffness};
         const auto course = loop_course(sphere, pressing, rubber, 8000);
@@ -87,7 +87,7 @@ TEST(MovingEdge, CourseEnclosesWhatTheLoopLoses) {
     }
 }
 
-TEST(MovingEdge, WorkAtRestIsFoundInWhatIsRead) {
+TEST(MovingEdge, WorkAtRestIsRecoveredFromTheApparentWork) {
     const Pressing pressing{.maximum_force = 1e-3, .machine_stiffness = 200.0};
     for (const auto reading : {Reading::last_points, Reading::smallest_force, Reading::loop_area}) {
         const double read = work_read(sphere, pressing, rubber, reading);
@@ -96,7 +96,7 @@ TEST(MovingEdge, WorkAtRestIsFoundInWhatIsRead) {
     }
 }
 
-TEST(MovingEdge, IsReadFromTheAreaAsTheRestingEdgeOfAnEqualLoop) {
+TEST(MovingEdge, ApparentWorkFromAreaIsThatOfAnEqualStaticLoop) {
     for (const double stiffness : {200.0, fixed_grips}) {
         const Pressing pressing{.maximum_force = 1e-3, .machine_stiffness = stiffness};
         auto resting = sphere;
@@ -106,7 +106,7 @@ TEST(MovingEdge, IsReadFromTheAreaAsTheRestingEdgeOfAnEqualLoop) {
     }
 }
 
-TEST(MovingEdge, IsReadBeforeItsSmallestForce) {
+TEST(MovingEdge, ApparentWorkFallsWithTheReadingTime) {
     const Pressing pressing{.maximum_force = 1e-3};
     double before = std::numeric_limits<double>::infinity();
     for (const double time : {0.0, 3.0, 10.0, 30.0}) {
@@ -118,7 +118,7 @@ TEST(MovingEdge, IsReadBeforeItsSmallestForce) {
     }
 }
 
-TEST(MovingEdge, RefusesWhatIsNone) {
+TEST(MovingEdge, RefusesInvalidInput) {
     const auto refused = [](MovingEdge edge) {
         try {
             (void)edge_retraction(sphere, {.maximum_force = 1e-3}, edge);

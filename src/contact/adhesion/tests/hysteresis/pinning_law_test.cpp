@@ -25,7 +25,7 @@ constexpr SimulatedFronts simulated[] = {
     {0.01, 12.4, 2.719, 0.06},  {0.003, 0.46, 0.614, 0.06}, {0.003, 0.93, 1.145, 0.07}, {0.003, 3.71, 2.287, 0.10},
     {0.001, 0.31, 0.405, 0.09}, {0.001, 0.62, 0.932, 0.10}};
 
-TEST(PinningLaw, MeetsTheSimulatedFronts) {
+TEST(PinningCoefficient, MatchesSimulatedFronts) {
     for (const auto& fronts : simulated) {
         const auto k = pinning_constants(fronts.energy_share, fronts.larkin_lengths);
         // 5 %: fronts only two to four times as long as their springs let them bend have so much more
@@ -37,7 +37,7 @@ TEST(PinningLaw, MeetsTheSimulatedFronts) {
 
 // edges of circular contacts of three surfaces, k from W_appr and W_ret at a given radius,
 // docs/validation/crack-front.md
-TEST(PinningLaw, MeetsTheEdgesOfRoundContacts) {
+TEST(PinningCoefficient, MatchesEdgesOfCircularContacts) {
     constexpr SimulatedFronts round[] = {{0.1, 5.33, 1.40, 0.03},  {0.1, 5.86, 1.48, 0.04},  {0.1, 6.57, 1.50, 0.05},
                                          {0.1, 7.66, 1.52, 0.03},  {0.1, 9.42, 1.61, 0.06},  {0.1, 13.4, 1.77, 0.04},
                                          {0.03, 4.01, 1.80, 0.03}, {0.03, 4.40, 1.86, 0.04}, {0.03, 4.90, 1.91, 0.04},
@@ -47,7 +47,7 @@ TEST(PinningLaw, MeetsTheEdgesOfRoundContacts) {
                     2.0 * contact.standard_error);
 }
 
-TEST(PinningLaw, GrowsWithTheFrontAndFallsWithTheShare) {
+TEST(PinningCoefficient, IncreasesWithFrontLengthAndFallsWithEnergyShare) {
     for (double share = 0.001; share < 0.3; share *= 1.5)
         for (double length = 0.5; length < 500.0; length *= 1.5) {
             const double k = pinning_constants(share, length).approach.value;
@@ -57,7 +57,7 @@ TEST(PinningLaw, GrowsWithTheFrontAndFallsWithTheShare) {
     EXPECT_EQ(pinning_constants(0.1, 0.0).approach.value, 0.0);
 }
 
-TEST(PinningLaw, SaysWhereNoFrontWasSimulated) {
+TEST(PinningCoefficient, HasALargerErrorOutsideTheSimulatedRange) {
     EXPECT_TRUE(pinning_constants(0.0625, 30.0).measured);
     const auto far = pinning_constants(0.01, 200.0), inside = pinning_constants(0.01, 12.0);
     EXPECT_FALSE(far.measured);
@@ -71,7 +71,7 @@ TEST(PinningLaw, SaysWhereNoFrontWasSimulated) {
 }
 
 // waves of a roll-off 16 and 32 times the shortest wave, H = 0.5 to 0.95
-TEST(PinningLaw, CountsTheBandInItsStandardError) {
+TEST(PinningCoefficient, ErrorIncludesTheWidthOfTheBand) {
     constexpr SimulatedFronts wide[] = {{0.1, 2.44, 1.16, 0.07},  {0.1, 3.50, 1.33, 0.06},  {0.1, 2.20, 1.05, 0.06},
                                         {0.03, 2.90, 1.80, 0.03}, {0.03, 2.55, 1.72, 0.03}, {0.1, 7.28, 1.52, 0.02},
                                         {0.1, 8.80, 1.58, 0.02},  {0.1, 12.56, 1.69, 0.02}};
@@ -82,7 +82,7 @@ TEST(PinningLaw, CountsTheBandInItsStandardError) {
 }
 
 // Dalvi et al. 2019, polished nanodiamond on 0.7 to 10 MPa, from 1 mN to pull-off: N by crack_front::larkin_lengths()
-TEST(PinningLaw, OfThePublishedPolishedSurface) {
+TEST(PinningCoefficient, MatchesThePublishedPolishedSurface) {
     EXPECT_NEAR(pinning_constants(0.0043, 4.4).approach.value, 2.27, 0.02);
     EXPECT_NEAR(pinning_constants(0.0043, 8.8).retraction.value, 2.63, 0.02);
     EXPECT_NEAR(pinning_constants(0.0625, 25.9).approach.value, 2.19, 0.02);
@@ -91,28 +91,28 @@ TEST(PinningLaw, OfThePublishedPolishedSurface) {
 
 constexpr double endless = std::numeric_limits<double>::infinity();
 
-TEST(PinningLaw, OfOneBandIsThatOfAllWaves) {
+TEST(PinningCoefficient, OfOneBandEqualsThatOfAllWaves) {
     EXPECT_DOUBLE_EQ(pinning_by_bands(2e-3, {{1.0, 1e-6}}, 40e-3, endless),
                      pinning_constants(0.05, endless).retraction.value * 2e-3);
     // ℓ = 20 µm on waves of 1 µm, L_c = 1 µm/(4 · 0.05) = 5 µm
     EXPECT_DOUBLE_EQ(pinning_by_bands(2e-3, {{1.0, 1e-6}}, 40e-3, 20e-6), pinning_constant(0.05, 4.0) * 2e-3);
 }
 
-TEST(PinningLaw, BandsPinMoreThanAllWavesAtOnce) {
+TEST(PinningCoefficient, IsLargerForSeparateBandsThanForAllWavesTogether) {
     const double at_once = pinning_by_bands(4e-3, {{1.0, 1e-6}}, 40e-3, endless);
     const double by_two = pinning_by_bands(4e-3, {{0.5, 1e-6}, {0.5, 4e-6}}, 40e-3, endless);
     EXPECT_GT(by_two, at_once);
     EXPECT_DOUBLE_EQ(by_two, pinning_constants(0.05, endless).retraction.value * 4e-3);
 }
 
-TEST(PinningLaw, HasTheValueOfBothConstants) {
+TEST(PinningCoefficient, EqualsThatOfTheRetraction) {
     for (const double share : {0.0, 0.004, 0.1, 0.7})
         for (const double length : {0.0, 0.3, 12.0, endless})
             EXPECT_EQ(pinning_constant(share, length), pinning_constants(share, length).retraction.value);
     EXPECT_THROW((void)pinning_constant(-0.1, 1.0), InvalidArgument);
 }
 
-TEST(EdgeLarkinLengths, AreNoneWhereNothingIsStoredAndEndlessWithoutASphere) {
+TEST(EdgeLarkinLengths, AreZeroWithoutStoredEnergyAndInfiniteWithoutASphere) {
     EXPECT_EQ(edge_larkin_lengths(1e-4, 1e-6, 0.0), 0.0);
     EXPECT_EQ(edge_larkin_lengths(endless, 0.0, 0.0), 0.0);
     EXPECT_EQ(edge_larkin_lengths(endless, 0.0, 0.1), endless);
@@ -121,7 +121,7 @@ TEST(EdgeLarkinLengths, AreNoneWhereNothingIsStoredAndEndlessWithoutASphere) {
 }
 
 // closed forms of JKR: pull-off under a dead load at a = (9πWR²/8E*)^⅓, where ℓ = 2πa/4; without load ℓ = 2πa/10
-TEST(EdgeLengths, AreThoseOfJkrsContact) {
+TEST(EdgeLengths, MatchTheJkrContact) {
     const contact::AdhesiveContact sphere{1.25e-3, 0.92e6, 0.039};
     const double pull_off = std::cbrt(9.0 * pi * 0.039 * 1.25e-3 * 1.25e-3 / (8.0 * 0.92e6));
     const double unloaded = std::cbrt(4.0) * pull_off;

@@ -72,7 +72,7 @@ private:
     std::vector<RetractionPair> pairs_;
 };
 
-TEST(Ranking, PlantedModelIsPossibleWithItsNumber) {
+TEST(Ranking, TrueModelIsPossibleWithItsParameter) {
     const Study study;
     for (const auto& model : retraction_models()) {
         const double parameter = model.law == Law::fitted_pinning ? 0.9 : 0.06;
@@ -94,7 +94,7 @@ TEST(Ranking, PlantedModelIsPossibleWithItsNumber) {
     }
 }
 
-TEST(Ranking, RefusesAModelThatIsOffByAConstant) {
+TEST(Ranking, RejectsAModelWithAConstantBias) {
     const Study study;
     auto pairs = study.simulated({Law::reversible, Tip::none}, 0.0, 0.03, 9);
     for (auto& pair : pairs) pair.retraction.value.value += 0.06;
@@ -105,7 +105,7 @@ TEST(Ranking, RefusesAModelThatIsOffByAConstant) {
     EXPECT_TRUE(ranking.all_refused());
 }
 
-TEST(Ranking, WithMuchNoiseSeveralCannotBeDistinguished) {
+TEST(Ranking, SeveralModelsCannotBeDistinguishedInStrongNoise) {
     const Study study;
     const auto ranking = study.ranked(study.simulated({Law::opening_work, Tip::none}, 0.06, 0.4, 3));
     EXPECT_GT(ranking.possible().size(), 1U);
@@ -122,7 +122,7 @@ TEST(Ranking, IsTheSameForAnyNumberOfThreads) {
     }
 }
 
-TEST(Odds, AreClassedByTheirFivePerCentPoint) {
+TEST(Odds, AreClassifiedByTheirFivePercentQuantile) {
     EXPECT_EQ((Odds{1000.0, 21.0, 1e6}.distinction()), Distinction::clearly_better);
     EXPECT_EQ((Odds{1000.0, 19.0, 1e6}.distinction()), Distinction::better);
     EXPECT_EQ((Odds{1000.0, 2.0, 1e6}.distinction()), Distinction::cannot_be_distinguished);
@@ -130,7 +130,7 @@ TEST(Odds, AreClassedByTheirFivePerCentPoint) {
     EXPECT_STREQ(name_of(Distinction::clearly_better), "clearly better");
 }
 
-TEST(ModelTrials, TrueModelsAreFoundOrPossible) {
+TEST(ModelTrials, FindTrueModelsOrKeepThemPossible) {
     const Study study;
     const auto pairs = study.simulated({Law::opening_work, Tip::none}, 0.06, 0.03, 3);
     const std::vector<RetractionModel> models{{Law::reversible, Tip::none},
@@ -152,7 +152,7 @@ TEST(ModelTrials, TrueModelsAreFoundOrPossible) {
     for (std::size_t i = 0; i < trials.size(); ++i) EXPECT_EQ(trials[i].found, again[i].found);
 }
 
-TEST(Ranking, OfTooFewPairsSaysSo) {
+TEST(Ranking, OfTooFewPairsReportsTheReason) {
     const Study study;
     auto pairs = study.simulated({Law::reversible, Tip::none}, 0.0, 0.01, 1);
     while (pairs.size() > 12) pairs.pop_back();  // of three surfaces
@@ -163,7 +163,7 @@ TEST(Ranking, OfTooFewPairsSaysSo) {
         << ranking.unranked[0].reason;
 }
 
-TEST(RetractionPair, ConformalLossCountsTheJumps) {
+TEST(RetractionPair, ConformalLossIncludesTheJumps) {
     const Study study;
     auto pair = study.pairs()[1];
     pair.radius = TracedValue(1.25e-3);
@@ -180,8 +180,8 @@ TEST(RetractionPair, ConformalLossCountsTheJumps) {
     EXPECT_EQ(shares.crack_tip.value, 0.0);
 }
 
-// (10) says what is lost in all; a soft machine lets the sphere jump further, and the edge loses less
-TEST(RetractionPair, ASoftMachineTakesMoreOfTheLossInJumps) {
+// the true-area loss (Eq. 10) gives the total; on a soft machine jumps are larger and the edge loses less
+TEST(RetractionPair, SoftMachineIncreasesTheShareOfJumps) {
     const Study study;
     auto pair = study.pairs()[1];
     pair.radius = TracedValue(1.25e-3);
@@ -202,7 +202,7 @@ TEST(RetractionPair, ASoftMachineTakesMoreOfTheLossInJumps) {
     EXPECT_FALSE(stiff->shares.jump_in.components.contains("k_m"));
 }
 
-TEST(RetractionPair, ErrorsAreThoseOfItsInputs) {
+TEST(RetractionPair, ErrorsFollowFromItsInputs) {
     const Study study;
     auto pair = study.pairs()[1];
     pair.work_of_adhesion = TracedValue({.value = 0.037, .standard_error = 0.001}, "W_int");
@@ -231,7 +231,7 @@ double retraction_by(Law law, double parameter, const RetractionPair& pair) {
 
 // At U_el = AW simulated patches touch on 0.56 of their area and gain 0.1985 W (docs/validation/conformity.md): the
 // contact stores the difference.
-TEST(RetractionPair, OfPartialContactIsThatOfTheContactThereIs) {
+TEST(RetractionPair, OfPartialContactUsesTheAreaInContact) {
     const auto pair = with_energy_share(1.0);
     const double r = pair.rough.parameters.area_ratio(), gain = 0.037 * r - 0.025 * (r - 1.0);
     EXPECT_NEAR(retraction_by(Law::reversible, 0.0, pair) / gain, 0.1985, 1e-9);
@@ -244,7 +244,7 @@ TEST(RetractionPair, OfPartialContactIsThatOfTheContactThereIs) {
     EXPECT_NEAR(opening.standard_error() / opening.value, 0.0255 / 0.56, 1e-3);
 }
 
-TEST(RetractionPair, OfFullContactIsThatOfTheSurface) {
+TEST(RetractionPair, OfFullContactUsesTheWholeSurface) {
     for (const double share : {0.02, 0.1, 0.15}) {
         const auto pair = with_energy_share(share);
         const double r = pair.rough.parameters.area_ratio(), gain = 0.037 * r - 0.025 * (r - 1.0);
@@ -254,7 +254,7 @@ TEST(RetractionPair, OfFullContactIsThatOfTheSurface) {
     }
 }
 
-TEST(RetractionPair, CrackTipTakesItsShareOfTheEdge) {
+TEST(RetractionPair, CrackTipHasItsShareOfTheEdgeLoss) {
     const Study study;
     auto pair = study.pairs()[5];
     pair.radius = TracedValue(1.25e-3);
@@ -280,7 +280,7 @@ RetractionPair on_sphere(double radius) {
 }
 
 // s = 0.1, λ̄ = π h²/2u, L_c = λ̄/4s; radii and lengths by the closed forms of JKR's contact of W
-TEST(PairPinning, CountsTheLarkinLengthsOfTheEdge) {
+TEST(PairPinning, CountsLarkinLengthsOfTheEdge) {
     const auto pair = on_sphere(1.25e-3);
     const auto& p = pair.rough.parameters;
     const double r = p.area_ratio(), W = 0.037 * r - 0.025 * (r - 1.0), E = pair.soft.contact_modulus.value,
@@ -307,7 +307,7 @@ TEST(PairPinning, CountsTheLarkinLengthsOfTheEdge) {
     EXPECT_TRUE(pinning_of(measured).measured_radius);
 }
 
-TEST(PairPinning, TendsToTheEndlessFrontOnALargeSphere) {
+TEST(PairPinning, TendsToTheInfiniteFrontOnALargeSphere) {
     auto endless = on_sphere(1.0);
     endless.radius.reset();
     const double most = pinned_loss(endless);
@@ -323,7 +323,7 @@ TEST(PairPinning, TendsToTheEndlessFrontOnALargeSphere) {
     EXPECT_NEAR(last / most, 1.0, 1e-2);
 }
 
-TEST(PairPinning, LosesNothingWhereNothingIsStored) {
+TEST(PairPinning, HasNoLossWithoutStoredEnergy) {
     const roughness::ParameterSpread none;
     for (const double share : {1e-3, 1e-5, 1e-8, 0.0}) {
         auto pair = on_sphere(1.25e-3);
@@ -342,7 +342,7 @@ TEST(PairPinning, LosesNothingWhereNothingIsStored) {
     }
 }
 
-TEST(RetractionModel, RefusesWhatNoPairHas) {
+TEST(RetractionModel, RefusesInvalidPairs) {
     EXPECT_THROW((void)retraction_line({Law::pinning, Tip::none}, {.area_ratio = 0.9, .work_of_adhesion = 0.04}, {}),
                  InvalidArgument);
     EXPECT_THROW((void)retraction_line({Law::pinning, Tip::none}, {.work_of_adhesion = 0.0}, {}), InvalidArgument);

@@ -58,7 +58,7 @@ const ModelScore& score_of(const Ranking& ranking, Law law) {
                               [](const ModelScore& score) { return score.fitted.model; });
 }
 
-TEST(SimulatedFronts, HaveTheLarkinLengthsOfTheirSolver) {
+TEST(SimulatedFronts, HaveTheLarkinLengthsOfTheSolver) {
     for (const auto& loop : round_contacts::fitted_works) {
         auto pair = pair_of(loop).pair;
         pair.work_of_adhesion = TracedValue(W);
@@ -75,7 +75,7 @@ TEST(SimulatedFronts, HaveTheLarkinLengthsOfTheirSolver) {
 }
 
 // the mechanism of the loops is found, with the work that went in; a constant work per true area is not
-TEST(SimulatedFronts, WorkThatWentInIsFoundWithinItsError) {
+TEST(SimulatedFronts, FitRecoversTheTrueWorkWithinItsError) {
     const auto ranking = rank_models(retraction_models({Tip::none}), all_pairs());
     ASSERT_TRUE(ranking.best());
     EXPECT_EQ(ranking.best()->fitted.model.name(), "pinning");

@@ -29,7 +29,7 @@ double factor(double work, double speed, double exponent, double rest) {
     return edge_retraction(body, pressing, {{speed, exponent}, pull.motor_speed, pull.reading_time}).work_read / work;
 }
 
-TEST(SpeedFactor, IsWhatTheEdgeAsksForWithItsDerivatives) {
+TEST(SpeedFactor, EqualsTheRatioForTheEdgeWithDerivatives) {
     const auto found = speed_factor(sphere(), edge(), pull, 0.05);
     EXPECT_NEAR(found.factor.value / factor(0.05, 1e-6, 0.6, 1.05), 1.0, 1e-12);
     const double by_speed = 0.5 * (factor(0.05, 1.05e-6, 0.6, 1.05) - factor(0.05, 0.95e-6, 0.6, 1.05)),
@@ -39,14 +39,14 @@ TEST(SpeedFactor, IsWhatTheEdgeAsksForWithItsDerivatives) {
     EXPECT_LT(by_speed, 0.0) << "a larger v0 minds speed less";
 }
 
-TEST(SpeedFactor, GoesOnAsAPowerOfTheWork) {
+TEST(SpeedFactor, ExtrapolatesAsAPowerOfTheWork) {
     const auto found = speed_factor(sphere(), edge(), pull, 0.05);
     EXPECT_LT(found.slope, 0.0);
     for (const double work : {0.025, 0.04, 0.08, 0.12})
         EXPECT_NEAR(found.at(found.factor.value, work) / factor(work, 1e-6, 0.6, 1.05), 1.0, 4e-3) << work;
 }
 
-TEST(SpeedFactor, OfAReadingHasItsWork) {
+TEST(SpeedFactor, OfAnApparentWorkRecoversTheWorkAtRest) {
     const double work = 0.07, read = work * factor(work, 1e-6, 0.6, 1.05);
     const auto found = speed_factor_of_reading(sphere(), edge(), pull, read);
     EXPECT_NEAR(found.work / work, 1.0, 1e-7);
@@ -77,7 +77,7 @@ RetractionPair known_pair() {
     return pair;
 }
 
-TEST(RetractionPair, AtSpeedAsksForWhatItsOwnEdgeDoes) {
+TEST(RetractionPair, AtSpeedUsesTheRateOfItsOwnEdge) {
     auto pair = known_pair();
     pair.speed_factor = speed_factor(sphere(), edge(), pull, 0.06);
     const FittedModel opening{.model = {Law::opening_work, Tip::speed}, .parameter = 0.06, .scatter = {}};
@@ -98,7 +98,7 @@ TEST(RetractionPair, AtSpeedAsksForWhatItsOwnEdgeDoes) {
     EXPECT_NEAR(sum / loop->energy_loss.value, 1.0, 1e-12);
 }
 
-TEST(RetractionPair, WithARelaxingBulkLosesThatBeside) {
+TEST(RetractionPair, WithARelaxingBulkAddsTheBulkLoss) {
     auto pair = known_pair();
     const FittedModel opening{.model = {Law::opening_work, Tip::none}, .parameter = 0.06, .scatter = {}};
     const auto elastic = predicted_retraction_loop(opening, pair);
@@ -113,7 +113,7 @@ TEST(RetractionPair, WithARelaxingBulkLosesThatBeside) {
     EXPECT_EQ(predicted_retraction_loop(opening, pair)->shares.bulk.value, 0.0) << "nobody says how fast";
 }
 
-TEST(RetractionPair, SaysWhatATipThatMindsItsSpeedLacks) {
+TEST(RetractionPair, NamesMissingInputOfARateDependentTip) {
     auto pair = known_pair();
     EXPECT_NE(pair.lacks({Law::reversible, Tip::speed}).find("machine speed"), std::string::npos);
     pair.edge_speed.reset();

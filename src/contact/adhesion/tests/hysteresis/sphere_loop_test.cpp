@@ -24,14 +24,14 @@ double area_of(const Table& course) {
     return area;
 }
 
-TEST(SphereLoop, OfASmoothSphereUnderFixedGripsLosesWhatIsKnown) {
+TEST(SphereLoop, OfASmoothSphereUnderFixedGripsHasMaugisLoss) {
     const auto loop = sphere_loop(smooth, {.maximum_force = 1e-3});
     EXPECT_EQ(loop.edge_loss, 0.0);
     const auto units = contact::jkr::maugis_units(smooth.approach());
     EXPECT_NEAR(loop.energy_loss() / units.energy, 1.2749410291, 1e-9);
 }
 
-TEST(SphereLoop, EdgeLosesTheDifferenceOfTheWorksOverTheLargestContact) {
+TEST(SphereLoop, EdgeLossIsWorkDifferenceTimesLargestContactArea) {
     auto rough = smooth;
     rough.work_retraction = 0.12;
     const auto loop = sphere_loop(rough, {.maximum_force = 1e-3});
@@ -52,7 +52,7 @@ TEST(SphereLoop, CourseEnclosesTheLoss) {
     }
 }
 
-TEST(SphereLoop, WorkForALossGivesThatLossAndLessIsRefused) {
+TEST(SphereLoop, WorkForALossGivesThatLoss) {
     for (const double stiffness : {50.0, std::numeric_limits<double>::infinity()})
         for (const double loss : {1.2e-9, 3e-9, 50e-9}) {
             const Pressing pressing{.maximum_force = 1e-3, .machine_stiffness = stiffness};
@@ -68,7 +68,7 @@ TEST(SphereLoop, WorkForALossGivesThatLossAndLessIsRefused) {
     }
 }
 
-TEST(SphereLoop, RefusesWhatNoLoopHas) {
+TEST(SphereLoop, RefusesInvalidInput) {
     auto repelled = smooth;
     repelled.work_retraction = 0.03;
     EXPECT_THROW((void)sphere_loop(repelled, {.maximum_force = 1e-3}), InvalidArgument);

@@ -60,7 +60,7 @@ Array1D by_elements(const ContactHistory& history, const std::vector<RelaxationT
     return force;
 }
 
-TEST(BulkRelaxation, IsThatOfElementsEachByItself) {
+TEST(BulkRelaxation, EqualsTheSumOfSeparateElements) {
     const std::vector<RelaxationTerm> terms{{0.1, 5.0}, {0.05, 60.0}};
     for (const auto& edge : {std::optional<MovingEdge>{}, std::optional<MovingEdge>({{1e-6, 0.6}, 60e-9, 0.0})}) {
         const auto history = contact_history(sphere, pressing, drive, edge, 1000);
@@ -71,7 +71,7 @@ TEST(BulkRelaxation, IsThatOfElementsEachByItself) {
     }
 }
 
-TEST(BulkRelaxation, OfAGrowingContactIsLeeAndRadoks) {
+TEST(BulkRelaxation, OfAGrowingContactMatchesLeeAndRadok) {
     // without adhesion: F = 4/(3R) ∫ E(t − s) d(a³), here for a² ∝ t
     constexpr Index n = 2001;
     ContactHistory history{.time = Array1D::LinSpaced(n, 0.0, 100.0), .turn = n - 1};
@@ -90,7 +90,7 @@ TEST(BulkRelaxation, OfAGrowingContactIsLeeAndRadoks) {
     EXPECT_NEAR((elastic + beside[n - 1]) / (4.0 * relaxed / (3.0 * radius) * integral), 1.0, 1e-5);
 }
 
-TEST(BulkRelaxation, LoadingAtAConstantRateOfVolumeShowsTheModulus) {
+TEST(BulkRelaxation, VanishesForLoadingAtAConstantRateOfVolume) {
     constexpr Index n = 4001;
     ContactHistory history{.time = Array1D::LinSpaced(n, 0.0, 50.0), .turn = n - 1};
     history.contact_radius = 1e-4 * (history.time / 50.0).pow(1.0 / 3.0);
@@ -99,7 +99,7 @@ TEST(BulkRelaxation, LoadingAtAConstantRateOfVolumeShowsTheModulus) {
     EXPECT_NEAR(beside[n - 1] / (4.0 * modulus * 1e-12 / (3.0 * radius)), 0.0, 1e-5);
 }
 
-TEST(BulkRelaxation, OfAContactThatIsHeldDecaysWithItsTime) {
+TEST(BulkRelaxation, OfAHeldContactDecaysWithTheRelaxationTime) {
     const auto history = contact_history(sphere, pressing, drive, {}, 1000);
     const Array1D force = relaxation_force(history, radius, modulus, {{0.1, 8.0}});
     Index held = history.turn;
@@ -111,7 +111,7 @@ TEST(BulkRelaxation, OfAContactThatIsHeldDecaysWithItsTime) {
     EXPECT_NEAR(force[held] / expected, 1.0, 1e-6);
 }
 
-TEST(BulkRelaxation, OfAPunchIsMaxwells) {
+TEST(BulkRelaxation, OfAPunchMatchesAMaxwellElement) {
     // a stays: F₁ = E∞ g 2a (δ − z) beside a constant; a ramp up and down of slope V loses E∞ g 2a times
     // ∫(δ − z) dδ = V²τ [T + …] in closed form
     constexpr Index n = 20001;
@@ -131,7 +131,7 @@ TEST(BulkRelaxation, OfAPunchIsMaxwells) {
     EXPECT_NEAR(relaxation_loss(history, radius, modulus, {{share, tau}}) / expected, 1.0, 1e-5);
 }
 
-TEST(BulkRelaxation, ThatIsVeryFastOrVerySlowCostsNothing) {
+TEST(BulkRelaxation, HasNoLossForVeryFastOrSlowRelaxation) {
     const auto history = contact_history(sphere, pressing, drive, {}, 400);
     const double loss = relaxation_loss(history, radius, modulus, {{0.1, 10.0}});
     EXPECT_GT(loss, 0.0);
@@ -140,7 +140,7 @@ TEST(BulkRelaxation, ThatIsVeryFastOrVerySlowCostsNothing) {
     EXPECT_EQ(relaxation_loss(history, radius, modulus, {}), 0.0);
 }
 
-TEST(BulkRelaxation, RefusesWhatIsNone) {
+TEST(BulkRelaxation, RefusesInvalidInput) {
     const auto history = contact_history(sphere, pressing, drive, {}, 20);
     EXPECT_THROW((void)relaxation_loss(history, radius, modulus, {{-0.1, 10.0}}), InvalidArgument);
     EXPECT_THROW((void)relaxation_loss(history, radius, modulus, {{0.1, 0.0}}), InvalidArgument);

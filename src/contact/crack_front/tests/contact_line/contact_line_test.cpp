@@ -15,7 +15,7 @@ namespace {
 
 const Array1D once = Array1D::Zero(1);
 
-TEST(LineShape, OfACircleIsTheCircles) {
+TEST(LineShape, OfACircleMatchesTheCircle) {
     const auto shape = line_shape(line_of(once, 1024, [](double, double) { return 3.0; }));
     EXPECT_NEAR(shape.mean_radius[0], 3.0, 1e-14);
     EXPECT_NEAR(shape.area[0], 9.0 * pi, 1e-12);
@@ -24,7 +24,7 @@ TEST(LineShape, OfACircleIsTheCircles) {
 }
 
 // ½ ∫ (a + b cos 5θ)² dθ = π (a² + b²/2); a shifted centre and an ellipse are no deviation
-TEST(LineShape, DeviationIsWithoutCentreAndEllipse) {
+TEST(LineShape, DeviationExcludesCentreAndEllipse) {
     const auto shape = line_shape(line_of(once, 64, [](double angle, double) {
         return 3.0 + 0.3 * std::cos(angle + 0.4) + 0.2 * std::sin(2.0 * angle) + 0.01 * std::cos(5.0 * angle);
     }));
@@ -32,7 +32,7 @@ TEST(LineShape, DeviationIsWithoutCentreAndEllipse) {
     EXPECT_NEAR(shape.area[0], pi * (9.0 + 0.5 * (0.09 + 0.04 + 0.0001)), 1e-12);
 }
 
-TEST(ContactLine, AtFewerAnglesKeepsItsWaves) {
+TEST(ContactLine, AtFewerAnglesKeepsResolvedModes) {
     const auto wavy = [](double angle, double) {
         return 3.0 + 0.2 * std::cos(angle) + 0.05 * std::sin(7.0 * angle) + 0.04 * std::cos(15.0 * angle);
     };
@@ -48,7 +48,7 @@ TEST(ContactLine, AtFewerAnglesKeepsItsWaves) {
     EXPECT_THROW((void)at_fewer_angles(fine, 15), InvalidArgument);
 }
 
-TEST(ContactLine, AtOtherTimesLiesBetweenItsFrames) {
+TEST(ContactLine, AtOtherTimesIsInterpolated) {
     const Array1D times{{1.0, 2.0, 4.0}};
     const auto line = line_of(times, 16, [](double angle, double t) { return 5.0 + t * t + std::cos(angle); });
     const Array1D wanted{{1.0, 1.5, 3.0, 4.0}};
@@ -60,7 +60,7 @@ TEST(ContactLine, AtOtherTimesLiesBetweenItsFrames) {
     EXPECT_THROW((void)at_times(line, Array1D{{4.1}}), InvalidArgument);
 }
 
-TEST(ContactLine, OutsideItsDomainIsRefusedWithTheFrame) {
+TEST(ContactLine, WhenInvalidIsRefusedWithTheFrame) {
     auto line = line_of(Array1D::LinSpaced(3, 0.0, 2.0), 16, [](double, double) { return 1.0; });
     EXPECT_NO_THROW(require_valid(line));
     line.radius(1, 4) = std::nan("");
@@ -82,7 +82,7 @@ TEST(ContactLine, OutsideItsDomainIsRefusedWithTheFrame) {
 constexpr contact::SphereOnFlat sphere{1e-3, 1e6};
 constexpr contact::AdhesiveContact sticky{1e-3, 1e6, 0.04};
 
-TEST(LocalReleaseRate, OfACircleInEquilibriumIsTheWorkOfAdhesion) {
+TEST(LocalReleaseRate, OfACircleInEquilibriumEqualsTheWorkOfAdhesion) {
     const double a = 1e-4;
     const auto line = line_of(once, 32, [&](double, double) { return a; });
     const auto rate = local_release_rate(line, Array1D::Constant(1, contact::jkr::displacement(a, sticky)), sphere);
@@ -92,7 +92,7 @@ TEST(LocalReleaseRate, OfACircleInEquilibriumIsTheWorkOfAdhesion) {
 
 // A line of mode n that a field w (1 + κ cos nθ) holds: G is the field. To first order of the amplitude ε:
 // κ = ε (n + a G'/G), G' = ∂G_J/∂a at fixed δ
-TEST(LocalReleaseRate, OfAWavyLineIsTheFieldThatHoldsIt) {
+TEST(LocalReleaseRate, OfAWavyLineRecoversTheWorkField) {
     const double a = 1e-4, epsilon = 1e-6, delta = contact::jkr::displacement(a, sticky);
     const auto G = [&](double r) { return contact::jkr::energy_release_rate_at_displacement(r, delta, sphere); };
     const double stiffness = a * (G(a * 1.0001) - G(a * 0.9999)) / (0.0002 * a) / G(a);
@@ -107,7 +107,7 @@ TEST(LocalReleaseRate, OfAWavyLineIsTheFieldThatHoldsIt) {
     }
 }
 
-TEST(LocalReleaseRate, LeavesNoisyModesOut) {
+TEST(LocalReleaseRate, ExcludesNoisyModes) {
     const double a = 1e-4;
     const auto line =
         line_of(once, 64, [&](double angle, double) { return a * (1.0 + 1e-6 * std::cos(20.0 * angle)); });

@@ -11,7 +11,7 @@
 namespace setae::contact_line::line_motion_test {
 namespace {
 
-TEST(Passage, AtConstantSpeedIsThatSpeedEverywhere) {
+TEST(Passage, AtConstantSpeedHasThatSpeedEverywhere) {
     const auto line =
         line_of(Array1D::LinSpaced(41, 0.0, 4.0), 16, [](double, double time) { return 10.0 - 2.0 * time; });
     for (const double width : {0.1, 0.3, 1.0}) {
@@ -25,7 +25,7 @@ TEST(Passage, AtConstantSpeedIsThatSpeedEverywhere) {
 }
 
 // speed 3 in rings beyond 8, then 1: cells on either side have theirs, the mean is distance over time
-TEST(Passage, SpeedsOfRingsAreTheirOwn) {
+TEST(Passage, SpeedsOfRingsAreIndependent) {
     const auto line = line_of(Array1D::LinSpaced(3001, 0.0, 6.0), 16, [](double, double time) {
         return time < 2.0 / 3.0 ? 10.0 - 3.0 * time : 8.0 - (time - 2.0 / 3.0);
     });
@@ -36,7 +36,7 @@ TEST(Passage, SpeedsOfRingsAreTheirOwn) {
     EXPECT_NEAR(found.mean_speed, rings * 0.5 / (2.0 / 3.0 + rings * 0.5 - 2.0), 1e-9);
 }
 
-TEST(Passage, CountsForthAndBackOnce) {
+TEST(Passage, CountsForwardAndBackwardMotionOnce) {
     const auto still =
         line_of(Array1D::LinSpaced(201, 0.0, 20.0), 16, [](double, double time) { return 10.0 + 0.1 * time; });
     const auto restless = line_of(still.time, 16, [](double, double time) {
@@ -46,7 +46,7 @@ TEST(Passage, CountsForthAndBackOnce) {
     EXPECT_NEAR(passage(still, Direction::advancing, 0.2).mean_speed, 0.1, 1e-9);
 }
 
-TEST(Passage, RefusesWhatItCannotDo) {
+TEST(Passage, RefusesInvalidOptions) {
     const auto line = line_of(Array1D::LinSpaced(3, 0.0, 1.0), 16, [](double, double time) { return 2.0 - time; });
     EXPECT_THROW((void)passage(line, Direction::receding, -1.0), InvalidArgument);
     EXPECT_THROW((void)passage(line, Direction::receding, 1e-9), InvalidArgument);
@@ -71,7 +71,7 @@ Passage planted() {
     return p;
 }
 
-TEST(Clusters, ArePlantedOnes) {
+TEST(Clusters, RecoverTrueClusters) {
     const auto jumps = clusters(planted(), ClusterKind::jumps);
     ASSERT_EQ(jumps.size(), 3u);
     const double step = 2.0 * pi / 64.0;
@@ -90,7 +90,7 @@ TEST(Clusters, ArePlantedOnes) {
     EXPECT_THROW((void)clusters(planted(), ClusterKind::jumps, 1.0), InvalidArgument);
 }
 
-TEST(Clusters, AroundTheWholeLineAreOneAndEndThere) {
+TEST(Clusters, AroundTheWholeLineAreOneCluster) {
     auto p = planted();
     p.speed.setConstant(1.0);
     p.speed.col(5).setConstant(50.0);
@@ -110,7 +110,7 @@ Array1D with_tail(Index count, double exponent, std::uint64_t seed) {
     return values;
 }
 
-TEST(PowerLawTail, FindsPlantedExponents) {
+TEST(PowerLawTail, RecoversTrueExponents) {
     for (const double exponent : {1.5, 2.55}) {
         double deviates = 0.0, mean = 0.0;
         for (std::uint64_t seed = 1; seed <= 20; ++seed) {
@@ -125,7 +125,7 @@ TEST(PowerLawTail, FindsPlantedExponents) {
     }
 }
 
-TEST(PowerLawTail, OfTooFewOrEqualNumbersIsNone) {
+TEST(PowerLawTail, OfTooFewOrEqualNumbersIsRefused) {
     EXPECT_THROW((void)power_law_tail(Array1D::LinSpaced(49, 1.0, 2.0)), UndefinedDataError);
     EXPECT_THROW((void)power_law_tail(Array1D::Constant(100, 3.0)), UndefinedDataError);
     EXPECT_THROW((void)power_law_tail(Array1D::Constant(100, -1.0)), UndefinedDataError);

@@ -11,8 +11,8 @@
 namespace setae::contact_line::line_roughness_test {
 namespace {
 
-// planted exponents come back, with a ± that holds the scatter of 24 records
-TEST(LineRoughness, FindsPlantedExponents) {
+// true exponents are recovered with a standard error that covers the scatter of 24 records
+TEST(LineRoughness, RecoversTrueExponents) {
     for (const double exponent : {0.35, 0.5, 0.7}) {
         const int records = 24;
         double sum = 0.0, squares = 0.0, deviates = 0.0;
@@ -33,7 +33,7 @@ TEST(LineRoughness, FindsPlantedExponents) {
     }
 }
 
-TEST(LineRoughness, NoiseThatIsNotStatedFlattensTheSpectrum) {
+TEST(LineRoughness, UnstatedNoiseLowersTheExponent) {
     auto line = rough_lines(24, 256, 0.5, 1e-6, std::sqrt(256.0 * 1e-6 * std::pow(20.0, -2.0)), 7);
     const double right = line_roughness(line).exponent.value;
     line.place_error = 0.0;
@@ -61,7 +61,7 @@ TEST(LineRoughness, StructureFunctionIsTheMeanSquareOfDifferences) {
     EXPECT_NEAR(result.power[3], 0.25 * 0.02 * 0.02, 1e-16);  // |r_4|², half the amplitude each side
 }
 
-TEST(LineRoughness, WithoutRoughnessOrModesSaysSo) {
+TEST(LineRoughness, WithoutRoughnessOrModesIsRefused) {
     auto line = rough_lines(4, 64, 0.5, 1e-6, 0.0, 3);
     EXPECT_THROW((void)line_roughness(line, {3, 33}), InvalidArgument);
     EXPECT_THROW((void)line_roughness(line, {3, 5}), InvalidArgument);

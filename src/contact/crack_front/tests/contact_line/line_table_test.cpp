@@ -9,7 +9,7 @@
 namespace setae::contact_line::line_table_test {
 namespace {
 
-TEST(LineTable, HoldsALineAndGivesItBack) {
+TEST(LineTable, IsReadBackUnchanged) {
     auto line = rough_lines(3, 16, 0.5, 1e-6, 0.0, 5);
     line.place_error = 1.25e-8;
     const auto table = as_table(line, {4, 5, 7});

@@ -48,7 +48,7 @@ AdhesiveCell patch(const Array2D& heights, AttractionLaw law = AttractionLaw::ex
     return {heights, {heights.rows(), heights.cols(), size, size}, body, {1.0, 1.5, law}, {}, threads};
 }
 
-TEST(AdhesiveCell, KnowsTheEnergyOfFullContact) {
+TEST(AdhesiveCell, HasTheEnergyOfFullContact) {
     auto cell = line(64, 0.3, 2.0);
     EXPECT_NEAR(cell.conformal_energy(), 0.3, 1e-12);
     const auto closed = cell.solve(HeldGap{0.0});
@@ -61,7 +61,7 @@ TEST(AdhesiveCell, KnowsTheEnergyOfFullContact) {
 }
 
 // e = (k/8) Δ² of h = Δ cos cos, k = E* q/2, q = √2 2π/λ; the troughs open at σ − k Δ
-TEST(AdhesiveCell, KnowsTheEnergyOfAnEggBox) {
+TEST(AdhesiveCell, HasTheEnergyOfAnEggBox) {
     constexpr Index n = 64;
     const double q = std::sqrt(2.0) * 2.0 * pi / n, k = 0.5 * q, height = std::sqrt(8.0 * 0.3 / k);
     const Array2D heights = Array2D::NullaryExpr(n, n, [&](Index i, Index j) {
@@ -76,7 +76,7 @@ TEST(AdhesiveCell, KnowsTheEnergyOfAnEggBox) {
 }
 
 // Attracted by hardly anything a displacement is that of the hard wall, of a half-space and of a layer.
-TEST(AdhesiveCell, DisplacedIsPressedAsAHardWall) {
+TEST(AdhesiveCell, UnderDisplacementMatchesTheHardWall) {
     const Array2D heights = rough(64, 0.3, 3);
     const Grid grid{64, 64, 64.0, 64.0};
     const Interaction weak{.work_of_adhesion = 1e-6, .range = 0.1};
@@ -93,7 +93,7 @@ TEST(AdhesiveCell, DisplacedIsPressedAsAHardWall) {
     }
 }
 
-TEST(AdhesiveCell, DisplacedByAStageGivesWayAsItsSpring) {
+TEST(AdhesiveCell, OnAStageDeflectsByTheStageStiffness) {
     auto cell = patch(rough(64, 0.2, 3));
     const double displacement = 0.5, spring = 0.01;  // of one mode of the cell
     const auto state = from_far(cell, cell.displaced(displacement, spring));
@@ -103,7 +103,7 @@ TEST(AdhesiveCell, DisplacedByAStageGivesWayAsItsSpring) {
     EXPECT_THROW((void)cell.displaced(1.01 * cell.touching_gap()), InvalidArgument);
 }
 
-TEST(AdhesiveCell, FarAwayIsAttractedAsAFlat) {
+TEST(AdhesiveCell, AtLargeGapIsAttractedAsAFlat) {
     // of h = a cos: σ exp(−ḡ/ρ) I_0(a/ρ)
     auto cell = line(64, 0.001, 2.0);
     const double amplitude = std::sqrt(8.0 * 0.001 * 64.0 / (2.0 * pi)), gap = 40.0;
@@ -113,7 +113,7 @@ TEST(AdhesiveCell, FarAwayIsAttractedAsAFlat) {
     EXPECT_EQ(state.area_fraction, 0.0);
 }
 
-TEST(AdhesiveCell, PullsAsItsEnergyRises) {
+TEST(AdhesiveCell, TensionIsTheDerivativeOfEnergy) {
     const auto heights = rough(64, 0.4, 1);
     AdhesiveCell cell(heights, {64, 64, 64.0, 64.0}, body, {1.0, 1.5}, {.tolerance = 1e-8});
     cell.begin_at(6.0);
@@ -133,7 +133,7 @@ TEST(AdhesiveCell, PullsAsItsEnergyRises) {
 }
 
 // Johnson's threshold, e = 0.490: with μ = ½ a line of 512 points closes by itself up to between 0.49 and 0.52
-TEST(AdhesiveCell, ClosesOverASineByItselfWhereJohnsonSays) {
+TEST(AdhesiveCell, ClosesSpontaneouslyOverASineAtJohnsonsThreshold) {
     auto below = line(512, 0.48, 2.0), above = line(512, 0.52, 2.0);
     const auto closed = below.solve(DeadLoad{0.0}), open = above.solve(DeadLoad{0.0});
     EXPECT_TRUE(closed.converged);
@@ -144,7 +144,7 @@ TEST(AdhesiveCell, ClosesOverASineByItselfWhereJohnsonSays) {
 }
 
 // p/p* = sin²(πa) − α √tan(πa), a the half width of contact over the wavelength, p* = E* q h/2
-TEST(AdhesiveCell, PressesOnASineAsJohnsonSays) {
+TEST(AdhesiveCell, OnASineMatchesJohnson) {
     constexpr Index n = 1024;
     const double e = 1.0 / (2.0 * pi * 0.3 * 0.3), q = 2.0 * pi / n;
     const double full = 0.5 * q * std::sqrt(8.0 * e / q);
@@ -159,7 +159,7 @@ TEST(AdhesiveCell, PressesOnASineAsJohnsonSays) {
 
 // area at no load, coming from far, of maps whose waves span a factor of four (n = 256, μ² = ½): 0.933 and 0.731 of the
 // cell in contact at e = 0.4 and 0.7 by another program, scatter of seeds 0.015; all of it at e = 0.1
-TEST(AdhesiveCell, StaysInContactWithoutLoadAsFarAsItsEnergyAllows) {
+TEST(AdhesiveCell, WithoutLoadHasTheContactAreaOfAnotherProgram) {
     const spectra::SelfAffine model{.plateau = 1.0,
                                     .rolloff_wavevector = 2.0 * pi / 64.0,
                                     .hurst_exponent = 0.8,
@@ -179,7 +179,7 @@ TEST(AdhesiveCell, StaysInContactWithoutLoadAsFarAsItsEnergyAllows) {
     }
 }
 
-TEST(AdhesiveCell, UnderAStiffStageIsHeld) {
+TEST(AdhesiveCell, OnAStiffStageEqualsHeldGap) {
     const auto heights = rough(64, 0.4, 1);
     auto held = patch(heights), staged = patch(heights);
     held.begin_at(5.0);
@@ -195,7 +195,7 @@ TEST(AdhesiveCell, UnderAStiffStageIsHeld) {
     EXPECT_THROW((void)staged.solve(HeldGap{-1.0}), InvalidArgument);
 }
 
-TEST(AdhesiveCell, GoesOnFromGapsThatWereKept) {
+TEST(AdhesiveCell, ContinuesFromGapsThatWereKept) {
     const auto heights = rough(64, 0.4, 1);
     auto first = patch(heights), second = patch(heights);
     (void)first.solve(HeldGap{3.0});
@@ -212,7 +212,7 @@ TEST(AdhesiveCell, GoesOnFromGapsThatWereKept) {
     EXPECT_THROW(second.begin_with(Array2D::Constant(64, 64, -1.0)), InvalidArgument);
 }
 
-TEST(AdhesiveCell, IsTheSameForAnyNumberOfThreadsAndInOtherUnits) {
+TEST(AdhesiveCell, IsTheSameForAnyNumberOfThreadsAndUnits) {
     const auto heights = rough(128, 0.4, 2);
     auto alone = patch(heights, AttractionLaw::exponential, {1}),
          together = patch(heights, AttractionLaw::exponential, {2});
@@ -228,7 +228,7 @@ TEST(AdhesiveCell, IsTheSameForAnyNumberOfThreadsAndInOtherUnits) {
     EXPECT_NEAR(si.tension / (1e6 * one.tension), 1.0, 1e-4);
 }
 
-TEST(AdhesiveCell, RefusesHeightsThatAreUndefined) {
+TEST(AdhesiveCell, RefusesUndefinedHeights) {
     Array2D heights = Array2D::Zero(8, 8);
     heights(2, 3) = undefined;
     EXPECT_THROW((AdhesiveCell(heights, {8, 8, 8.0, 8.0}, body, {1.0, 2.0})), UndefinedDataError);
@@ -236,7 +236,7 @@ TEST(AdhesiveCell, RefusesHeightsThatAreUndefined) {
 }
 
 // constant tension has no V'': the body alone answers, and no gap moves by much more than the mean
-TEST(AdhesiveCell, HasATangentUnderConstantTension) {
+TEST(AdhesiveCell, HasAStableTangentUnderConstantTension) {
     AdhesiveCell cell(sine(64, 0.3), {1, 64, 1.0, 64.0}, body, {1.0, 2.0, AttractionLaw::dugdale});
     cell.begin_at(6.0);
     ASSERT_TRUE(cell.solve(HeldGap{5.0}).converged);
@@ -247,8 +247,9 @@ TEST(AdhesiveCell, HasATangentUnderConstantTension) {
     EXPECT_NEAR(tangent.tension_slope, slope, 0.1 * std::abs(slope));
 }
 
-// the energy budget closes for every law: W_appr = w − e − D, W_sep = w − e + D, the state is the one it began with
-TEST(AdhesiveLoop, HasAnEnergyBudgetThatCloses) {
+// the energy budget is closed for every attraction: W_appr = w − e − D, W_sep = w − e + D, the state is the one it
+// began with
+TEST(AdhesiveLoop, EnergyBudgetIsClosed) {
     for (const auto law :
          {AttractionLaw::exponential, AttractionLaw::cubic, AttractionLaw::dugdale, AttractionLaw::lennard_jones}) {
         AdhesiveCell cell(sine(64, 0.3), {1, 64, 1.0, 64.0}, body, {1.0, 2.0, law});
@@ -267,7 +268,7 @@ TEST(AdhesiveLoop, HasAnEnergyBudgetThatCloses) {
     }
 }
 
-TEST(AdhesiveLoop, OfARoughMapLosesWhatItsJumpsDo) {
+TEST(AdhesiveLoop, OfARoughMapLosesTheEnergyOfItsJumps) {
     auto cell = patch(rough(48, 0.3, 3));
     const auto loop = adhesive_loop(cell);
     ASSERT_TRUE(loop.complete);
@@ -295,7 +296,7 @@ TEST(AdhesiveCell, ReportsPressuresThatBalanceTheLoad) {
     EXPECT_LT(largest, 1e-4 * cell.interaction().greatest_tension());
 }
 
-TEST(AdhesiveLoop, GoesOnFromACheckpointToTheSameBytes) {
+TEST(AdhesiveLoop, ContinuesFromACheckpointWithTheSameBytes) {
     const auto heights = rough(48, 0.3, 3);
     auto whole = patch(heights), stopped = patch(heights);
     std::vector<LoopCheckpoint> kept;
@@ -314,7 +315,7 @@ TEST(AdhesiveLoop, GoesOnFromACheckpointToTheSameBytes) {
 }
 
 // a stage is the held gap with a spring: the same contact, another place for the jumps; the softer the more is lost
-TEST(AdhesiveLoop, LosesMoreTheSofterItsStage) {
+TEST(AdhesiveLoop, LosesMoreOnASofterStage) {
     double last = 0.0;
     for (const double stiffness : {1e3, 0.2, 0.05}) {
         AdhesiveCell cell(sine(64, 0.3), {1, 64, 1.0, 64.0}, body, {1.0, 2.0});
@@ -329,7 +330,7 @@ TEST(AdhesiveLoop, LosesMoreTheSofterItsStage) {
     EXPECT_THROW((void)adhesive_loop(cell, {.max_pressure = 0.0}), InvalidArgument);
 }
 
-TEST(AdhesiveLoop, TurnsAtAPressure) {
+TEST(AdhesiveLoop, TurnsAtTheMaximumPressure) {
     AdhesiveCell cell(sine(64, 0.6), {1, 64, 1.0, 64.0}, body, {1.0, 2.0});
     const auto loop = adhesive_loop(cell, {.max_pressure = 0.01});
     ASSERT_TRUE(loop.complete);
@@ -339,7 +340,7 @@ TEST(AdhesiveLoop, TurnsAtAPressure) {
     EXPECT_GT(least, -0.05);
 }
 
-TEST(AdhesiveLoop, EndsWhereItIsTold) {
+TEST(AdhesiveLoop, EndsOnRequest) {
     auto cell = patch(rough(48, 0.3, 3));
     int count = 0;
     const auto loop = adhesive_loop(cell, {.progress = [&](const LoopStep&) { return ++count < 5; }});

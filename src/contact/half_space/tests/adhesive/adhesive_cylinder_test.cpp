@@ -57,7 +57,7 @@ double greatest_pull(Index points, double period, double lambda) {
 }
 
 // A tension that ends at once is caught by the pixel its end moves over: errors fall with the pixel
-TEST(AdhesiveCylinder, PullsAsBaneyAndHuiSay) {
+TEST(AdhesiveCylinder, PullOffMatchesBaneyAndHui) {
     for (const double lambda : {0.5, 1.0, 2.0})
         EXPECT_NEAR(greatest_pull(8192, 64.0, lambda) / pull_off(lambda), 1.0, 0.01) << lambda;
     const auto error = [](Index points) { return greatest_pull(points, 64.0, 1.0) / pull_off(1.0) - 1.0; };

@@ -43,7 +43,7 @@ TEST(AdhesiveSphere, TendsToJkrAsItsRangeShrinks) {
 }
 
 // Images flatten the sphere of the cell by 0.3 % of its curvature, which is more of a loss that is far from JKR's
-TEST(AdhesiveSphere, IsThatOfTheAxisymmetricEquations) {
+TEST(AdhesiveSphere, MatchesTheAxisymmetricEquations) {
     const auto rings = AxisymmetricSphere(0.2828, 0.2).jumps();
     const auto cell = loop_of_sphere({144, 8.0, 0.2828});
     EXPECT_NEAR(cell.greatest_pull / rings.pull_off, 1.0, 5e-3);
@@ -53,7 +53,7 @@ TEST(AdhesiveSphere, IsThatOfTheAxisymmetricEquations) {
 
 // Where the sphere jumps in moves to 0 with the range, where JKR loses 1.1537996562; there and before, the loss is what
 // a JKR sphere at that displacement has less, the faster the shorter the range
-TEST(AxisymmetricSphere, LosesInItsJumpWhatJkrHasThere) {
+TEST(AxisymmetricSphere, JumpLossTendsToTheJkrEnergy) {
     EXPECT_NEAR(-jkr_energy(0.0), 1.1537996562, 1e-9);
     const auto wide = AxisymmetricSphere(0.4, 0.42).jumps(), middle = AxisymmetricSphere(0.2828, 0.42).jumps(),
                narrow = AxisymmetricSphere(0.2, 0.42).jumps();
@@ -68,14 +68,14 @@ TEST(AxisymmetricSphere, LosesInItsJumpWhatJkrHasThere) {
 }
 
 // a range of 0.15 begins nearer than where a JKR sphere parts: it is drawn on until it does
-TEST(AdhesiveSphere, IsDrawnOnUntilItParts) {
+TEST(AdhesiveSphere, IsRetractedUntilSeparation) {
     const auto loop = loop_of_sphere({120, 5.0, 0.15});
     EXPECT_GT(loop.separation_dissipation, 0.05);
 }
 
 // Fuller, Tabor, Proc. R. Soc. A 345 (1975) 327: what roughness stores, the pull-off loses. Waves of half to one unit
 // under a contact 3.6 wide; heights of a third of the range change the pull by what pins the edge, either way
-TEST(AdhesiveSphere, PullsLessTheRougherItIs) {
+TEST(AdhesiveSphere, PullOffFallsWithRoughness) {
     constexpr Index points = 64;
     constexpr double side = 8.0, range = 0.4;
     constexpr int seeds = 3;
@@ -99,7 +99,7 @@ TEST(AdhesiveSphere, PullsLessTheRougherItIs) {
 
 // Maugis–Dugdale at λ = 0.1, near DMT's 2: 1.950595. The contact is smaller than a pixel: pulls of grids from 48 to 192
 // points scatter by 0.9 %
-TEST(AdhesiveSphere, OfWideConstantTensionPullsAsMaugisSays) {
+TEST(AdhesiveSphere, OfWideConstantTensionMatchesMaugis) {
     const auto loop = loop_of_sphere({64, 16.0, 2.0 / (pi * 0.1), AttractionLaw::dugdale});
     EXPECT_NEAR(loop.greatest_pull / 1.950595, 1.0, 1e-2);
 }

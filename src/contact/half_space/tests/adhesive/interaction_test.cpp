@@ -15,7 +15,7 @@ constexpr double w = 0.05, range = 2e-9;
 constexpr AttractionLaw laws[] = {AttractionLaw::exponential, AttractionLaw::cubic, AttractionLaw::dugdale,
                                   AttractionLaw::lennard_jones};
 
-TEST(Attraction, HasItsWorkAndItsGreatestTensionInContact) {
+TEST(Attraction, HasItsWorkAndMaximumTensionInContact) {
     for (const auto law : laws) {
         const auto here = attraction(0.0, {w, range, law});
         EXPECT_NEAR(here.energy / w, -1.0, 1e-15) << name_of(law);
@@ -40,7 +40,7 @@ TEST(Attraction, HasTheDerivativesOfItsEnergyAndIsConcave) {
     }
 }
 
-TEST(Attraction, OfARowIsThatOfItsPoints) {
+TEST(Attraction, OfARowEqualsThatOfItsPoints) {
     const Array1D gaps = Array1D::LinSpaced(7, 0.0, 5.0 * range);
     for (const auto law : laws) {
         const Interaction interaction{w, range, law};
@@ -59,7 +59,7 @@ TEST(Attraction, OfARowIsThatOfItsPoints) {
     }
 }
 
-TEST(Resolution, RefusesPixelsThatEdgesAreCaughtBetween) {
+TEST(Resolution, RefusesPixelsThatPinTheEdge) {
     const Body body{.contact_modulus = 1e9};
     const Interaction interaction{w, range};
     const double limit = range * range * 1e9 / w;

@@ -107,7 +107,7 @@ TEST(StraightFront, MovesAtTheWorkOfAdhesion) {
 }
 
 // (W_open − W_close)/w by another program: 0.042 ± 0.01 at μ² = 0.64, 0.165 ± 0.02 at 1
-TEST(StraightFront, IsCaughtByPixelsThatAreCoarse) {
+TEST(StraightFront, IsPinnedByCoarsePixels) {
     const double fine = Front(0.25).cycle().loss, coarse = Front(0.64).cycle().loss, limit = Front(1.0).cycle().loss;
     EXPECT_LT(fine, 5e-3 * work);
     EXPECT_NEAR(coarse / work, 0.042, 0.01);

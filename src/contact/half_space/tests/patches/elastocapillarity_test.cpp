@@ -130,7 +130,7 @@ private:
 constexpr double moduli[] = {0.91999923e6, 1.37333162e6, 2.54666079e6, 13.37317133e6};
 
 // the eleven published pairs of the full-contact balance with U_el/AW up to 0.3, in the band of each that stores most
-TEST(Elastocapillarity, SurfaceStressAndInclinedPlacesLeaveTheFullContactBalance) {
+TEST(Elastocapillarity, SurfaceStressAndSlopesDoNotChangeTheFullContactBalance) {
     struct Pairs {
         Surface surface;
         int moduli;
@@ -145,7 +145,7 @@ TEST(Elastocapillarity, SurfaceStressAndInclinedPlacesLeaveTheFullContactBalance
 }
 
 // waves far below 2Υ/E* = 54 nm, where the surface stress holds the body and not its bulk
-TEST(Elastocapillarity, LeavesTheBalanceWhereSurfaceStressIsAll) {
+TEST(Elastocapillarity, KeepsTheFullContactBalanceWhenSurfaceStressDominates) {
     for (const auto& surface : {polished, ultra, nano, micro}) {
         const auto found = ElastocapillaryPatch(surface, moduli[0], 10e-9).from_far();
         EXPECT_GT(found.contact_share, 0.95) << surface.name;
@@ -154,7 +154,7 @@ TEST(Elastocapillarity, LeavesTheBalanceWhereSurfaceStressIsAll) {
 }
 
 // the same solver opens what has no full contact, and gains more than the balance
-TEST(Elastocapillarity, OpensAPairBeyondTheBalance) {
+TEST(Elastocapillarity, OpensAPairWithoutFullContact) {
     const auto found = ElastocapillaryPatch(ultra, moduli[3], ultra.rolloff_wavelength).from_far();
     EXPECT_LT(found.contact_share, 0.7);
     EXPECT_GT(found.gain, found.balance + 0.1 * work);

@@ -17,8 +17,8 @@ PatchDesign small(double energy_share, std::uint64_t seed = 1) {
             .seed = seed};
 }
 
-// full contact gains what (7) says: 1 − e of w
-TEST(PatchContact, GainsTheBalanceWhereItCloses) {
+// full contact gains that of the full-contact balance (Eq. 7): 1 − e of w
+TEST(PatchContact, GainsTheFullContactBalanceInFullContact) {
     const auto contact = bring_into_contact(make_patch(small(0.08)));
     EXPECT_EQ(contact.from_far.area_fraction, 1.0);
     EXPECT_NEAR(contact.from_far.gain, 0.92, 1e-6);
@@ -27,7 +27,7 @@ TEST(PatchContact, GainsTheBalanceWhereItCloses) {
 }
 
 // where full contact would store all that it gains, part of the patch still touches, and gains by it
-TEST(PatchContact, GainsMoreThanTheBalanceWhereItDoesNot) {
+TEST(PatchContact, GainsMoreThanTheBalanceInPartialContact) {
     for (const std::uint64_t seed : {1U, 2U}) {
         const auto contact = bring_into_contact(make_patch(small(1.0, seed)));
         EXPECT_GT(contact.from_far.gain, 0.15);
@@ -39,7 +39,7 @@ TEST(PatchContact, GainsMoreThanTheBalanceWhereItDoesNot) {
     }
 }
 
-TEST(PatchContact, PressureThatClosesItClosesItAndLessDoesNot) {
+TEST(PatchContact, ClosingPressureIsTheThresholdOfFullContact) {
     const Patch patch = make_patch(small(0.7));
     const auto contact = bring_into_contact(patch);
     ASSERT_TRUE(contact.closing_pressure);
@@ -53,7 +53,7 @@ TEST(PatchContact, PressureThatClosesItClosesItAndLessDoesNot) {
 }
 
 // p = σ + K h >= T everywhere: the first point opens where that fails, whatever came before
-TEST(PatchContact, FullContactHoldsUpToItsOpeningTension) {
+TEST(PatchContact, FullContactIsStableUpToTheOpeningTension) {
     const Patch patch = make_patch(small(0.1));
     const double opening = bring_into_contact(patch).opening_tension * patch.interaction.greatest_tension();
     ASSERT_GT(opening, 0.0);
@@ -67,7 +67,7 @@ TEST(PatchContact, FullContactHoldsUpToItsOpeningTension) {
 }
 
 // W_appr = 1 − e − D, W_sep = 1 − e + D; jumps lose no more than all
-TEST(PatchContact, LoopKeepsItsLedger) {
+TEST(PatchContact, EnergyBudgetOfALoopIsClosed) {
     const Patch patch = make_patch(small(0.4));
     const auto loop = loop_of(patch);
     EXPECT_TRUE(loop.complete);
@@ -80,7 +80,7 @@ TEST(PatchContact, LoopKeepsItsLedger) {
     EXPECT_LE(jumps, loop.approach_dissipation + 0.02);
 }
 
-TEST(PatchContact, RefusesPressuresThatAreNone) {
+TEST(PatchContact, RefusesInvalidPressures) {
     const Patch patch = make_patch(small(0.4));
     EXPECT_THROW(bring_into_contact(patch, {.preload = 0.0}), InvalidArgument);
     EXPECT_THROW(bring_into_contact(patch, {.max_pressure = 0.0}), InvalidArgument);

@@ -9,7 +9,7 @@
 namespace setae::patches {
 namespace {
 
-TEST(Patch, HasTheEnergyItWasGiven) {
+TEST(Patch, HasTheRequestedEnergy) {
     for (const std::uint64_t seed : {1U, 2U}) {
         const Patch patch = make_patch({.points = 64, .points_per_wave = 8.0, .energy_share = 0.3, .seed = seed});
         const half_space::AdhesiveCell cell(patch.heights, patch.grid, patch.body, patch.interaction);
@@ -20,14 +20,14 @@ TEST(Patch, HasTheEnergyItWasGiven) {
 }
 
 // h_rms² = 2 e λ/(π …): a longer wave at the same energy is higher, and its range smaller beside it
-TEST(Patch, FinerGridsHaveShorterRanges) {
+TEST(Patch, RangeFallsWithFinerGrids) {
     const auto ratio = [](Index points, double points_per_wave) {
         return make_patch({.points = points, .points_per_wave = points_per_wave}).range_over_height();
     };
     EXPECT_NEAR(ratio(128, 16.0) / ratio(64, 8.0), std::sqrt(0.5), 0.02);
 }
 
-TEST(Patch, RefusesWhatItCannotHold) {
+TEST(Patch, RefusesInvalidDesigns) {
     EXPECT_THROW(make_patch({.points = 32, .points_per_wave = 16.0}), InvalidArgument);
     EXPECT_THROW(make_patch({.points = 1000000}), InvalidArgument);
     EXPECT_THROW(make_patch({.energy_share = 0.0}), InvalidArgument);

@@ -15,7 +15,7 @@ SurveyDesign design(int threads) {
     return survey;
 }
 
-TEST(Survey, HasARowForEachDesignWithMeansOverItsPatches) {
+TEST(Survey, HasARowPerDesignWithMeansOverItsPatches) {
     auto told = design(2);
     std::size_t calls = 0;
     told.progress = [&](std::size_t done, std::size_t of) {
@@ -38,7 +38,7 @@ TEST(Survey, HasARowForEachDesignWithMeansOverItsPatches) {
     EXPECT_NEAR(rows[1].gain_from_far.value, sum / 3.0, 1e-14);
 }
 
-TEST(Survey, TellsJumpsBySize) {
+TEST(Survey, ClassifiesJumpsBySize) {
     auto told = design(2);
     told.seeds = 2;
     told.protocol.loop = true;
@@ -55,7 +55,7 @@ TEST(Survey, TellsJumpsBySize) {
     }
 }
 
-TEST(Survey, ThreadsChangeNothing) {
+TEST(Survey, DoesNotDependOnThreads) {
     const auto one = survey(design(1)), two = survey(design(2));
     for (std::size_t i = 0; i < one.size(); ++i) {
         EXPECT_EQ(one[i].gain_from_far.value, two[i].gain_from_far.value);
@@ -63,7 +63,7 @@ TEST(Survey, ThreadsChangeNothing) {
     }
 }
 
-TEST(Survey, RefusesNothingToDo) {
+TEST(Survey, RefusesAnEmptyDesign) {
     EXPECT_THROW(survey({}), InvalidArgument);
     auto none = design(1);
     none.seeds = 0;

@@ -20,7 +20,7 @@ Scales rough() { return scales_of(self_affine_curve(), {.contact_modulus = modul
 double last(const Array1D& values) { return values[values.size() - 1]; }
 
 // the solution of images against the diffusion solved step by step
-TEST(StressDiffusion, UnderConstantDetachmentStressIsTheMirrorSolution) {
+TEST(StressDiffusion, UnderConstantDetachmentStressMatchesTheMirrorSolution) {
     const Array1D steps = Array1D::LinSpaced(200, -6.0, 2.0);
     Array1D variance(201);
     variance << 0.0, steps.unaryExpr([](double x) { return std::pow(10.0, x); });
@@ -39,7 +39,7 @@ TEST(StressDiffusion, UnderConstantDetachmentStressIsTheMirrorSolution) {
 }
 
 // σ_a that falls loses at once what it held: with p_0 far above, what is left is the mirror solution of the new one
-TEST(StressDiffusion, ForgetsADetachmentStressThatIsGone) {
+TEST(StressDiffusion, DoesNotDependOnAnEarlierDetachmentStress) {
     const Array1D variance = Array1D::NullaryExpr(
         121, [](Index i) { return i == 0 ? 0.0 : std::pow(10.0, -4.0 + 0.05 * static_cast<double>(i)); });
     Array1D stress = Array1D::Constant(121, 2.0);
@@ -52,7 +52,7 @@ TEST(StressDiffusion, ForgetsADetachmentStressThatIsGone) {
     EXPECT_NEAR(held.area_fraction[59], with.area_fraction[59], 1e-12);
 }
 
-TEST(StressDiffusion, LosesAllUnderATensionAboveTheDetachmentStress) {
+TEST(StressDiffusion, HasNoContactUnderTensionAboveTheDetachmentStress) {
     Array1D variance(3);
     variance << 0.0, 1.0, 2.0;
     EXPECT_EQ(last(stress_diffusion(variance, Array1D::Ones(3), -1.5).area_fraction), 0.0);
@@ -61,7 +61,7 @@ TEST(StressDiffusion, LosesAllUnderATensionAboveTheDetachmentStress) {
     EXPECT_THROW((void)stress_diffusion(variance, Array1D::Ones(3), 1.0), InvalidArgument);
 }
 
-TEST(PerssonAdhesion, WithoutWorkOfAdhesionIsTheContactWithout) {
+TEST(PerssonAdhesion, WithoutWorkOfAdhesionIsNonAdhesiveContact) {
     const auto scales = rough();
     for (const double pressure : {1e3, 1e5}) {
         const auto contact = adhesive_contact_at_scales(pressure, 0.0, scales);
@@ -73,7 +73,7 @@ TEST(PerssonAdhesion, WithoutWorkOfAdhesionIsTheContactWithout) {
 }
 
 // the balance of Persson and Tosatti, scale by scale
-TEST(PerssonAdhesion, OfFullContactLeavesWhatIsNotStored) {
+TEST(PerssonAdhesion, OfFullContactMatchesThePerssonTosattiBalance) {
     const auto scales = rough();
     const double work = 50.0 * last(scales.stored_energy);
     const auto contact = adhesive_contact_at_scales(0.0, work, scales);
@@ -83,7 +83,7 @@ TEST(PerssonAdhesion, OfFullContactLeavesWhatIsNotStored) {
     EXPECT_NEAR(last(contact.effective_work) / work, 1.0, 1e-12);
 }
 
-TEST(PerssonAdhesion, HoldsMoreTheMoreItSticks) {
+TEST(PerssonAdhesion, AreaIncreasesWithTheWorkOfAdhesion) {
     const auto scales = rough();
     const double stored = last(scales.stored_energy);
     double before = 0.0;
@@ -96,7 +96,7 @@ TEST(PerssonAdhesion, HoldsMoreTheMoreItSticks) {
     EXPECT_GT(before, 0.9);
 }
 
-TEST(PerssonAdhesion, PartsUnderTension) {
+TEST(PerssonAdhesion, SeparatesUnderTension) {
     const auto scales = rough();
     const double work = 3.0 * last(scales.stored_energy);
     EXPECT_GT(last(adhesive_contact_at_scales(-100.0, work, scales).area_fraction), 0.1);

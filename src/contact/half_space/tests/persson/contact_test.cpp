@@ -39,7 +39,7 @@ TEST(PerssonScales, EndAtSlopeAndStoredEnergyOfTheSpectrum) {
     EXPECT_NEAR(last(scales.stiffness) / (0.5 * modulus * last(scales.wavevector)), 1.0, 1e-15);
 }
 
-TEST(PerssonScales, OfAProfileSpectrumHaveTheEnergyOfItsSurface) {
+TEST(PerssonScales, OfAProfileSpectrumHaveTheEnergyOfTheSurface) {
     auto curve = self_affine_curve();
     curve.kind = spectra::Density::C1D;
     curve.density = spectra::profile_power_spectrum(model(), curve.wavevector * (1.0 - 1e-9));
@@ -48,7 +48,7 @@ TEST(PerssonScales, OfAProfileSpectrumHaveTheEnergyOfItsSurface) {
 }
 
 // (E*/4) Σ |q| |h_q|² of a map that has the spectrum mode by mode
-TEST(PerssonScales, HaveTheEnergyOfAMapOfTheirSpectrum) {
+TEST(PerssonScales, HaveTheEnergyOfAMapOfTheSpectrum) {
     const synthesis::SurfaceGrid grid{512, 512, 8e-6, 8e-6};
     const auto map = synthesis::random_surface(spectra::density(model()), grid,
                                                {.key = {7}, .amplitudes = synthesis::Amplitudes::exact});
@@ -59,7 +59,7 @@ TEST(PerssonScales, HaveTheEnergyOfAMapOfTheirSpectrum) {
     EXPECT_NEAR(adhesion::stored_energy(modulus, map) / last(scales.stored_energy), 1.0, 0.01);
 }
 
-TEST(CellScales, HaveTheSlopeOfItsSurfacesAndTendToTheSpectrumInALargeCell) {
+TEST(CellScales, HaveTheSlopeOfCellsAndTendToTheSpectrum) {
     const auto C_iso = spectra::density(model());
     const half_space::Body body{.contact_modulus = modulus};
     double far_off = 1.0;
@@ -82,7 +82,7 @@ TEST(CellScales, HaveTheSlopeOfItsSurfacesAndTendToTheSpectrumInALargeCell) {
     EXPECT_LT(far_off, 0.01);
 }
 
-TEST(PerssonContact, OfACellDoesNotDependOnItsNodes) {
+TEST(PerssonContact, OfACellDoesNotDependOnNodes) {
     // one wave each way: V and U rise together, and A = erf(p/√2V) can be integrated by hand
     const double side = 1e-6, level = 1e-30;
     const double q = 2.0 * pi / side;
@@ -99,7 +99,7 @@ TEST(PerssonContact, OfACellDoesNotDependOnItsNodes) {
                  UndefinedDataError);
 }
 
-TEST(PerssonScales, OfALayerAreThoseOfItsStiffness) {
+TEST(PerssonScales, OfALayerUseItsStiffness) {
     const auto curve = self_affine_curve();
     const double thickness = 0.3e-6;
     const auto layer = scales_of(curve, {.contact_modulus = modulus, .layer = half_space::Layer{thickness, 0.4}});
@@ -119,7 +119,7 @@ TEST(PerssonScales, OfALayerAreThoseOfItsStiffness) {
     EXPECT_NEAR(last(layer.stored_energy) / energy, 1.0, 2e-4);
 }
 
-TEST(PressureDensity, HoldsTheAreaInContactAndTheLoad) {
+TEST(PressureDensity, IntegratesToAreaAndLoad) {
     const double variance = 4.0;
     for (const double load : {0.1, 1.0, 5.0}) {
         const auto density = [&](double p) { return pressure_density(p, load, variance); };
@@ -130,7 +130,7 @@ TEST(PressureDensity, HoldsTheAreaInContactAndTheLoad) {
     EXPECT_THROW((void)pressure_density(1.0, 0.0, variance), InvalidArgument);
 }
 
-TEST(AreaFraction, RisesFromItsSlopeAtNoLoadToOne) {
+TEST(AreaFraction, IsLinearAtLowLoadAndTendsToOne) {
     const double slope = 0.2, variance = 0.25 * modulus * modulus * slope * slope;
     const double load = 1e-5 * modulus * slope;
     EXPECT_NEAR(area_fraction(load, variance) * slope * modulus / load, std::sqrt(8.0 / pi), 1e-9);
@@ -139,7 +139,7 @@ TEST(AreaFraction, RisesFromItsSlopeAtNoLoadToOne) {
     EXPECT_EQ(area_fraction(1.0, 0.0), 1.0);
 }
 
-TEST(PerssonContact, AtHighLoadIsFull) {
+TEST(PerssonContact, IsFullContactAtHighLoad) {
     const auto scales = rough();
     const auto contact = contact_at_scales(10.0 * std::sqrt(last(scales.pressure_variance)), scales);
     EXPECT_NEAR(last(contact.area_fraction), 1.0, 1e-12);
@@ -148,7 +148,7 @@ TEST(PerssonContact, AtHighLoadIsFull) {
 }
 
 // p = −dU/dū, in units of the load and by differences
-TEST(PerssonContact, StoresWhatTheLoadDoes) {
+TEST(PerssonContact, StoredEnergyIsTheWorkOfTheLoad) {
     const auto scales = rough();
     for (const double factor : {0.2, 0.45, 1.0})
         for (const double load : {1e5, 1e7, 1e8}) {
@@ -163,7 +163,7 @@ TEST(PerssonContact, StoresWhatTheLoadDoes) {
 }
 
 // u_0 = γ √(2/π) ∫ dh'/q
-TEST(PerssonContact, IsAsStiffAsItsLoadWhereItIsLight) {
+TEST(PerssonContact, StiffnessIsProportionalToALightLoad) {
     const auto scales = rough();
     double length = 0.0;
     const Array1D slope = 2.0 / modulus * scales.pressure_variance.sqrt();
@@ -207,7 +207,7 @@ TEST(PerssonContact, IsTheSameInOtherUnits) {
     EXPECT_NEAR(last(there.stored_energy) / (1e3 * last(here.stored_energy)), 1.0, 1e-12);
 }
 
-TEST(PerssonContact, RefusesWhatHasNoSense) {
+TEST(PerssonContact, RefusesInvalidInput) {
     EXPECT_THROW((void)contact_at_scales(0.0, rough()), InvalidArgument);
     EXPECT_THROW((void)contact_at_scales(1e6, rough(), 0.0), InvalidArgument);
     EXPECT_THROW((void)scales_of(self_affine_curve(), {.contact_modulus = -1.0}), InvalidArgument);

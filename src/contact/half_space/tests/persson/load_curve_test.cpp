@@ -11,7 +11,7 @@
 namespace setae::persson::load_curve_test {
 namespace {
 
-TEST(LoadTable, HoldsTheEndsOfTheScales) {
+TEST(LoadTable, HasTheValuesAtTheFullBand) {
     const auto scales = scales_of(self_affine_curve(), {.contact_modulus = 1e9});
     const Array1D pressure{{1e6, 3e7}};
     const auto table = load_table(pressure, scales);
@@ -24,7 +24,7 @@ TEST(LoadTable, HoldsTheEndsOfTheScales) {
     EXPECT_THROW((void)load_table(Array1D{{-1e6}}, scales), InvalidArgument);
 }
 
-TEST(LoadTable, KnowsTensionWhereThereIsAdhesion) {
+TEST(LoadTable, AcceptsTensionWithAdhesion) {
     const auto scales = scales_of(self_affine_curve(), {.contact_modulus = 1e6});
     const double work = 5.0 * scales.stored_energy[scales.stored_energy.size() - 1];
     const auto table = load_table(Array1D{{-100.0, 100.0}}, scales, {.work_of_adhesion = work});

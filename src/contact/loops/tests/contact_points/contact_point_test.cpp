@@ -59,7 +59,7 @@ TEST(ContactPoints, OfAnIdealLoopAgree) {
     }
 }
 
-TEST(ContactPoints, OfHertzianContactComeFromItsPowerLaw) {
+TEST(ContactPoints, OfHertzianContactFollowFromThePowerLaw) {
     // no adhesion on the way in: F = 4/3 E* √R d^(3/2) from the origin on
     std::mt19937_64 generator(5);
     constexpr Index n = 800;
@@ -80,7 +80,7 @@ TEST(ContactPoints, OfHertzianContactComeFromItsPowerLaw) {
     EXPECT_FALSE(analysis.contact_points->of(ContactPointMethod::jump_in).contact_point);
 }
 
-TEST(ContactPoints, SayHowModulusAndWorkMoveWithThem) {
+TEST(ContactPoints, HaveTheSensitivityOfModulusAndWork) {
     const LoopAnalysis analysis = analyse(shifted(smooth.make()), rubber_on_diamond());
     const ContactPoints& points = *analysis.contact_points;
     constexpr double step = 2e-9;
@@ -99,7 +99,7 @@ TEST(ContactPoints, SayHowModulusAndWorkMoveWithThem) {
     EXPECT_NE(points.work_by_contact_point, 0.0);
 }
 
-TEST(ContactPointChoice, HoldsTheValueInTheFits) {
+TEST(ContactPointChoice, FixesTheValueInTheFits) {
     AnalysisOptions options;
     options.contact_point = {.mode = Mode::value, .value = origin};
     const LoopAnalysis analysis = analyse(shifted(smooth.make()), rubber_on_diamond(), options);
@@ -113,7 +113,7 @@ TEST(ContactPointChoice, HoldsTheValueInTheFits) {
     EXPECT_NEAR(analysis.unloading->force_displacement->work_of_adhesion.value / 0.040, 1.0, 1e-8);
 }
 
-TEST(ContactPointChoice, OfAnEstimatorPassesItsErrorOn) {
+TEST(ContactPointChoice, OfAnEstimatorPropagatesItsError) {
     AnalysisOptions options;
     options.contact_point = {.mode = Mode::estimator, .estimator = ContactPointMethod::jump_in};
     const LoopAnalysis analysis = analyse(shifted(smooth.make()), rubber_on_diamond(), options);
@@ -128,7 +128,7 @@ TEST(ContactPointChoice, OfAnEstimatorPassesItsErrorOn) {
                 1.0, 0.1);
 }
 
-TEST(ContactPointChoice, ThatSaysNothingIsAnAlertNotASubstitute) {
+TEST(ContactPointChoice, WithoutResultGivesAWarningAndNoSubstitute) {
     AnalysisOptions options;
     options.contact_point = {.mode = Mode::estimator, .estimator = ContactPointMethod::broken_line};
     const LoopAnalysis analysis = analyse(smooth.make(), rubber_on_diamond(), options);
@@ -168,7 +168,7 @@ TEST(FitWithContactPoint, RecoversModulusAndWorkOnAnyBranch) {
     }
 }
 
-TEST(FitWithContactPoint, NeedsAPenetration) {
+TEST(FitWithContactPoint, RequiresAPenetration) {
     const BranchData data{.force = Array1D::LinSpaced(10, 0.0, 1.0), .displacement = Array1D::LinSpaced(10, 0.0, 1e-6)};
     EXPECT_THROW((void)fit_with_contact_point(data, rubber_on_diamond(), 2e-6), UndefinedDataError);
     EXPECT_THROW((void)fit_with_contact_point({.force = data.force}, rubber_on_diamond(), 0.0), UndefinedDataError);

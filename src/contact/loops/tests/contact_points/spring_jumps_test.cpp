@@ -15,7 +15,7 @@ namespace {
 const contact::jkr::Contact rubber{.radius = 1.25e-3, .contact_modulus = 0.92e6, .work_of_adhesion = 0.040};
 constexpr double fixed_grips = std::numeric_limits<double>::infinity();
 
-TEST(SpringJumps, UnderFixedGripsCostMaugisNumber) {
+TEST(SpringJumps, UnderFixedGripsLoseTheMaugisEnergy) {
     const SpringJumps jumps = spring_jumps(rubber, fixed_grips);
     const double unit = contact::jkr::maugis_units(rubber).energy;
     EXPECT_NEAR(jumps.total() / unit, 1.2749410291, 1e-10);
@@ -36,7 +36,7 @@ TEST(SpringJumps, OfAStiffMachineApproachFixedGripsInFirstOrder) {
     EXPECT_NEAR((stiff.jump_out_loss - rigid.jump_out_loss) / spring(rigid.before_jump_out.force), 1.0, 1e-3);
 }
 
-TEST(SpringJumps, OfASoftSpringAreThoseOfADeadLoad) {
+TEST(SpringJumps, OfASoftSpringEqualThoseOfADeadLoad) {
     constexpr double stiffness = 1e-9;
     const SpringJumps jumps = spring_jumps(rubber, stiffness);
     const contact::jkr::State load = contact::jkr::pull_off_at_fixed_load(rubber);
@@ -50,7 +50,7 @@ TEST(SpringJumps, OfASoftSpringAreThoseOfADeadLoad) {
                 1e-9);
 }
 
-TEST(SpringJumps, PartWhereTheContactIsAsSoftAsTheMachine) {
+TEST(SpringJumps, OutHappensWhereContactStiffnessEqualsMachineStiffness) {
     for (const double stiffness : {1.0, 40.0, 1000.0}) {
         const SpringJumps jumps = spring_jumps(rubber, stiffness);
         const double a = jumps.before_jump_out.contact_radius, step = 1e-5 * a;
@@ -63,7 +63,7 @@ TEST(SpringJumps, PartWhereTheContactIsAsSoftAsTheMachine) {
     }
 }
 
-TEST(SpringJumps, NeedAdhesionAndAMachine) {
+TEST(SpringJumps, RequireAdhesionAndAMachineStiffness) {
     EXPECT_THROW((void)spring_jumps(rubber, 0.0), InvalidArgument);
     EXPECT_THROW((void)spring_jumps({1e-3, 1e6, 0.0}, 10.0), InvalidArgument);
 }

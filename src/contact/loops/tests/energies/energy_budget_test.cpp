@@ -48,7 +48,7 @@ TEST(EnergyBudget, HasPartsThatAddUp) {
     EXPECT_EQ(budget.jump_out->range.last, budget.after_contact.range.first);
 }
 
-TEST(EnergyBudget, OfTheApproachIsWhatTheContactStores) {
+TEST(EnergyBudget, OfTheApproachEqualsTheStoredEnergy) {
     // from the jump on, work goes into elastic and surface energy; 800 steps of second order
     const EnergyBudget budget = budget_of(rough.make());
     const double a_in = contact::jkr::jump_in_at_fixed_grips(rough.approach).contact_radius;
@@ -71,7 +71,7 @@ TEST(EnergyBudget, GivesTheLossPerArea) {
     EXPECT_THROW((void)budget_of(rough.make(), inputs), InvalidArgument);
 }
 
-TEST(EnergyBudget, OwesTheMachineNothingOverTheClosedLoop) {
+TEST(EnergyBudget, MachineEnergyVanishesOverTheClosedLoop) {
     EnergyBudgetInputs inputs = inputs_of(rough);
     constexpr double stiffness = 300.0, error = 15.0;
     inputs.displacement_stiffness = Estimate{.value = stiffness, .standard_error = error};
@@ -88,7 +88,7 @@ TEST(EnergyBudget, OwesTheMachineNothingOverTheClosedLoop) {
     EXPECT_EQ(budget.loop.standard_error.compliance, 0.0);
 }
 
-TEST(EnergyBudget, ChangesByLessThanItsSamplingErrorWhereTheSamplingDoubles) {
+TEST(EnergyBudget, ChangesByLessThanItsSamplingErrorAtDoubleSampling) {
     for (const bool even_in_displacement : {false, true}) {
         SyntheticLoop coarse = rough, fine = rough;
         coarse.samples = 100;
@@ -107,7 +107,7 @@ EnergyCourse course_of(const Loop& loop, const SyntheticLoop& shape = rough) {
     return energy_course(loop, find_segments(loop).contacts[0], course_inputs(shape));
 }
 
-TEST(EnergyCourse, AccountsForEveryJoule) {
+TEST(EnergyCourse, EnergyBudgetIsClosed) {
     for (const bool radius_measured : {true, false}) {
         Loop loop = rough.make();
         if (!radius_measured) loop.contact_radius = Array1D();
@@ -122,7 +122,7 @@ TEST(EnergyCourse, AccountsForEveryJoule) {
     }
 }
 
-TEST(EnergyCourse, DissipatesInTheJumpThenNothingThenWithTheRecedingEdge) {
+TEST(EnergyCourse, DissipatesInTheJumpAndWithTheRecedingEdge) {
     const EnergyCourse course = course_of(rough.make());
     const double jump_in = contact::jkr::ideal_loop_loss(rough.approach).jump_in;
     // nothing before the jump, its loss after it, the same at the largest load
@@ -136,7 +136,7 @@ TEST(EnergyCourse, DissipatesInTheJumpThenNothingThenWithTheRecedingEdge) {
     EXPECT_NEAR(course.dissipated[2900] / (jump_in + 0.03 * pi * (a_max * a_max - a * a)), 1.0, 1e-3);
 }
 
-TEST(EnergyCourse, BridgesMissingFrames) {
+TEST(EnergyCourse, InterpolatesMissingFrames) {
     Loop loop = rough.make();
     for (Index i = 0; i < loop.contact_radius.size(); ++i)
         if (i % 10 != 1) loop.contact_radius[i] = loop.contact_radius[i] > 0.0 ? undefined : loop.contact_radius[i];
@@ -145,14 +145,14 @@ TEST(EnergyCourse, BridgesMissingFrames) {
     EXPECT_LT(std::abs(course.residual), 1e-2 * rough.loss());
 }
 
-TEST(EnergyCourse, ShowsAWrongModulusInItsResidual) {
+TEST(EnergyCourse, ResidualRevealsAWrongModulus) {
     const Loop loop = rough.make();
     CourseInputs inputs = course_inputs(rough);
     inputs.contact.contact_modulus *= 1.1;
     EXPECT_GT(std::abs(energy_course(loop, find_segments(loop).contacts[0], inputs).residual), 0.05 * rough.loss());
 }
 
-TEST(EnergyCourse, NeedsADisplacement) {
+TEST(EnergyCourse, RequiresADisplacement) {
     Loop loop = rough.make();
     const Segments segments = find_segments(loop);
     loop.displacement = Array1D();

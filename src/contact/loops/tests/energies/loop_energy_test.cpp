@@ -38,25 +38,25 @@ TEST(LoopEnergy, OfARectangleIsItsArea) {
     EXPECT_NEAR(loop_energy(loop, segments).energy, 3.0, 1e-12);
 }
 
-TEST(LoopEnergy, ConvergesWithSecondOrderEvenlyInRadius) {
+TEST(LoopEnergy, ConvergesWithSecondOrderForEqualStepsInRadius) {
     const double coarse = error_of({.retraction_work = 0.07}, 200);
     const double fine = error_of({.retraction_work = 0.07}, 400);
     EXPECT_NEAR(std::log2(coarse / fine), 2.0, 0.02);
 }
 
-TEST(LoopEnergy, ConvergesWithOrderThreeHalvesEvenlyInDisplacement) {
+TEST(LoopEnergy, ConvergesWithOrderThreeHalvesInDisplacement) {
     const double coarse = error_of({.even_in_displacement = true}, 6400);
     const double fine = error_of({.even_in_displacement = true}, 12800);
     EXPECT_NEAR(std::log2(coarse / fine), 1.5, 0.05);
 }
 
-TEST(LoopEnergy, KnowsItsDiscretisationError) {
+TEST(LoopEnergy, StatesItsDiscretisationError) {
     const SyntheticLoop shape{.retraction_work = 0.07, .samples = 200};
     const LoopEnergy energy = energy_of(shape.make());
     EXPECT_NEAR(energy.standard_error.discretisation / std::abs(energy.energy - shape.loss()), 1.0, 0.1);
 }
 
-TEST(LoopEnergy, IsFreeOfBaselineAndLinearDrift) {
+TEST(LoopEnergy, IsIndependentOfBaselineAndLinearDrift) {
     const SyntheticLoop shape{.retraction_work = 0.07, .samples = 800};
     const Loop loop = shape.make();
     Loop drifting = loop;
@@ -66,7 +66,7 @@ TEST(LoopEnergy, IsFreeOfBaselineAndLinearDrift) {
     EXPECT_GT(std::abs(energy.without_drift / energy.energy - 1.0), 1e-4);
 }
 
-TEST(LoopEnergy, CoversTheTruthWithItsErrorBudget) {
+TEST(LoopEnergy, CoversTheTrueEnergyWithItsErrorBudget) {
     const SyntheticLoop shape{.retraction_work = 0.07, .samples = 800};
     const Loop clean = shape.make();
     int covered = 0;
@@ -107,7 +107,7 @@ TEST(LoopEnergy, OfAReversiblePartialReleaseIsZero) {
     EXPECT_FALSE(partial_loop_energy(loop, segments, 1).has_value());
 }
 
-TEST(LoopEnergy, NeedsAClosedLoopAndADisplacement) {
+TEST(LoopEnergy, RequiresAClosedLoopAndADisplacement) {
     Loop loop = SyntheticLoop{.samples = 400}.make();
     const Loop loading{.force = loop.force.head(802), .displacement = loop.displacement.head(802)};
     EXPECT_THROW((void)energy_of(loading), UndefinedDataError);

@@ -43,7 +43,7 @@ struct Coverage {
 
 using Fit = std::function<JkrFit(const BranchData&)>;
 
-/// Share of 95 % intervals that hold the truth, noise in radius and displacement.
+/// Coverage of 95 % intervals with noise in radius and displacement.
 Coverage coverage(double neighbours, const Fit& fit) {
     constexpr int seeds = 200;
     Coverage result;
@@ -78,22 +78,22 @@ const auto force_displacement = [](const BranchData& data) {
     return fit_force_displacement(data, tests::rubber_on_diamond());
 };
 
-TEST(CorrelatedResiduals, LeaveIntervalsOfIndependentNoiseAsTheyAre) {
+TEST(CorrelatedResiduals, DoNotChangeIntervalsForIndependentNoise) {
     const auto found = coverage(0.0, radius_force);
     expect_honest(found);
     EXPECT_NEAR(found.correlated_samples, 1.0, 0.2);
 }
 
-TEST(CorrelatedResiduals, WidenTheIntervalsUntilTheyCover) {
+TEST(CorrelatedResiduals, WidenIntervalsToTheStatedCoverage) {
     // τ = (1 + φ)/(1 − φ); of 200 records of 44 independent samples, less what the corrections leave
     const auto found = coverage(0.8, radius_force);
     expect_honest(found);
     EXPECT_NEAR(found.correlated_samples, 9.0, 1.5);
 }
 
-TEST(CorrelatedResiduals, WidenTheIntervalsOfDepth) { expect_honest(coverage(0.8, force_displacement)); }
+TEST(CorrelatedResiduals, WidenIntervalsFromDepth) { expect_honest(coverage(0.8, force_displacement)); }
 
-TEST(CorrelatedResiduals, CountForLessThanTheirNumber) {
+TEST(CorrelatedResiduals, ReduceTheDegreesOfFreedom) {
     std::mt19937_64 generator(1);
     BranchData data = branch();
     data.contact_radius += correlated_noise(0.9, 2e-7, generator);
@@ -103,7 +103,7 @@ TEST(CorrelatedResiduals, CountForLessThanTheirNumber) {
     EXPECT_NEAR(*fit.work_of_adhesion.degrees_of_freedom, samples / fit.correlated_samples - 2.0, 1e-9);
 }
 
-TEST(CorrelatedResiduals, OfFewSamplesAreTakenForIndependent) {
+TEST(CorrelatedResiduals, OfFewSamplesAreTreatedAsIndependent) {
     // seven samples hold no estimate of a correlation: the textbook's covariance and n − p degrees of freedom
     BranchData data = branch();
     for (Array1D* series : {&data.force, &data.contact_radius, &data.displacement}) *series = Array1D(series->tail(7));

@@ -58,7 +58,7 @@ std::string reason(const RetractingEdge& edge, const Estimate& modulus = {.value
     return "";
 }
 
-TEST(CrackSpeedFit, FindsPlantedLawsInRecordsWithoutNoise) {
+TEST(CrackSpeedFit, RecoversTrueLawsWithoutNoise) {
     for (const auto& planted : planted_laws()) {
         const Loop loop = planted.make();
         const CrackSpeedFit fit = fitted(loop);
@@ -77,7 +77,7 @@ TEST(CrackSpeedFit, FindsPlantedLawsInRecordsWithoutNoise) {
     }
 }
 
-TEST(CrackSpeedFit, FindsPlantedLawsInNoise) {
+TEST(CrackSpeedFit, RecoversTrueLawsWithNoise) {
     constexpr int seeds = 12;
     for (const auto& planted : planted_laws()) {
         double threshold = 0.0, speed = 0.0, exponent = 0.0, threshold_error = 0.0;
@@ -105,7 +105,7 @@ TEST(CrackSpeedFit, FindsPlantedLawsInNoise) {
     }
 }
 
-TEST(CrackSpeedFit, TheModulusOfTheSameBranchWouldHideTheLaw) {
+TEST(CrackSpeedFit, FailsWithTheModulusOfTheSameBranch) {
     // with a constant W the unloading branch reads E* 1.56 MPa for 0.92: at that E* no law fits the radii
     const auto planted = planted_laws().front();
     const Loop loop = with_noise(planted).make(1);
@@ -127,7 +127,7 @@ TEST(CrackSpeedFit, TheModulusOfTheSameBranchWouldHideTheLaw) {
     EXPECT_NEAR(wide.contact_modulus.value / planted.loading.contact_modulus, 1.0, 0.1);
 }
 
-TEST(CrackSpeedFit, AConstantWorkOfAdhesionIsNoLaw) {
+TEST(CrackSpeedFit, OfAConstantWorkOfAdhesionIsRefused) {
     tests::SyntheticLoop constant;
     constant.retraction_work = 0.060;
     constant.even_in_displacement = true;
@@ -139,7 +139,7 @@ TEST(CrackSpeedFit, AConstantWorkOfAdhesionIsNoLaw) {
     EXPECT_THROW((void)fitted(loop), UndefinedDataError);
 }
 
-TEST(CrackSpeedFit, RefusesWhatHoldsNoLaw) {
+TEST(CrackSpeedFit, RefusesRecordsWithoutAMovingEdge) {
     RetractingEdge few = short_edge();
     few.contact_radius.tail(13).setConstant(undefined);
     EXPECT_NE(reason<UndefinedDataError>(few).find("7 frames"), std::string::npos);

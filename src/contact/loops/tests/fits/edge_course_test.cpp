@@ -20,7 +20,7 @@ RetractingEdge released() {
     return {.time = Array1D::LinSpaced(120, 0.0, 120.0), .force = Array1D::LinSpaced(120, 8e-4, -1e-4)};
 }
 
-TEST(EdgeCourse, DerivativesAreThoseOfDifferences) {
+TEST(EdgeCourse, DerivativesMatchDifferences) {
     const EdgeCourse course = edge_course(released(), sphere_radius, rubber);
     constexpr double h = 1e-5;
     for (int p = 0; p < EdgeCourse::parameters; ++p) {
@@ -37,7 +37,7 @@ TEST(EdgeCourse, DerivativesAreThoseOfDifferences) {
     }
 }
 
-TEST(EdgeCourse, StaysWhereGIsBelowTheThresholdAndRecedesAsTheLawSays) {
+TEST(EdgeCourse, RestsBelowTheThresholdAndRecedesByTheCrackSpeedLaw) {
     RetractingEdge pressed = released();
     pressed.force.setConstant(8e-4);
     EdgeParameters strong = rubber;
@@ -60,7 +60,7 @@ TEST(EdgeCourse, StaysWhereGIsBelowTheThresholdAndRecedesAsTheLawSays) {
     }
 }
 
-TEST(EdgeCourse, EndsWhereTheEdgeRunsAway) {
+TEST(EdgeCourse, EndsWhereTheEdgeIsUnstable) {
     RetractingEdge pulled = released();
     pulled.force = Array1D::LinSpaced(120, 8e-4, -3e-3);
     const EdgeCourse course = edge_course(pulled, sphere_radius, rubber);

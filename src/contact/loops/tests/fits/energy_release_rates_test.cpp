@@ -16,7 +16,7 @@ using tests::BranchShape;
 constexpr contact::jkr::Contact lens{.radius = 1.25e-3, .contact_modulus = 0.92e6, .work_of_adhesion = 0.040};
 
 /// 4000 repeats of one point: the scatter of G is the band.
-TEST(EnergyReleaseRates, ScatterByTheirBand) {
+TEST(EnergyReleaseRates, ScatterByTheirStandardError) {
     constexpr Index repeats = 4000;
     for (const bool measured : {true, false})
         for (const double shared : {0.0, -0.6}) {
@@ -49,7 +49,7 @@ TEST(EnergyReleaseRates, ScatterByTheirBand) {
         }
 }
 
-TEST(EnergyReleaseRates, MoveTogetherByTheirSystematicError) {
+TEST(EnergyReleaseRates, ShiftTogetherByTheirSystematicError) {
     for (const bool measured : {true, false}) {
         BranchData data = branch_of(lens, BranchShape::loading, 20);
         if (!measured) data.contact_radius = Array1D();
@@ -70,7 +70,7 @@ TEST(EnergyReleaseRates, MoveTogetherByTheirSystematicError) {
     }
 }
 
-TEST(EnergyReleaseRates, HaveNoBandWhereTheNoiseIsUnknown) {
+TEST(EnergyReleaseRates, HaveNoErrorIfTheNoiseIsUnknown) {
     BranchData data = branch_of(lens, BranchShape::loading, 5);
     data.force_noise = 1e-6;
     const EnergyReleaseRate rates = energy_release_rates(data, lens.radius, lens.contact_modulus, tests::contact_point);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// 95 % intervals of E* and W hold the truth, whatever the noise: 40 seeds of a branch of 1000 samples each.
+// Coverage of 95 % intervals of E* and W for any noise: 40 seeds of a branch of 1000 samples each.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -33,7 +33,7 @@ JkrFit joint(const BranchData& data) { return fit_joint(data, tests::rubber_on_d
 
 class FitCoverage : public testing::TestWithParam<Case> {};
 
-TEST_P(FitCoverage, OfEveryRouteIsThatOfItsIntervals) {
+TEST_P(FitCoverage, OfEveryRouteMatchesItsIntervals) {
     const Case& run = GetParam();
     constexpr int seeds = 40;
     const BranchData truth = tests::branch_of(lens, run.shape, 1000);

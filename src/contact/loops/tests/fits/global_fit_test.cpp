@@ -37,7 +37,7 @@ GlobalBranch branch(const Contact& contact, double noise_share, std::mt19937_64&
     return result;
 }
 
-TEST(GlobalFit, RecoversSharedModulusAndOwnWorksOfSpheresOfTwoSizes) {
+TEST(GlobalFit, RecoversSharedModulusAndWorksOfTwoSpheres) {
     std::mt19937_64 generator(1);
     const std::vector<GlobalBranch> branches{
         branch({.radius = 1.25e-3, .contact_modulus = modulus, .work_of_adhesion = 0.04}, 0.0, generator, 1e-6,
@@ -77,7 +77,7 @@ TEST(GlobalFit, ErrorsShrinkAsTheRootOfTheNumberOfBranches) {
     EXPECT_NEAR(fit.chi2_reduced, 1.0, 4.0 * std::sqrt(2.0 / fit.sharing.degrees_of_freedom));
 }
 
-TEST(GlobalFit, TellsThatBranchesDiffer) {
+TEST(GlobalFit, DetectsBranchesThatDiffer) {
     std::mt19937_64 generator(3);
     const std::vector<GlobalBranch> branches{
         branch({.radius = 1.25e-3, .contact_modulus = modulus, .work_of_adhesion = 0.04}, 0.003, generator, 0.0,
@@ -87,7 +87,7 @@ TEST(GlobalFit, TellsThatBranchesDiffer) {
     EXPECT_LT(fit_globally(branches).sharing.p_value, 1e-6);
 }
 
-TEST(GlobalFit, OfOneBranchIsItsOwnFit) {
+TEST(GlobalFit, OfOneBranchEqualsTheSingleFit) {
     std::mt19937_64 generator(5);
     const GlobalBranch one =
         branch({.radius = 1.25e-3, .contact_modulus = modulus, .work_of_adhesion = 0.04}, 0.01, generator, 0.0, "one");
@@ -98,7 +98,7 @@ TEST(GlobalFit, OfOneBranchIsItsOwnFit) {
     EXPECT_EQ(fit.sharing.p_value, 1.0);
 }
 
-TEST(GlobalFit, RefusesNothingToShareAndNamesTheBranch) {
+TEST(GlobalFit, RequiresASharedParameterAndNamesBadBranches) {
     std::mt19937_64 generator(5);
     GlobalBranch one = branch({.radius = 1.25e-3, .contact_modulus = modulus, .work_of_adhesion = 0.04}, 0.01,
                               generator, 0.0, "spot 7");

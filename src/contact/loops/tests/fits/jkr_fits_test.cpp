@@ -51,7 +51,7 @@ TEST(JkrFits, RecoverModulusAndWorkFromNoiseFreeData) {
     }
 }
 
-TEST(JkrFits, RecoverHertzAsNoWork) {
+TEST(JkrFits, RecoverZeroWorkFromHertzianData) {
     const Contact dry{.radius = lens.radius, .contact_modulus = 0.92e6, .work_of_adhesion = 0.0};
     const BranchData data = branch(dry);  // forces from 0 to 1 mN
     BranchData pressed = data;
@@ -80,7 +80,7 @@ TEST(JkrFits, DoNotDependOnUnits) {
     EXPECT_NEAR(scaled.work_of_adhesion.standard_error * 1e3 / metres.work_of_adhesion.standard_error, 1.0, 1e-6);
 }
 
-TEST(JkrFits, SurviveForcesBelowThePullOffTheyFind) {
+TEST(JkrFits, TolerateForcesBelowTheFittedPullOff) {
     BranchData data = branch(lens, -1.0);
     data.force[0] *= 1.001;
     const JkrFit fit = fit_force_displacement(data, rubber_on_diamond());
@@ -114,7 +114,7 @@ Coverage coverage(int seeds, const Contact& truth, const std::function<JkrFit(st
 constexpr int seeds = 200;
 constexpr int fewest = 181, most = 199;
 
-TEST(JkrFits, CoverTheTruthWithNoiseInDepth) {
+TEST(JkrFits, CoverTrueValuesWithNoiseInDepth) {
     const BranchData clean = branch(lens);
     const Coverage found = coverage(seeds, lens, [&](std::mt19937_64& generator) {
         BranchData data = clean;
@@ -129,7 +129,7 @@ TEST(JkrFits, CoverTheTruthWithNoiseInDepth) {
     EXPECT_NEAR(found.mean_chi2, 1.0, 0.05);
 }
 
-TEST(JkrFits, CoverTheTruthWithNoiseInRadius) {
+TEST(JkrFits, CoverTrueValuesWithNoiseInRadius) {
     const BranchData clean = branch(lens);
     const Coverage found = coverage(seeds, lens, [&](std::mt19937_64& generator) {
         BranchData data = clean;
@@ -144,7 +144,7 @@ TEST(JkrFits, CoverTheTruthWithNoiseInRadius) {
     EXPECT_NEAR(found.mean_chi2, 1.0, 0.05);
 }
 
-TEST(JkrFits, NeedEffectiveVarianceWhereAdhesionVanishes) {
+TEST(JkrFits, RequireEffectiveVarianceForVanishingAdhesion) {
     const Contact weak{.radius = lens.radius, .contact_modulus = 0.92e6, .work_of_adhesion = 1e-6};
     const BranchData clean = branch(weak, -0.5);
     constexpr double force_noise = 2e-6, radius_noise = 2e-7;
@@ -172,7 +172,7 @@ TEST(EnergyReleaseRates, EqualWorkOfAdhesionWithAndWithoutMeasuredRadius) {
     }
 }
 
-TEST(JkrFits, SayWhatIsMissing) {
+TEST(JkrFits, RefuseMissingChannels) {
     BranchData data = branch(lens);
     data.contact_radius = Array1D();
     EXPECT_THROW((void)fit_radius_force(data, rubber_on_diamond()), UndefinedDataError);
@@ -186,7 +186,7 @@ TEST(JkrFits, SayWhatIsMissing) {
     EXPECT_THROW((void)fit_force_displacement(branch(lens, -0.8, 3), rubber_on_diamond()), UndefinedDataError);
 }
 
-TEST(JkrFits, RefuseADepthThatFallsAsTheForceRises) {
+TEST(JkrFits, RefuseADepthThatFallsWithForce) {
     BranchData data = branch(lens);
     data.displacement = -data.displacement;
     EXPECT_THROW((void)fit_force_displacement(data, rubber_on_diamond()), UndefinedDataError);
@@ -198,7 +198,7 @@ TEST(YoungsModulus, IsUndefinedBeyondTheCounterBody) {
     EXPECT_NEAR(youngs_modulus({1e5, 1e3}, rubber_on_diamond()).standard_error, 750.0, 0.01);
 }
 
-TEST(YoungsModulus, OfRubberOnARigidCounterBodyIsThreeQuartersOfTheContactModulus) {
+TEST(YoungsModulus, OfRubberOnARigidBodyIsThreeQuartersOfContactModulus) {
     const LensAndCounterBody rigid{.radius = 1.0, .counter_youngs_modulus = INFINITY};
     EXPECT_DOUBLE_EQ(youngs_modulus({4e6, 1e5}, rigid).value, 3e6);
     EXPECT_DOUBLE_EQ(youngs_modulus({4e6, 1e5}, rigid).standard_error, 0.75e5);

@@ -53,7 +53,7 @@ TEST(JointFit, RecoversModulusWorkAndContactPointFromNoiseFreeData) {
         }
 }
 
-TEST(JointFit, IsMoreCertainThanItsParts) {
+TEST(JointFit, HasSmallerErrorsThanItsParts) {
     std::mt19937_64 generator(1);
     const BranchData data = tests::noisy(branch_of(lens, BranchShape::loading, 200), 50.0, generator);
     const JkrFit joint = fit_joint(data, rubber_on_diamond());
@@ -65,7 +65,7 @@ TEST(JointFit, IsMoreCertainThanItsParts) {
 }
 
 /// The pair's covariance is that of the definition: standardised by it, both residuals scatter by 1.
-TEST(JointFit, GivesResidualsOfThePairOfForceAndDepth) {
+TEST(JointFit, ResidualsUseTheCovarianceOfForceAndDepth) {
     std::mt19937_64 generator(2);
     constexpr Index n = 2000;
     const BranchData truth = branch_of(lens, BranchShape::loading, n);
@@ -91,7 +91,7 @@ TEST(JointFit, GivesResidualsOfThePairOfForceAndDepth) {
     EXPECT_NEAR(fit.chi2_reduced, 1.0, 0.07);
 }
 
-TEST(JointFit, KnowsNoiseThatForceAndDisplacementShare) {
+TEST(JointFit, AccountsForNoiseSharedByForceAndDisplacement) {
     // the displacement is the stage's less what the force sensor bends: its noise is the sensor's
     constexpr int seeds = 100;
     const BranchData truth = branch_of(lens, BranchShape::loading, 200);
@@ -120,7 +120,7 @@ TEST(JointFit, KnowsNoiseThatForceAndDisplacementShare) {
     EXPECT_NEAR(chi2, 1.0, 0.03);
 }
 
-TEST(JointFit, CoversTheTruthWithNoiseThatFollowsItsNeighbours) {
+TEST(JointFit, CoversTrueValuesWithCorrelatedNoise) {
     constexpr int seeds = 60;
     constexpr double follows = 0.8;
     const BranchData truth = branch_of(lens, BranchShape::loading, 400);
@@ -156,7 +156,7 @@ TEST(JointFit, CoversTheTruthWithNoiseThatFollowsItsNeighbours) {
     EXPECT_NEAR(correlated_samples, 9.0, 2.0);  // (1 + φ)/(1 − φ)
 }
 
-TEST(JointFit, SaysWhatIsMissing) {
+TEST(JointFit, RefusesMissingChannels) {
     BranchData data = clean(lens);
     data.force_noise = data.displacement_noise = 0.0;
     EXPECT_THROW((void)fit_joint(data, rubber_on_diamond()), InvalidArgument);

@@ -13,7 +13,7 @@ void expect_slope(double slope, double above, double below, double step, double 
     EXPECT_NEAR(slope, (above - below) / (2.0 * step), 1e-6 * scale / step * 1e-3) << what;
 }
 
-TEST(ModelCurve, DerivativesAreThoseOfTheCurve) {
+TEST(ModelCurve, DerivativesMatchTheCurve) {
     LensAndCounterBody bodies{.radius = 1.25e-3, .counter_youngs_modulus = 1e12};
     bodies.layer_thickness = 30e-6;
     for (const ContactModel model : contact_models())

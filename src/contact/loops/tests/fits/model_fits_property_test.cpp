@@ -55,7 +55,7 @@ TEST(ModelFitProperties, JkrIsRecoveredAtEveryScale) {
     }));
 }
 
-TEST(ModelFitProperties, DoNotDependOnTheOrderOfSamplesNorOnTheZeroOfDisplacement) {
+TEST(ModelFitProperties, AreInvariantUnderSampleOrderAndDisplacementZero) {
     EXPECT_TRUE(rc::check([] {
         const contact::jkr::Contact contact = any_contact();
         BranchData data = branch(contact, 5.0, 0.0);
@@ -77,7 +77,7 @@ TEST(ModelFitProperties, DoNotDependOnTheOrderOfSamplesNorOnTheZeroOfDisplacemen
     }));
 }
 
-TEST(ModelFitProperties, ModelsThatHoldAnotherFitNoWorse) {
+TEST(ModelFitProperties, MoreGeneralModelsFitNoWorse) {
     EXPECT_TRUE(rc::check([] {
         const contact::jkr::Contact contact = any_contact();
         BranchData data = branch(contact, decades(1.0, 30.0), 0.0);
@@ -92,7 +92,7 @@ TEST(ModelFitProperties, ModelsThatHoldAnotherFitNoWorse) {
     }));
 }
 
-TEST(GlobalFitProperties, OfTwinsIsTheFitOfOne) {
+TEST(GlobalFitProperties, OfTwoEqualBranchesEqualsTheFitOfOne) {
     EXPECT_TRUE(rc::check([] {
         const contact::jkr::Contact contact = any_contact();
         BranchData data = branch(contact, 5.0, 0.0);

@@ -181,7 +181,7 @@ BranchData noisy(const BranchData& exact, double share, std::mt19937_64& generat
     return data;
 }
 
-TEST(ModelFits, OrthogonalDistanceIsUnbiasedAndKnowsItsErrors) {
+TEST(ModelFits, OrthogonalDistanceIsUnbiasedWithCorrectErrors) {
     constexpr int repetitions = 60;
     const BranchData exact = jkr_branch(lens, 80);
     std::mt19937_64 generator(21);
@@ -202,7 +202,7 @@ TEST(ModelFits, OrthogonalDistanceIsUnbiasedAndKnowsItsErrors) {
     }
 }
 
-TEST(ModelFits, LeastSquaresInForceAloneIsBiasedByErrorsOfRadiusWhereOrthogonalDistanceIsNot) {
+TEST(ModelFits, OnlyOrthogonalDistanceIsUnbiasedByErrorsOfRadius) {
     const BranchData exact = jkr_branch(lens, 2000);
     std::mt19937_64 generator(5);
     const BranchData data = noisy(exact, 0.06, generator);
@@ -215,7 +215,7 @@ TEST(ModelFits, LeastSquaresInForceAloneIsBiasedByErrorsOfRadiusWhereOrthogonalD
     EXPECT_LT(pull(FitErrors::orthogonal_distance), 3.0);
 }
 
-TEST(ModelFits, EffectiveVarianceOfForceAndRadiusIsALinearFitInModulusAndRootOfItsProductWithWork) {
+TEST(ModelFits, EffectiveVarianceEqualsALinearFit) {
     std::mt19937_64 generator(8);
     const BranchData data = noisy(jkr_branch(), 0.02, generator);
     const Array1D dry = 4.0 * data.contact_radius.cube() / (3.0 * lens.radius),
@@ -237,7 +237,7 @@ TEST(ModelFits, EffectiveVarianceOfForceAndRadiusIsALinearFitInModulusAndRootOfI
     EXPECT_NEAR(fit.work_of_adhesion->value / (found[1] * found[1] / found[0]), 1.0, 1e-8);
 }
 
-TEST(ModelFits, HeldParametersStayAndCountAsExact) {
+TEST(ModelFits, FixedParametersAreUnchangedAndExact) {
     const auto contact = zone_contact(0.7);
     const BranchData data = zone_branch(contact, 80);
     const ModelFitOptions model{.model = ContactModel::maugis_dugdale};
@@ -261,7 +261,7 @@ TEST(ModelFits, HeldParametersStayAndCountAsExact) {
     EXPECT_EQ(fit.contact_modulus.method, "given");
 }
 
-TEST(ModelFits, SaysThatTheRangeOfAttractionIsNotDeterminedFarFromTheTransition) {
+TEST(ModelFits, RangeOfAttractionIsUndeterminedFarFromTheTransition) {
     std::mt19937_64 generator(3);
     const BranchData data = noisy(jkr_branch(lens, 100), 0.005, generator);
     const ModelFit zone = fit_model(data, rubber_on_diamond(),
@@ -278,7 +278,7 @@ TEST(ModelFits, SaysThatTheRangeOfAttractionIsNotDeterminedFarFromTheTransition)
     EXPECT_NEAR(curve.work_of_adhesion->value / lens.work_of_adhesion, 1.0, 0.1);
 }
 
-TEST(ModelFits, WithoutRadiiAndNearPullOffWOfMaugisDugdaleIsNotToldEither) {
+TEST(ModelFits, WOfMaugisDugdaleIsUndeterminedFromHighForcesOnly) {
     std::mt19937_64 generator(4);
     BranchData data = noisy(jkr_branch(lens, 100), 0.005, generator);
     for (Array1D* series : {&data.force, &data.displacement, &data.contact_radius}) *series = series->tail(60).eval();
@@ -293,7 +293,7 @@ TEST(ModelFits, WithoutRadiiAndNearPullOffWOfMaugisDugdaleIsNotToldEither) {
         EXPECT_EQ(model.fit.value.has_value(), std::isfinite(model.akaike_difference)) << to_string(model.model);
 }
 
-TEST(ModelFits, ResidualsAreThoseOfTheNearestPoint) {
+TEST(ModelFits, ResidualsAreDistancesToTheNearestPoint) {
     std::mt19937_64 generator(9);
     const BranchData data = noisy(jkr_branch(lens, 60), 0.02, generator);
     const ModelFit fit = fit_model(data, rubber_on_diamond());
@@ -328,7 +328,7 @@ TEST(ModelFits, ErrorOfTheZeroOfForceIsAdded) {
     EXPECT_NEAR(std::sqrt(unsure.covariance(0, 0)) / unsure.contact_modulus.standard_error, 1.0, 1e-12);
 }
 
-TEST(ModelFits, ComparisonFindsTheModelTheDataCameFrom) {
+TEST(ModelFits, ComparisonFindsTheTrueModel) {
     std::mt19937_64 generator(17);
     LensAndCounterBody bodies = rubber_on_diamond();
     const ModelComparison sticky =
@@ -352,7 +352,7 @@ TEST(ModelFits, ComparisonFindsTheModelTheDataCameFrom) {
     EXPECT_FALSE(between.models[static_cast<std::size_t>(ContactModel::transition)].fit);
 }
 
-TEST(ModelFits, ModelsAreNamedBothWays) {
+TEST(ModelFits, ModelNamesConvertToModelsAndBack) {
     for (const ContactModel model : contact_models()) EXPECT_EQ(model_named(to_string(model)), model);
     try {
         (void)model_named("maugis_dugdal");
@@ -362,7 +362,7 @@ TEST(ModelFits, ModelsAreNamedBothWays) {
     }
 }
 
-TEST(ModelFits, RefuseWhatTheyCannotFit) {
+TEST(ModelFits, RefuseInvalidData) {
     const BranchData data = jkr_branch();
     const LensAndCounterBody bodies = rubber_on_diamond();
     EXPECT_THROW((void)fit_model(data, bodies, {.model = ContactModel::layer}), InvalidArgument);

@@ -29,7 +29,7 @@ BranchData branch(double signal_to_noise, std::uint64_t seed, Index samples = 40
 constexpr ProfiledFit all_fits[] = {ProfiledFit::effective_variance, ProfiledFit::force_displacement,
                                     ProfiledFit::joint};
 
-TEST(ProfileLikelihood, OfLittleNoiseIsTheParabolaOfTheStandardError) {
+TEST(ProfileLikelihood, IsTheParabolaOfTheStandardErrorForLowNoise) {
     for (const auto fit : all_fits) {
         const ProfileLikelihood found =
             profile_likelihood(branch(300.0, 1), rubber_on_diamond(), {.fit = fit, .points = 9});
@@ -49,7 +49,7 @@ TEST(ProfileLikelihood, OfLittleNoiseIsTheParabolaOfTheStandardError) {
     }
 }
 
-TEST(ProfileLikelihood, IsLeastAtTheFitAndCrossesItsThresholdAtTheEnds) {
+TEST(ProfileLikelihood, HasItsMinimumAtTheFitAndItsThresholdAtTheEnds) {
     for (const auto fit : all_fits) {
         const BranchData data = branch(20.0, 3);
         const ProfileLikelihood found =
@@ -65,7 +65,7 @@ TEST(ProfileLikelihood, IsLeastAtTheFitAndCrossesItsThresholdAtTheEnds) {
     }
 }
 
-TEST(ProfileLikelihood, OfWorkLeansToLargerValuesWhereTheNoiseIsLarge) {
+TEST(ProfileLikelihood, OfWorkIsSkewedToLargerValuesInStrongNoise) {
     const ProfileLikelihood found =
         profile_likelihood(branch(10.0, 4), rubber_on_diamond(), {.fit = ProfiledFit::force_displacement, .points = 3});
     const Estimate& work = found.work_of_adhesion.estimate;
@@ -73,7 +73,7 @@ TEST(ProfileLikelihood, OfWorkLeansToLargerValuesWhereTheNoiseIsLarge) {
     EXPECT_GT(work.interval->upper - work.value, 1.1 * (work.value - work.interval->lower));
 }
 
-TEST(ProfileLikelihood, CoversTheTruth) {
+TEST(ProfileLikelihood, CoversTrueValues) {
     constexpr int seeds = 40;
     int modulus = 0, work = 0;
     setae::tests::Pulls modulus_pulls, work_pulls;
@@ -116,7 +116,7 @@ JkrFit fit_with(double freedom) {
     return fit;
 }
 
-TEST(ErrorEllipse, HoldsTheQuadraticFormAtItsLevel) {
+TEST(ErrorEllipse, HasAConstantQuadraticForm) {
     const JkrFit fit = fit_with(1e9);
     const ErrorEllipse ellipse = error_ellipse(fit, 0.95);
     const Eigen::Matrix2d inverse = Eigen::Matrix2d(fit.covariance).inverse();
@@ -127,7 +127,7 @@ TEST(ErrorEllipse, HoldsTheQuadraticFormAtItsLevel) {
     EXPECT_NEAR(ellipse.contact_modulus[0], ellipse.contact_modulus.tail(1)[0], 1e-6);
 }
 
-TEST(ErrorEllipse, OfFewDegreesOfFreedomIsThatOfFisher) {
+TEST(ErrorEllipse, OfFewDegreesOfFreedomUsesTheFDistribution) {
     const JkrFit fit = fit_with(10.0);
     // F(0.95; 2, 10) = 4.102821
     EXPECT_NEAR(std::pow((error_ellipse(fit).contact_modulus[0] - 1e6) / 1e4, 2), 2.0 * 4.102821, 1e-5);

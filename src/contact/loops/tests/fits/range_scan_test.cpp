@@ -30,7 +30,7 @@ Loop noisy_depth_record(double share) {
     return loop;
 }
 
-TEST(RangeScan, OfAnExactLoopGivesThePlantedValuesWhateverTheRange) {
+TEST(RangeScan, OfAnExactLoopGivesTrueValuesForEveryRange) {
     const SyntheticLoop shape;
     const RangeScan scan = scan_ranges(analysed(shape.make()), rubber_on_diamond(), {});
     EXPECT_EQ(scan.by_end.size(), 8u);
@@ -43,7 +43,7 @@ TEST(RangeScan, OfAnExactLoopGivesThePlantedValuesWhateverTheRange) {
         }
 }
 
-TEST(RangeScan, WholeRangeIsThatOfTheAnalysis) {
+TEST(RangeScan, WholeRangeEqualsTheAnalysis) {
     const LoopAnalysis analysis = analysed(noisy_depth_record(1e-3));
     const RangeScan scan = scan_ranges(analysis, rubber_on_diamond(), {});
     const JkrFit& whole = *scan.by_end.back().fit;
@@ -51,7 +51,7 @@ TEST(RangeScan, WholeRangeIsThatOfTheAnalysis) {
     EXPECT_DOUBLE_EQ(whole.contact_modulus.value, analysis.loading.primary().contact_modulus.value);
 }
 
-TEST(RangeScan, NoiseMovesModulusAndWorkAgainstEachOtherAsTheEllipseSays) {
+TEST(RangeScan, NoiseChangesModulusAndWorkAlongTheErrorEllipse) {
     const RangeScan scan = scan_ranges(analysed(noisy_depth_record(3e-3)), rubber_on_diamond(), {});
     EXPECT_LT(scan.ellipse_slope, 0.0);
     // the trade's direction, not its size: shorter ranges trade at other rates
@@ -59,7 +59,7 @@ TEST(RangeScan, NoiseMovesModulusAndWorkAgainstEachOtherAsTheEllipseSays) {
     EXPECT_NEAR(std::log(scan.slope / scan.ellipse_slope), 0.0, std::log(3.0));
 }
 
-TEST(BranchSamples, AreThoseTheFitsRestOn) {
+TEST(BranchSamples, EqualThoseOfTheFits) {
     const SyntheticLoop shape{.retraction_work = 0.060};
     const LoopAnalysis analysis = analysed(shape.make());
     for (const LoopBranch branch : {LoopBranch::loading, LoopBranch::unloading}) {
@@ -73,7 +73,7 @@ TEST(BranchSamples, AreThoseTheFitsRestOn) {
     }
 }
 
-TEST(BranchSamples, LeaveOutWhatTheFitsIgnore) {
+TEST(BranchSamples, ExcludeSamplesIgnoredByTheFits) {
     const SyntheticLoop shape{.retraction_work = 0.060};
     const LoopAnalysis whole = analysed(shape.make());
     AnalysisOptions options;

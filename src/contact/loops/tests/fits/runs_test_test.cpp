@@ -34,7 +34,7 @@ TEST(RunsTest, OfFewResidualsIsExact) {
     EXPECT_NEAR(runs_test(signs("+-+-+-")).p_value, 1.0, 1e-12);
 }
 
-TEST(RunsTest, JoinsTheNormalApproximation) {
+TEST(RunsTest, IsContinuousWithTheNormalApproximation) {
     // 25 of each sign are counted exactly, one residual more is not: the two agree to what an odd sign and the normal
     // leave
     const std::string pairs = "++--+-+--+";
@@ -47,7 +47,7 @@ TEST(RunsTest, JoinsTheNormalApproximation) {
     EXPECT_GT(exact, 0.5);
 }
 
-TEST(RunsTest, RefusesNoMoreIndependentResidualsThanItsLevelSays) {
+TEST(RunsTest, RejectsIndependentResidualsAtItsLevel) {
     constexpr int seeds = 400;
     int refused = 0;
     for (int seed = 0; seed < seeds; ++seed) {
@@ -62,7 +62,7 @@ TEST(RunsTest, RefusesNoMoreIndependentResidualsThanItsLevelSays) {
     EXPECT_LE(refused, 33);
 }
 
-TEST(RunsTest, FindsACurveLeftInTheResiduals) {
+TEST(RunsTest, DetectsACurveInTheResiduals) {
     const Array1D angle = Array1D::LinSpaced(200, 0.0, 6.0);
     EXPECT_LT(runs_test(Array1D(angle.cos())).p_value, 1e-6);
 }

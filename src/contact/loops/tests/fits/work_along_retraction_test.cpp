@@ -95,7 +95,7 @@ TEST(WorkAlongRetraction, OfAConstantWorkHasNoSlope) {
     EXPECT_GT(squares, 3.1);   // 0.5 %
 }
 
-TEST(WorkAlongRetraction, HasThePlantedSlopeWithinItsError) {
+TEST(WorkAlongRetraction, RecoversTheTrueSlopeWithinItsError) {
     const VaryingLoop planted;
     const auto exact = course_of(analyse(planted.make(), tests::rubber_on_diamond()));
     EXPECT_NEAR(exact.slope.value / planted.slope, 1.0, 0.01);
@@ -110,7 +110,7 @@ TEST(WorkAlongRetraction, HasThePlantedSlopeWithinItsError) {
     EXPECT_LT(squares, 26.2);
 }
 
-TEST(WorkAlongRetraction, LosesWhatTheLoopLoses) {
+TEST(WorkAlongRetraction, LossMatchesTheLoop) {
     for (const double slope : {-200.0, 0.0, 400.0}) {
         VaryingLoop planted{.slope = slope};
         if (slope < 0.0) planted.at_largest = 0.070;
@@ -135,7 +135,7 @@ TEST(WorkAlongRetraction, LosesWhatTheLoopLoses) {
 }
 
 // fixed grips, W_app in and W_ret out: 3/5 πW a0² + (W_ret − W_app) π a_max² + 2/5 πW_ret a_c² (Maugis)
-TEST(WorkAlongRetraction, OfAConstantWorkLosesTheClosedForm) {
+TEST(WorkAlongRetraction, OfAConstantWorkHasTheClosedFormLoss) {
     const tests::SyntheticLoop constant{.retraction_work = 0.080};
     const auto lens = constant.retraction();
     constexpr int n = 50;
@@ -151,7 +151,7 @@ TEST(WorkAlongRetraction, OfAConstantWorkLosesTheClosedForm) {
     EXPECT_NEAR(found.energy_loss_constant.value / constant.loss(), 1.0, 1e-6);
 }
 
-TEST(WorkAlongRetraction, IsUndeterminedWhereOnlyThePullOffIsKnown) {
+TEST(WorkAlongRetraction, IsUndeterminedFromThePullOffOnly) {
     auto loop = tests::SyntheticLoop{.retraction_work = 0.080}.make();
     loop.contact_radius = Array1D();
     const auto analysis = analyse(loop, tests::rubber_on_diamond());
@@ -160,7 +160,7 @@ TEST(WorkAlongRetraction, IsUndeterminedWhereOnlyThePullOffIsKnown) {
         << analysis.work_along_retraction.reason;
 }
 
-TEST(WorkAlongRetraction, RefusesWhatIsNoCourse) {
+TEST(WorkAlongRetraction, RefusesInvalidInput) {
     BranchData data{.force = Array1D::Constant(10, -1e-4), .contact_radius = Array1D::Constant(10, 1e-4)};
     const RetractionCourse course{.radius = 1e-3, .contact_modulus = {1e6, 0.0}, .largest_contact_radius = 1e-4};
     EXPECT_THROW((void)fit_work_along_retraction(data, course), UndefinedDataError);

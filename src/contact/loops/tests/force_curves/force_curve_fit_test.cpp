@@ -53,7 +53,7 @@ double sticky_force(double depth) {
     return std::isnan(force) ? 0.0 : force;
 }
 
-TEST(ForceCurve, SplitsIntoSegmentsAndTakesTheBaselineOff) {
+TEST(ForceCurve, SplitsIntoSegmentsAndSubtractsTheBaseline) {
     const std::vector<CurveSegment> segments = segments_of_curve(curve(dry_force, sticky_force));
     ASSERT_EQ(segments.size(), 2U);
     EXPECT_EQ(segments[0].name, "extend");
@@ -132,7 +132,7 @@ TEST(ForceCurve, DmtIsRecoveredFromNoiseFreeRetraction) {
     EXPECT_NEAR(fit.work_of_adhesion->value / gel.work_of_adhesion, 1.0, 1e-8);
 }
 
-TEST(ForceCurve, RangeChoosesSamplesByIndentationForceOrShare) {
+TEST(ForceCurve, RangeSelectsSamplesByIndentationForceOrShare) {
     const CurveSegment segment = segments_of_curve(curve(dry_force, sticky_force)).front();
     const double top = segment.force.maxCoeff();
     using Measure = CurveRange::Measure;
@@ -159,7 +159,7 @@ TEST(ForceCurve, StandardErrorsFollowTheNoise) {
     EXPECT_EQ(fit.parameters.size(), 3U);
 }
 
-TEST(ForceCurve, EverySegmentOfATableIsFittedAndPausesLeftOut) {
+TEST(ForceCurve, FitsEverySegmentOfATableExceptPauses) {
     const std::vector<NamedCurveFit> fits = fit_force_curve(curve(dry_force, dry_force), tip_on_gel());
     ASSERT_EQ(fits.size(), 2U);
     ASSERT_TRUE(fits[1].fit) << fits[1].fit.reason;
@@ -168,7 +168,7 @@ TEST(ForceCurve, EverySegmentOfATableIsFittedAndPausesLeftOut) {
     for (const NamedCurveFit& fit : fit_force_curve(flat, tip_on_gel())) EXPECT_FALSE(fit.fit) << fit.name;
 }
 
-TEST(ForceCurve, ShapesAreNamedBothWays) {
+TEST(ForceCurve, ShapeNamesConvertToShapesAndBack) {
     for (const TipShape shape : {TipShape::paraboloid, TipShape::cone, TipShape::three_sided_pyramid})
         EXPECT_EQ(tip_shape_named(to_string(shape)), shape);
     EXPECT_THROW((void)tip_shape_named("con"), InvalidArgument);
@@ -186,7 +186,7 @@ double hysteresis() {
     return energy;
 }
 
-TEST(ForceCurveSummary, SaysModulusPullOffWorkAndLoss) {
+TEST(ForceCurveSummary, GivesModulusPullOffWorkAndLoss) {
     const ForceCurveSummary found = summary_of_force_curve(curve(dry_force, sticky_force), tip_on_gel());
     EXPECT_EQ(found.fitted_segment, "extend");
     EXPECT_NEAR(found.contact_modulus->value / gel.contact_modulus, 1.0, 1e-4);
@@ -196,7 +196,7 @@ TEST(ForceCurveSummary, SaysModulusPullOffWorkAndLoss) {
     EXPECT_NEAR(found.energy_loss->value / hysteresis(), 1.0, 0.01);
 }
 
-TEST(ForceCurveSummary, WithAdhesionTheRetractionTellsModulusAndWork) {
+TEST(ForceCurveSummary, WithAdhesionUsesModulusAndWorkOfTheRetraction) {
     const ForceCurveSummary found =
         summary_of_force_curve(curve(dry_force, sticky_force), tip_on_gel(), {.model = ContactModel::jkr});
     EXPECT_EQ(found.fitted_segment, "retract");
@@ -218,11 +218,11 @@ TEST(ForceCurveSummary, ErrorOfTheLossIsItsScatter) {
         squares += found.energy_loss->value * found.energy_loss->value / runs;
         errors += found.energy_loss->standard_error / runs;
     }
-    // 200 runs know a standard deviation to 5 %
+    // 200 runs determine a standard deviation to 5 %
     EXPECT_NEAR(errors / std::sqrt(squares - sum * sum), 1.0, 0.2);
 }
 
-TEST(ForceCurveSummary, WhatIsMissingHasItsReason) {
+TEST(ForceCurveSummary, MissingValuesHaveAReason) {
     const auto attached = [](double depth) { return dry_force(depth) - 2e-2 * std::max(-depth, 0.0) * depth / 1e-6; };
     EXPECT_NE(summary_of_force_curve(curve(dry_force, attached, 1e-11), tip_on_gel())
                   .energy_loss.reason.find("retract segment does not return to free flight"),

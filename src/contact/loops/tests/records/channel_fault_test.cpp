@@ -52,7 +52,7 @@ std::optional<ChannelFault> fault_of(const Loop& loop) {
     return std::nullopt;
 }
 
-TEST(ChannelFault, IsNamedForSignsAndSwappedColumns) {
+TEST(ChannelFault, IsReportedForWrongSignsAndSwappedColumns) {
     for (std::uint64_t seed = 0; seed < 10; ++seed) {
         const Loop right = record(seed);
         EXPECT_FALSE(fault_of(right)) << seed;
@@ -69,7 +69,7 @@ TEST(ChannelFault, IsNamedForSignsAndSwappedColumns) {
     }
 }
 
-TEST(ChannelFault, OfDriftAloneIsNone) {
+TEST(ChannelFault, IsNotReportedForDriftOnly) {
     for (std::uint64_t seed = 0; seed < 10; ++seed) {
         std::mt19937_64 generator(seed);
         Loop loop = record(seed);

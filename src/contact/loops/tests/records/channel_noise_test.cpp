@@ -26,7 +26,7 @@ Array1D low_pass(Index n, double phi, std::mt19937_64& generator) {
     return values;
 }
 
-TEST(FreeFlightNoise, IsThatOfTheProcessWhateverItsCorrelation) {
+TEST(FreeFlightNoise, RecoversTheNoiseAtAnyCorrelation) {
     std::mt19937_64 generator(4);
     constexpr int draws = 300;
     constexpr Index n = 400;
@@ -41,12 +41,12 @@ TEST(FreeFlightNoise, IsThatOfTheProcessWhateverItsCorrelation) {
         }
         EXPECT_NEAR(sigma, 1.0, 0.03) << phi;
         EXPECT_NEAR(correlation, phi, 0.01) << phi;
-        // what second differences alone would say
+        // result of second differences only
         EXPECT_NEAR(white, std::sqrt((6.0 - 8.0 * phi + 2.0 * phi * phi) / 6.0), 0.01) << phi;
     }
 }
 
-TEST(FreeFlightNoise, OfFewOrIndependentSamplesIsThatOfSecondDifferences) {
+TEST(FreeFlightNoise, OfFewOrIndependentSamplesUsesSecondDifferences) {
     std::mt19937_64 generator(5);
     int independent = 0;
     for (int k = 0; k < 200; ++k) {
@@ -62,7 +62,7 @@ TEST(FreeFlightNoise, OfFewOrIndependentSamplesIsThatOfSecondDifferences) {
     EXPECT_EQ(free_flight_noise(Array1D()).sigma, 0.0);
 }
 
-TEST(FreeFlightNoise, ErrorOfTheZeroOfForceHoldsTheTruth) {
+TEST(FreeFlightNoise, ErrorOfTheZeroOfForceCoversTheTrueZero) {
     std::mt19937_64 generator(6);
     constexpr int draws = 300;
     for (const double phi : {0.0, 0.5, 0.8, 0.9}) {

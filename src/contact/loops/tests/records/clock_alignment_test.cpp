@@ -30,7 +30,7 @@ Loop without_radius(Loop loop) {
 
 SyntheticLoop with_hysteresis() { return {.retraction_work = 0.120, .samples = 1500}; }
 
-TEST(ClockAlignment, RecoversPlantedOffsetsToHalfAFrame) {
+TEST(ClockAlignment, RecoversTrueOffsetsToHalfAFrame) {
     const auto loop = with_hysteresis().make();
     const double frame = 40 * (loop.time[1] - loop.time[0]);
     for (const double frames : {0.0, 0.31, -0.77, 12.4, -40.15, 55.5}) {
@@ -42,7 +42,7 @@ TEST(ClockAlignment, RecoversPlantedOffsetsToHalfAFrame) {
     }
 }
 
-TEST(ClockAlignment, HoldsWithNoiseAndItsStandardErrorCoversTheError) {
+TEST(ClockAlignment, WithNoiseHasACorrectStandardError) {
     const auto loop = with_hysteresis().make();
     const double frame = 40 * (loop.time[1] - loop.time[0]);
     const double force_noise = 0.02 * loop.force.maxCoeff(), radius_noise = 0.01 * loop.contact_radius.maxCoeff();
@@ -66,7 +66,7 @@ TEST(ClockAlignment, HoldsWithNoiseAndItsStandardErrorCoversTheError) {
     EXPECT_GE(covered, 19);  // 3 standard errors: 1 in 370 misses
 }
 
-TEST(ClockAlignment, NeedsNoDisplacement) {
+TEST(ClockAlignment, WorksWithoutDisplacement) {
     for (const double work : {0.040, 0.120}) {
         const auto loop = SyntheticLoop{.retraction_work = work, .samples = 1500}.make();
         const double frame = 40 * (loop.time[1] - loop.time[0]);
@@ -78,7 +78,7 @@ TEST(ClockAlignment, NeedsNoDisplacement) {
     }
 }
 
-TEST(ClockAlignment, DoubtsForceAloneWhereNoiseHidesTheJump) {
+TEST(ClockAlignment, WarnsIfNoiseHidesTheJumpOfTheForce) {
     auto loop = with_hysteresis().make();
     const double frame = 40 * (loop.time[1] - loop.time[0]);
     const auto camera = filmed(loop, frame, 3.0 * frame);
@@ -90,7 +90,7 @@ TEST(ClockAlignment, DoubtsForceAloneWhereNoiseHidesTheJump) {
     EXPECT_NE(found.doubt, "");
 }
 
-TEST(ClockAlignment, DoubtsRecordsThatHaveNothingInCommon) {
+TEST(ClockAlignment, WarnsOfUnrelatedRecords) {
     const auto loop = with_hysteresis().make();
     const double frame = 40 * (loop.time[1] - loop.time[0]);
     std::mt19937_64 generator(3);
@@ -99,7 +99,7 @@ TEST(ClockAlignment, DoubtsRecordsThatHaveNothingInCommon) {
     EXPECT_NE(align_clocks(without_radius(loop), camera).doubt, "");
 }
 
-TEST(ClockAlignment, RefusesWhatCannotBeAligned) {
+TEST(ClockAlignment, RefusesRecordsThatCannotBeAligned) {
     const auto loop = with_hysteresis().make();
     const double frame = 40 * (loop.time[1] - loop.time[0]);
     const auto camera = filmed(loop, frame, 0.0);

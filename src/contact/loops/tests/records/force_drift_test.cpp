@@ -35,7 +35,7 @@ double pull_off_of(const SyntheticLoop& shape) {
     return -contact::jkr::pull_off_at_fixed_load(shape.retraction()).force;
 }
 
-TEST(ForceDrift, IsThatOfFreeFlightWithItsError) {
+TEST(ForceDrift, IsMeasuredInFreeFlightWithItsError) {
     double pulls = 0.0;
     constexpr int seeds = 100;
     for (int seed = 0; seed < seeds; ++seed) {
@@ -50,7 +50,7 @@ TEST(ForceDrift, IsThatOfFreeFlightWithItsError) {
     EXPECT_NEAR(std::sqrt(pulls), 1.0, 0.25);
 }
 
-TEST(ForceDrift, OfAnySizeChangesNoResult) {
+TEST(ForceDrift, OfAnySizeDoesNotChangeResults) {
     std::mt19937_64 generator(3);
     const SyntheticLoop rough{.retraction_work = 0.06, .samples = 300};
     Loop flat = rough.make();
@@ -75,7 +75,7 @@ TEST(ForceDrift, OfAnySizeChangesNoResult) {
     }
 }
 
-TEST(ForceDrift, ThatBendsIsFollowedByACurve) {
+TEST(ForceDrift, WithCurvatureIsFittedByACurve) {
     const SyntheticLoop shape{.samples = 300};
     Loop flat = shape.make();
     flat.contact_radius = Array1D();
@@ -97,7 +97,7 @@ TEST(ForceDrift, ThatBendsIsFollowedByACurve) {
     }
 }
 
-TEST(ForceDrift, FollowsTheModelAskedFor) {
+TEST(ForceDrift, FollowsTheRequestedModel) {
     // the sensor drifts until the last press and stands still from there on: the line between the baselines is wrong
     Loop loop = smooth.make();
     const Index peak = 2 * smooth.samples + 1;
@@ -115,7 +115,7 @@ TEST(ForceDrift, FollowsTheModelAskedFor) {
     EXPECT_THROW((void)drift_model_named("line"), InvalidArgument);
 }
 
-TEST(ForceDrift, OfTheWholeRecordIsTakenOffByEitherModel) {
+TEST(ForceDrift, OfTheWholeRecordIsRemovedByEitherModel) {
     const Loop loop = drifting();
     const double energy = analyse(smooth.make(), rubber_on_diamond()).loop->energy;
     for (const DriftModel model : {DriftModel::automatic, DriftModel::extrapolated}) {
@@ -126,8 +126,8 @@ TEST(ForceDrift, OfTheWholeRecordIsTakenOffByEitherModel) {
     }
 }
 
-TEST(ForceDrift, HasTheErrorOfFreeFlightInTheEnergy) {
-    // the energy moves with every mode of the zero as its budget says
+TEST(ForceDrift, PropagatesItsErrorToTheEnergy) {
+    // the energy changes with every mode of the zero as in its error budget
     std::mt19937_64 generator(2);
     Loop loop = smooth.make();
     loop.force = tests::with_noise(loop.force, 1e-6, generator);
@@ -145,7 +145,7 @@ TEST(ForceDrift, HasTheErrorOfFreeFlightInTheEnergy) {
     EXPECT_NEAR(found.loop->standard_error.drift / std::sqrt(squares), 1.0, 1e-9);
 }
 
-TEST(ForceDrift, OfOneStretchOfFreeFlightGoesOnWithItsError) {
+TEST(ForceDrift, OfOneStretchIsExtrapolatedWithItsError) {
     const SyntheticLoop shape{.samples = 300};
     const Loop whole = shape.make();
     const Index peak = 2 * shape.samples + 1;
@@ -164,7 +164,7 @@ TEST(ForceDrift, OfOneStretchOfFreeFlightGoesOnWithItsError) {
     EXPECT_NEAR(std::sqrt(pulls), 1.0, 0.3);  // of 60 pulls 1 ± 0.09
 }
 
-TEST(FreeFlight, IsCutAtStepsOfTheForce) {
+TEST(FreeFlight, IsSplitAtStepsOfTheForce) {
     const SyntheticLoop shape{.samples = 300};
     const double pull = pull_off_of(shape);
     std::mt19937_64 generator(7);
@@ -182,7 +182,7 @@ TEST(FreeFlight, IsCutAtStepsOfTheForce) {
     EXPECT_NEAR(work.value, 0.040, 3.0 * work.standard_error);
 }
 
-TEST(FreeFlight, WithoutStepsIsNotCut) {
+TEST(FreeFlight, WithoutStepsIsNotSplit) {
     const SyntheticLoop shape{.samples = 300};
     int cut = 0;
     for (int seed = 0; seed < 100; ++seed) {
@@ -194,7 +194,7 @@ TEST(FreeFlight, WithoutStepsIsNotCut) {
     EXPECT_EQ(cut, 0);
 }
 
-TEST(Contact, SaysWhereTheForceSteps) {
+TEST(Contact, ReportsStepsOfTheForce) {
     const SyntheticLoop shape{.samples = 400};
     const double pull = pull_off_of(shape);
     std::mt19937_64 generator(11);
@@ -210,7 +210,7 @@ TEST(Contact, SaysWhereTheForceSteps) {
     EXPECT_TRUE(has(found, "STEP_IN_CONTACT"));
 }
 
-TEST(DisplacementDrift, IsTakenOffAtAKnownRate) {
+TEST(DisplacementDrift, IsRemovedAtAKnownRate) {
     Loop loop = smooth.make();
     loop.displacement += 1e-9 * loop.time;
     const LoopAnalysis analysis = analyse(loop, rubber_on_diamond(), {.displacement_drift_rate = 1e-9});

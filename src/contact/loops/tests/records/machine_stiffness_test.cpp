@@ -35,14 +35,14 @@ Loop rigid_loop(double extra_slope_out = 0.0) {
     return loop;
 }
 
-TEST(MachineStiffness, OfARigidContactIsItsSlope) {
+TEST(MachineStiffness, OfARigidContactEqualsItsSlope) {
     const MachineStiffness found = machine_stiffness_from_rigid_contact(rigid_loop());
     EXPECT_NEAR(found.stiffness.value / stiffness, 1.0, 1e-9);
     EXPECT_NEAR(found.nonlinearity, 0.0, 1e-9);
     EXPECT_NEAR(found.hysteresis, 0.0, 1e-9);
 }
 
-TEST(MachineStiffness, NeedsNoAdhesion) {
+TEST(MachineStiffness, WorksWithoutAdhesion) {
     Loop loop = rigid_loop();
     loop.force = loop.force.max(0.0);
     std::mt19937_64 generator(4);
@@ -54,7 +54,7 @@ TEST(MachineStiffness, NeedsNoAdhesion) {
     EXPECT_THROW((void)machine_stiffness_from_rigid_contact(loop), UndefinedDataError);
 }
 
-TEST(MachineStiffness, CoversTheTruthWithNoise) {
+TEST(MachineStiffness, CoversTheTrueStiffnessWithNoise) {
     double pulls = 0.0;
     constexpr int seeds = 100;
     for (int seed = 0; seed < seeds; ++seed) {
@@ -95,7 +95,7 @@ TEST(MachineStiffness, RefusesASoftContact) {
     EXPECT_THROW((void)machine_stiffness_from_rigid_contact(loop), UndefinedDataError);
 }
 
-TEST(MachineStiffness, PassesItsErrorOnToModulusAndWork) {
+TEST(MachineStiffness, PropagatesItsErrorToModulusAndWork) {
     const SyntheticLoop shape{.samples = 400};
     Loop loop = shape.make();
     loop.displacement += loop.force / stiffness;

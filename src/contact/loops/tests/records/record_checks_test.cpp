@@ -45,7 +45,7 @@ void expect_says(const std::string& message, const std::string& words) {
     EXPECT_NE(message.find(words), std::string::npos) << "'" << message << "'";
 }
 
-TEST(RecordFaults, AreNoneInASoundRecord) {
+TEST(RecordFaults, AreEmptyForAnIdealRecord) {
     for (const Loop& loop : {smooth.make(), noisy()}) {
         const RecordFaults faults = record_faults(loop);
         EXPECT_TRUE(faults.saturated_high.empty());
@@ -59,7 +59,7 @@ TEST(RecordFaults, AreNoneInASoundRecord) {
     }
 }
 
-TEST(SaturatedForce, IsFoundNamedAndLeftOutOfTheFits) {
+TEST(SaturatedForce, IsReportedAndExcludedFromTheFits) {
     Loop loop = noisy();
     const double limit = 0.8 * loop.force.maxCoeff();
     loop.force = loop.force.min(limit);
@@ -78,7 +78,7 @@ TEST(SaturatedForce, IsFoundNamedAndLeftOutOfTheFits) {
     expect_says(alert_of(low, "FORCE_SATURATED"), "smallest");
 }
 
-TEST(SaturatedForce, IsNoCoarseConverterAndNoHoldWithoutNoise) {
+TEST(SaturatedForce, IsDistinguishedFromCoarseConvertersAndHolds) {
     Loop coarse = smooth.make();
     const double step = coarse.force.maxCoeff() / 20.0;
     coarse.force = (coarse.force / step).round() * step;
@@ -95,7 +95,7 @@ TEST(MissingFrames, AreCountedWithTheLongestGap) {
     expect_says(alert_of(loop, "FRAME_MISSING"), "samples 500 to 559");
 }
 
-TEST(MissingFrames, AreNotThoseBetweenTheFramesOfASlowCamera) {
+TEST(MissingFrames, DoNotIncludeThoseBetweenFramesOfASlowCamera) {
     Loop loop = smooth.make();
     for (Index i = 0; i < loop.contact_radius.size(); ++i)
         if (i % 10 != 0) loop.contact_radius[i] = undefined;
@@ -104,7 +104,7 @@ TEST(MissingFrames, AreNotThoseBetweenTheFramesOfASlowCamera) {
     EXPECT_EQ(record_faults(loop).frames_missing, 10);
 }
 
-TEST(TimeBackwards, IsNamedAndTheRestAnalysed) {
+TEST(TimeBackwards, IsReportedAndTheRestIsAnalysed) {
     Loop loop = smooth.make();
     loop.time[700] = 3.0;
     const LoopAnalysis analysis = analyse(loop, rubber_on_diamond());
@@ -113,7 +113,7 @@ TEST(TimeBackwards, IsNamedAndTheRestAnalysed) {
     EXPECT_NEAR(analysis.loop->energy / smooth.loss(), 1.0, 1e-3);
 }
 
-TEST(ImplausibleUnits, SayWhichColumnAndTheLikelyFactor) {
+TEST(ImplausibleUnits, AreReportedWithColumnAndLikelyFactor) {
     // contact radii in µm read as m: larger than the sphere
     Loop loop = smooth.make();
     loop.contact_radius *= 1e6;
@@ -136,7 +136,7 @@ TEST(ImplausibleUnits, SayWhichColumnAndTheLikelyFactor) {
     expect_says(alert_of(loop, "UNITS_IMPLAUSIBLE"), "or that of the displacement 10^-3");
 }
 
-TEST(ImplausibleUnits, OfTheSphereShowToo) {
+TEST(ImplausibleUnits, OfTheSphereAreReported) {
     EXPECT_NE(alert_of(smooth.make(), "UNITS_IMPLAUSIBLE", rubber_on_diamond(1.25e-6)), "");
     EXPECT_EQ(alert_of(smooth.make(), "UNITS_IMPLAUSIBLE", rubber_on_diamond(2.5e-3)), "");
 }

@@ -34,7 +34,7 @@ SegmentEdits some_edits(Index samples) {
     return edits;
 }
 
-RC_GTEST_PROP(SegmentEditsProperty, AreRefusedOrLeaveSegmentsInOrderWithinTheRecord, ()) {
+RC_GTEST_PROP(SegmentEditsProperty, AreRefusedOrKeepSegmentsInOrder, ()) {
     static const Loop loop = tests::SyntheticLoop{.samples = 60}.make();
     static const Segments found = find_segments(loop);
     const Index n = loop.force.size();

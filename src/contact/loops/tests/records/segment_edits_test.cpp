@@ -33,7 +33,7 @@ std::string refused(const Loop& loop, const std::vector<std::string>& texts) {
     return refusal_of<InvalidArgument>([&] { (void)edited(loop, texts); });
 }
 
-TEST(SegmentEditText, NamesEveryEditThereIs) {
+TEST(SegmentEditText, CoversEveryEdit) {
     const std::vector<std::string> texts{"baseline=0s:12.5s",
                                          "baseline_after=1500:1600",
                                          "jump_in=399:401",
@@ -56,12 +56,12 @@ TEST(SegmentEditText, NamesEveryEditThereIs) {
     EXPECT_FALSE(edits.empty());
 }
 
-TEST(SegmentEditText, TakesTimesInAnyUnit) {
+TEST(SegmentEditText, AcceptsTimesInAnyUnit) {
     const SegmentEdits edits = edits_of({"loading = 120 ms : 0.5 min"});
     EXPECT_EQ(std::get<TimeRange>(*edits.contacts[0].loading), (TimeRange{0.12, 30.0}));
 }
 
-TEST(SegmentEditText, SaysWhatItDoesNotUnderstand) {
+TEST(SegmentEditText, NamesInvalidEdits) {
     const auto message = [](const char* text) { return refusal_of<InvalidArgument>([&] { (void)edits_of({text}); }); };
     EXPECT_NE(message("loading").find("no '='"), std::string::npos);
     EXPECT_NE(message("load=1:2").find("'load' is unknown"), std::string::npos);
@@ -73,7 +73,7 @@ TEST(SegmentEditText, SaysWhatItDoesNotUnderstand) {
     EXPECT_NE(message("ignore=1:2").find("reason"), std::string::npos);
 }
 
-TEST(SegmentEdits, ReplaceWhatTheyNameAndNothingElse) {
+TEST(SegmentEdits, ReplaceOnlyTheNamedSegments) {
     const Loop loop = SyntheticLoop{.samples = 400}.make();
     const Segments found = find_segments(loop), changed = edited(loop, {"loading=450:801", "baseline=0:199"});
     EXPECT_EQ(changed.contacts[0].loading, (IndexRange{450, 801}));
@@ -84,7 +84,7 @@ TEST(SegmentEdits, ReplaceWhatTheyNameAndNothingElse) {
     EXPECT_EQ(changed.cycles[0].loading.first, 450);
 }
 
-TEST(SegmentEdits, TakeTimesToTheirSamples) {
+TEST(SegmentEdits, ConvertTimesToSamples) {
     const Loop loop = SyntheticLoop{.samples = 400}.make();  // a sample each 0.1 s
     EXPECT_EQ(edited(loop, {"loading=45s:80.15s"}).contacts[0].loading, (IndexRange{450, 801}));
     Loop timeless = loop;
@@ -93,14 +93,14 @@ TEST(SegmentEdits, TakeTimesToTheirSamples) {
     EXPECT_NE(refused(loop, {"loading=450s:800s"}).find("contains no sample"), std::string::npos);
 }
 
-TEST(SegmentEdits, MakeRoomBySegmentsFound) {
+TEST(SegmentEdits, ShortenNeighbouringSegments) {
     const Loop loop = SyntheticLoop{.samples = 400}.make();
     const Segments segments = edited(loop, {"loading=390:850"});
     EXPECT_EQ(segments.contacts[0].jump_in, std::nullopt);
     EXPECT_EQ(segments.contacts[0].unloading->first, 850);
 }
 
-TEST(SegmentEdits, SayWhichRangeIsImpossibleAndWhy) {
+TEST(SegmentEdits, ReportImpossibleRangesWithReason) {
     const Loop loop = SyntheticLoop{.samples = 400}.make();
     const std::string outside = refused(loop, {"loading=450:5000"});
     EXPECT_NE(outside.find("loading"), std::string::npos);
@@ -120,7 +120,7 @@ TEST(SegmentEdits, SayWhichRangeIsImpossibleAndWhy) {
     EXPECT_NE(refused(loop, {"loading=1200:1300"}).find("leave no samples for unloading"), std::string::npos);
 }
 
-TEST(SegmentEdits, CutCyclesWhereTheySay) {
+TEST(SegmentEdits, CutCyclesAtGivenSamples) {
     const Loop loop = SyntheticLoop{.samples = 400}.make();
     const Segments segments = edited(loop, {"cut=600", "cut=700"});
     ASSERT_EQ(segments.cycles.size(), 3u);
@@ -131,14 +131,14 @@ TEST(SegmentEdits, CutCyclesWhereTheySay) {
     EXPECT_FALSE(segments.cycles[0].ends_in_pull_off);
 }
 
-TEST(SegmentEdits, FindABaselineThatTheStartIsNot) {
+TEST(SegmentEdits, SetABaselineAwayFromTheStart) {
     Loop loop = tests::from(SyntheticLoop{.samples = 400}.make(), 380);
     loop.contact_radius = Array1D();
     EXPECT_THROW((void)find_segments(loop, {.baseline_share = 0.2}), UndefinedDataError);
     EXPECT_EQ(find_segments(loop, {.baseline_share = 0.2, .edits = edits_of({"baseline=0:19"})}).contacts.size(), 1u);
 }
 
-TEST(SegmentEdits, DecideTheAnalysis) {
+TEST(SegmentEdits, AreUsedByTheAnalysis) {
     const Loop clean = SyntheticLoop{.samples = 400}.make();
     Loop loop = clean;
     loop.force.segment(500, 6) += 1e-4;

@@ -46,7 +46,7 @@ std::string refusal(const Loop& loop, const SegmentOptions& options = {}) {
     return "";
 }
 
-TEST(Segments, OfAnIdealLoopLieAtItsJumps) {
+TEST(Segments, OfAnIdealLoopEndAtItsJumps) {
     const SyntheticLoop ideal{.samples = 400};
     for (const Loop& loop : {ideal.make(), without_radius(ideal.make())}) {
         const Segments segments = find_segments(loop);
@@ -112,14 +112,14 @@ TEST(Segments, CountPartialReleasesAsCycles) {
     EXPECT_NEAR(static_cast<double>(segments.cycles[0].unloading.last), 902.0, 1.0);
 }
 
-TEST(Segments, DoNotTakeASlipForARelease) {
+TEST(Segments, DistinguishASlipFromARelease) {
     Loop loop = without_radius(SyntheticLoop{.samples = 400}.make());
     // the contact slips at half the loading: force drops while the displacement goes on
     for (Index i = 650; i <= 801; ++i) loop.force[i] -= 0.1 * loop.force[801];
     EXPECT_EQ(find_segments(loop).cycles.size(), 1u);
 }
 
-TEST(Segments, SeparateTouches) {
+TEST(Segments, SeparateSeveralContacts) {
     const Loop loop = SyntheticLoop{.samples = 400}.make();
     for (const Loop& record : {joined(loop, loop), without_radius(joined(loop, loop))}) {
         const Segments segments = find_segments(record);
@@ -131,14 +131,14 @@ TEST(Segments, SeparateTouches) {
     }
 }
 
-TEST(Segments, KnowARecordWithoutRetraction) {
+TEST(Segments, HandleARecordWithoutRetraction) {
     const Segments segments = find_segments(without_radius(piece(SyntheticLoop{.samples = 400}.make(), 0, 802)));
     EXPECT_FALSE(segments.contacts[0].unloading.has_value());
     EXPECT_FALSE(segments.after.has_value());
     EXPECT_TRUE(segments.cycles.empty());
 }
 
-TEST(Segments, TakeTheZeroAsGivenWhereAllSamplesAreInContact) {
+TEST(Segments, UseTheGivenZeroIfAllSamplesAreInContact) {
     const Loop loop = SyntheticLoop{.samples = 400}.make();
     const Segments segments = find_segments(piece(loop, 401, 801));
     EXPECT_FALSE(segments.before.range.has_value());
@@ -151,7 +151,7 @@ TEST(Segments, RefuseAConstantForce) {
     EXPECT_NE(refusal<UndefinedDataError>(loop).find("constant"), std::string::npos);
 }
 
-TEST(Segments, RefuseNoiseAlone) {
+TEST(Segments, RefuseNoiseOnly) {
     std::mt19937_64 generator(5);
     Loop loop = without_radius(SyntheticLoop{}.make());
     loop.force = with_noise(Array1D::Zero(loop.force.size()), 1e-7, generator);
@@ -168,7 +168,7 @@ TEST(Segments, RefuseASlowDrift) {
     EXPECT_NE(refusal<UndefinedDataError>(loop).find("no adhesive contact"), std::string::npos);
 }
 
-TEST(Segments, RefuseASensorThatMovesAlone) {
+TEST(Segments, RefuseADisplacementEqualToTheDeflection) {
     // the stage stands still: the displacement is the deflection with its sign turned
     Loop loop = without_radius(SyntheticLoop{}.make());
     loop.displacement = -loop.force / 3.0;
@@ -200,7 +200,7 @@ TEST(Segments, RefuseImpossibleSeries) {
     EXPECT_NE(missing.find("displacement or contact radius"), std::string::npos);
 }
 
-TEST(LoopFromTable, TakesTheCanonicalColumns) {
+TEST(LoopFromTable, UsesTheStandardColumns) {
     const Table table{.columns = {{"force", "N", Array1D::Ones(3)}, {"contact_radius", "m", Array1D::Ones(3)}}};
     const Loop loop = loop_from_table(table);
     EXPECT_EQ(loop.contact_radius.size(), 3);

@@ -41,7 +41,7 @@ bytes::Source one_file(const TemporaryFolder& folder, const StoredMeasurement& m
 
 const std::string two_lines = "x [um],h [nm]\n0,1\n1,3\n2,2\n3,6\n";
 
-TEST(ContainerDraft, KeepsTheFileByteForByteBesideItsCopy) {
+TEST(ContainerDraft, ContainsTheFileUnchangedAndAProcessedCopy) {
     const TemporaryFolder folder;
     const auto bytes = nanoscope_file(4, 3, 2);
     const auto container = one_file(folder, {.path = folder.write("a b.spm", bytes)});
@@ -61,7 +61,7 @@ const std::string traced =
     "# format: setae profile\n# version: 1\n# instrument: tem\nx [m],h [m],standard_error [m]\n"
     "0,1.2e-09,6e-11\n5.1e-11,1.3e-09,6.2e-11\n1.1e-10,1.5e-09,7e-11\n";
 
-TEST(ContainerDraft, ATracedContourIsTwoColumnsForOthersAndKeepsItsErrors) {
+TEST(ContainerDraft, TracedContourIsAlsoWrittenAsTwoColumns) {
     const TemporaryFolder folder;
     const auto container = one_file(folder, {.path = folder.write("soot.csv", traced)});
     const auto topography = read_container(container).container.surfaces.at(0).topographies.at(0);
@@ -74,7 +74,7 @@ TEST(ContainerDraft, ATracedContourIsTwoColumnsForOthersAndKeepsItsErrors) {
     EXPECT_EQ(profile.positions[1], 5.1e-11);
 }
 
-TEST(ContainerDraft, SourcesOfAContainerAreTakenAlong) {
+TEST(ContainerDraft, KeepsSourceFilesOfAContainer) {
     const TemporaryFolder folder;
     ContainerDraft draft;
     add_container(draft, one_file(folder, {.path = folder.write("soot.csv", traced)}));
@@ -89,7 +89,7 @@ TEST(ContainerDraft, SourcesOfAContainerAreTakenAlong) {
 }
 
 // Other programs read value and unit of the radius; the ± is next to them.
-TEST(ContainerDraft, KeepsWhatIsKnownOfErrors) {
+TEST(ContainerDraft, KeepsStandardErrorsOfInstrumentParameters) {
     const TemporaryFolder folder;
     const auto container = one_file(
         folder, {.path = folder.write("l.csv", two_lines),
@@ -102,7 +102,7 @@ TEST(ContainerDraft, KeepsWhatIsKnownOfErrors) {
     EXPECT_EQ(metadata.attributes.at("height_calibration"), "1.01 ± 0.02");
 }
 
-TEST(ContainerDraft, ATextThatOthersDoNotReadGetsAnOriginalTheyDo) {
+TEST(ContainerDraft, UnusualTextsAreConvertedToPlainColumns) {
     const TemporaryFolder folder;
     const auto container =
         one_file(folder, {.path = folder.write("scan.csv", "x [um];h [nm]\n0;1,5\n1;3\n2;2\n3;6\n")});
@@ -112,7 +112,7 @@ TEST(ContainerDraft, ATextThatOthersDoNotReadGetsAnOriginalTheyDo) {
     EXPECT_TRUE(open(container, {}).at(0).info.alerts.empty());
 }
 
-TEST(ContainerDraft, CopyIsTheOriginalLessItsTrend) {
+TEST(ContainerDraft, ProcessedCopyIsTheDetrendedOriginal) {
     const TemporaryFolder folder;
     const auto path = folder.write("a.spm", nanoscope_file(4, 3, 2));
     for (const auto trend : {topography::Trend::mean, topography::Trend::tilt, topography::Trend::parabola}) {
@@ -125,7 +125,7 @@ TEST(ContainerDraft, CopyIsTheOriginalLessItsTrend) {
     EXPECT_THROW((void)one_file(folder, {.path = path, .trend = topography::Trend::none}), InvalidArgument);
 }
 
-TEST(ContainerDraft, UndefinedPointsAreCountedAndStayUndefined) {
+TEST(ContainerDraft, UndefinedPointsAreCountedAndRemainUndefined) {
     const TemporaryFolder folder;
     Array2D heights = Array2D::Random(5, 4) * 1e-6;
     heights(1, 2) = undefined;
@@ -140,7 +140,7 @@ TEST(ContainerDraft, UndefinedPointsAreCountedAndStayUndefined) {
     EXPECT_TRUE((copy.heights.isNaN() == heights.isNaN()).all());
 }
 
-TEST(ContainerDraft, SaysWhatTheFileLeavesOpen) {
+TEST(ContainerDraft, ReportsMissingMetadata) {
     const TemporaryFolder folder;
     write_npy(folder.path("m.npy"), Array2D(Array2D::Random(5, 4)));
     EXPECT_THROW((void)one_file(folder, {.path = folder.path("m.npy")}), InvalidArgument);
@@ -161,7 +161,7 @@ TEST(ContainerDraft, SaysWhatTheFileLeavesOpen) {
                  InvalidArgument);
 }
 
-TEST(ContainerDraft, DatesAreTakenWhereTheyLeaveNoDoubt) {
+TEST(ContainerDraft, UsesOnlyUnambiguousDates) {
     const TemporaryFolder folder;
     const std::pair<const char*, const char*> dates[] = {{"09:57:48 AM Tue Jan 12 2016", "2016-01-12"},
                                                          {"2016-02-15T10:00:00", "2016-02-15"},
@@ -180,7 +180,7 @@ TEST(ContainerDraft, DatesAreTakenWhereTheyLeaveNoDoubt) {
     }
 }
 
-TEST(ContainerDraft, UpgradeTakesARepeatedScaleOut) {
+TEST(ContainerDraft, UpgradeRemovesARepeatedScale) {
     const TemporaryFolder folder;
     ContainerDraft draft;
     add_container(draft, bytes::memory_source("old.zip", container_file()));
@@ -204,7 +204,7 @@ TEST(ContainerDraft, UpgradeTakesARepeatedScaleOut) {
     }
 }
 
-TEST(ContainerDraft, TwoContainersMayHoldMembersOfOneName) {
+TEST(ContainerDraft, RenamesEqualMembersOfTwoContainers) {
     const TemporaryFolder folder;
     ContainerDraft draft;
     for (int i = 0; i < 2; ++i) add_container(draft, bytes::memory_source("old.zip", container_file()));
@@ -214,7 +214,7 @@ TEST(ContainerDraft, TwoContainersMayHoldMembersOfOneName) {
     EXPECT_TRUE((topography::all_heights(channels[3].read()) == topography::all_heights(channels[0].read())).all());
 }
 
-TEST(ContainerDraft, OneMeasurementOfAContainerIsTakenWithWhatIsGivenOfIt) {
+TEST(ContainerDraft, TakesOneMeasurementOfAContainerWithGivenMetadata) {
     const TemporaryFolder folder;
     const auto old = folder.write("old.zip", container_file());
     ContainerDraft draft;
@@ -232,7 +232,7 @@ TEST(ContainerDraft, OneMeasurementOfAContainerIsTakenWithWhatIsGivenOfIt) {
     EXPECT_THROW(add_measurements_of(draft, surface, {.path = old, .channel = "3"}), InvalidArgument);
 }
 
-TEST(ContainerCheck, FindsNothingInWhatWasWritten) {
+TEST(ContainerCheck, FindsNoProblemInAWrittenContainer) {
     const TemporaryFolder folder;
     const auto report =
         check_container(one_file(folder, {.path = folder.write("l.csv", two_lines), .trend = topography::Trend::tilt}));
@@ -241,7 +241,7 @@ TEST(ContainerCheck, FindsNothingInWhatWasWritten) {
     EXPECT_EQ(report.channels.size(), 1u);
 }
 
-TEST(ContainerCheck, TellsACopyThatIsNotItsOriginal) {
+TEST(ContainerCheck, ReportsACopyThatDiffersFromItsOriginal) {
     const auto container = [](double factor) {
         const Array1D heights = factor * Array1D{{-2e-6, 0.0, -1e-6, 3e-6}};
         const auto copy = netcdf_content(LineScan{heights, 4e-6, false, {}}, "um");
@@ -269,7 +269,7 @@ TEST(ContainerCheck, NamesRepeatedScalesBadMembersAndUnknownFields) {
     EXPECT_TRUE(newest.differences.empty()) << newest.differences.at(0);
 }
 
-TEST(ContainerDraft, LeavesOutACopyThatWouldHaveToBeFilled) {
+TEST(ContainerDraft, OmitsACopyThatRequiresFilling) {
     const TemporaryFolder folder;
     const auto container = bytes::memory_source(
         "c.zip", zip_archive({{"index.json", R"({"surfaces": [{"name": "s", "topographies": [{"name": "l", "unit": "um",

@@ -157,7 +157,7 @@ void require_the_same_again(const bytes::Source& source, const json& index) {
               before.container);
 }
 
-RC_GTEST_PROP(Container, OfAnyGenerationIsTheSameAfterWritingAndReading, ()) {
+RC_GTEST_PROP(Container, OfAnyGenerationIsUnchangedAfterWritingAndReading, ()) {
     const auto index = without_pairs(any_index());
     const auto skeleton = as_skeleton(index);
     const Members generation_a{{"meta.yml", as_old_yaml(with_old_keys(index))}};
@@ -170,7 +170,7 @@ RC_GTEST_PROP(Container, OfAnyGenerationIsTheSameAfterWritingAndReading, ()) {
         require_the_same_again(bytes::memory_source("c.zip", zip_archive(members)), said);
 }
 
-RC_GTEST_PROP(Container, SaysTheSameInEveryGeneration, ()) {
+RC_GTEST_PROP(Container, HasTheSameContentInEveryGeneration, ()) {
     const auto index = without_pairs(any_index());
     const auto read = [](const Members& members) {
         return read_container(bytes::memory_source("c.zip", zip_archive(members))).container;

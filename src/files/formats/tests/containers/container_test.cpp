@@ -40,7 +40,7 @@ std::vector<ContainerMember> members_of(const bytes::Source& source) {
     return members;
 }
 
-TEST(ContainerIndex, GenerationsAreTold) {
+TEST(ContainerIndex, DetectsTheGeneration) {
     EXPECT_EQ(read_container(container({{"meta.yml", old_yaml_index()}})).generation, ContainerGeneration::yaml);
     EXPECT_EQ(read_container(container({{"index.json", transitional_json_index()}, {"meta.yml", old_yaml_index()}}))
                   .generation,
@@ -50,7 +50,7 @@ TEST(ContainerIndex, GenerationsAreTold) {
               ContainerGeneration::skeleton);
 }
 
-TEST(ContainerIndex, OldKeysMeanTheNewOnes) {
+TEST(ContainerIndex, ReadsOldKeys) {
     const auto file = read_container(container({{"meta.yml", old_yaml_index()}}));
     EXPECT_TRUE(file.alerts.empty());
     EXPECT_EQ(file.container.created_at, "2021-06-21 15:06:49.300694+00:00");
@@ -65,7 +65,7 @@ TEST(ContainerIndex, OldKeysMeanTheNewOnes) {
     EXPECT_EQ(surface.topographies[1].data_source, std::nullopt);
 }
 
-TEST(ContainerIndex, SaysAllOfTheNewestGeneration) {
+TEST(ContainerIndex, ReadsAllFieldsOfTheNewestGeneration) {
     const auto file = read_container(container({{"index.json", json_index_text()}}));
     const auto& surface = file.container.surfaces.at(0);
     EXPECT_EQ(file.container.extra, R"({"extra":{"groups":[[0]]}})");
@@ -81,7 +81,7 @@ TEST(ContainerIndex, SaysAllOfTheNewestGeneration) {
     EXPECT_EQ(file.alerts[0].subject, "surfaces/0/topographies/0/instrument/vendor");
 }
 
-TEST(ContainerIndex, KeepsWhatIsSaidOfAnInstrumentsErrors) {
+TEST(ContainerIndex, ReadsStandardErrorsOfInstrumentParameters) {
     const auto file = read_container(container({{"meta.yml",
                                                  "surfaces:\n- name: s\n  topographies:\n  - name: t\n    instrument:\n"
                                                  "      name: D\n      parameters:\n        tip_radius: 10 ± 2 nm\n"
@@ -95,7 +95,7 @@ TEST(ContainerIndex, KeepsWhatIsSaidOfAnInstrumentsErrors) {
     EXPECT_EQ(read_container(bytes::file_source(folder.path("c.zip"))).container.surfaces, file.container.surfaces);
 }
 
-TEST(ContainerIndex, NoValueIsMadeUpForAProperty) {
+TEST(ContainerIndex, PropertyWithoutValueRemainsWithoutValue) {
     const auto without = container(
         {{"index.json",
           R"({"surfaces": [{"name": "s", "properties": [{"name": "batch"}, {"name": "odd", "value": [1]}]}]})"}});
@@ -121,7 +121,7 @@ TEST(ContainerIndex, FieldsOfTheWrongKindAreKeptAndNotUsed) {
     EXPECT_NE(channels[0].info.alerts[0].message.find("size"), std::string::npos);
 }
 
-TEST(ContainerIndex, MeasurementsOfTheNewestTopoBankAreFound) {
+TEST(ContainerIndex, FindsMeasurementsOfTheNewestTopoBank) {
     const auto source = container(
         {{"index.json",
           R"({"surfaces": [{"name": "s", "measurements": [{"name": "l", "kind": "height", "datafile": {"original": "line.txt"},
@@ -139,7 +139,7 @@ TEST(ContainerIndex, MeasurementsOfTheNewestTopoBankAreFound) {
     EXPECT_EQ(channels.at(1).info.shape, (std::vector<Index>{4, 3}));
 }
 
-TEST(ContainerIndex, YamlObjectsAreInert) {
+TEST(ContainerIndex, YamlObjectsAreNotExecuted) {
     const TemporaryFolder folder;
     const auto trace = folder.path("trace");
     const auto yaml = "surfaces:\n- name: !!python/object/apply:os.system ['touch " + trace +
@@ -150,7 +150,7 @@ TEST(ContainerIndex, YamlObjectsAreInert) {
     EXPECT_FALSE(std::filesystem::exists(trace));
 }
 
-TEST(ContainerIndex, AliasesThatMultiplyAreRefused) {
+TEST(ContainerIndex, MultiplyingAliasesAreRefused) {
     std::string yaml = "a0: &a0 [x, x, x, x, x, x, x, x, x, x]\n";
     for (int level = 1; level < 9; ++level) {
         yaml += fmt::format("a{}: &a{} [", level, level);
@@ -184,7 +184,7 @@ TEST(ContainerMember, OutsideTheArchiveIsRefused) {
                  FormatError);
 }
 
-TEST(ContainerMember, ThatIsMissingLosesNoOther) {
+TEST(ContainerMember, MissingDoesNotAffectOthers) {
     const auto source = container({{"index.json", R"({"surfaces": [{"name": "s", "topographies": [
 {"name": "gone", "datafile": {"original": "../line.txt"}, "unit": "um"},
 {"name": "here", "datafile": {"original": "line.txt"}, "unit": "um", "size": [4]}]}]})"},
@@ -195,7 +195,7 @@ TEST(ContainerMember, ThatIsMissingLosesNoOther) {
     EXPECT_DOUBLE_EQ(std::get<LineScan>(channels[1].read()).heights[3], 5e-6);
 }
 
-TEST(ContainerMember, OfWhichOnlyTheProcessedCopyIsThereSaysSo) {
+TEST(ContainerMember, WithProcessedCopyOnlyGivesAWarning) {
     const auto map = netcdf_content(HeightMap{Array2D::Random(4, 3), {2.0, 1.0}, false, {}}, "um");
     const auto source = container({{"index.json", R"({"surfaces": [{"topographies": [{"name": "m", "height_scale": 7,
 "datafile": {"original": "lost.spm", "squeezed-netcdf": "m.nc"}, "size": [2e6, 1e6], "unit": "um"}]}]})"},
@@ -206,7 +206,7 @@ TEST(ContainerMember, OfWhichOnlyTheProcessedCopyIsThereSaysSo) {
         << "a processed copy is scaled already";
 }
 
-TEST(ContainerMember, PackedByGzipIsRead) {
+TEST(ContainerMember, CompressedByGzipIsRead) {
     const std::string packed{
         "\x1f\x8b\x08\x00\x00\x00\x00\x00\x02\xff\x33\x50\x30\xe4\x32\x54\x30\xe6\x32\x52\x30\xe2\x32\x56\x30\xe5\x02\x00\x49\x5c\x7a\x15\x10\x00\x00\x00",
         36};
@@ -218,7 +218,7 @@ TEST(ContainerMember, PackedByGzipIsRead) {
     EXPECT_DOUBLE_EQ(std::get<LineScan>(open(source, {}).at(0).read()).heights[3], 5e-6);
 }
 
-TEST(ContainerMember, ThatIsAContainerItselfIsRefused) {
+TEST(ContainerMember, BeingAContainerIsRefused) {
     const auto inner = zip_archive({{"index.json", R"({"surfaces": [{"topographies": [{"name": "l"}]}]})"}});
     const auto source = container(
         {{"index.json", R"({"surfaces": [{"topographies": [{"name": "l", "datafile": {"original": "c.zip"}}]}]})"},
@@ -226,7 +226,7 @@ TEST(ContainerMember, ThatIsAContainerItselfIsRefused) {
     EXPECT_NE(open(source, {}).at(0).info.alerts.at(0).message.find("container within a container"), std::string::npos);
 }
 
-TEST(ContainerMember, UnitThatIsNotTheFilesIsAnAlert) {
+TEST(ContainerMember, UnitOtherThanThatOfTheFileGivesAWarning) {
     const auto map = netcdf_content(HeightMap{Array2D::Random(4, 3), {2.0, 1.0}, false, {}}, "m");
     const auto source = container(
         {{"index.json",
@@ -266,7 +266,7 @@ TEST(ContainerMember, IsOpenedWithoutItsHeights) {
     EXPECT_DOUBLE_EQ(topography::all_heights(channels[0].read())[points - 1], 1e-3);
 }
 
-TEST(WrittenContainer, SaysAndHoldsTheSameInEveryGeneration) {
+TEST(WrittenContainer, HasTheSameContentInEveryGeneration) {
     const TemporaryFolder folder;
     const std::pair<const char*, std::string> indices[] = {{"meta.yml", old_yaml_index()},
                                                            {"index.json", transitional_json_index()},
@@ -285,7 +285,7 @@ TEST(WrittenContainer, SaysAndHoldsTheSameInEveryGeneration) {
     }
 }
 
-TEST(WrittenContainer, SaysTheSameInBothIndices) {
+TEST(WrittenContainer, HasTheSameContentInBothIndices) {
     const TemporaryFolder folder;
     auto file = read_container(container({{"index.json", json_index_text()}}));
     file.container.surfaces[0].description =
@@ -302,7 +302,7 @@ TEST(WrittenContainer, SaysTheSameInBothIndices) {
     EXPECT_NE(yaml.find("1.0e-09"), std::string::npos) << "YAML 1.1 takes 1e-09 for a text";
 }
 
-TEST(WrittenContainer, IsTheSameBytesTwice) {
+TEST(WrittenContainer, IsReproducibleByteByByte) {
     const TemporaryFolder folder;
     const auto source = container({{"meta.yml", old_yaml_index()}, {"line.txt", line_text}});
     for (const auto* name : {"a.zip", "b.zip"})
@@ -310,7 +310,7 @@ TEST(WrittenContainer, IsTheSameBytesTwice) {
     EXPECT_EQ(bytes::read_file(folder.path("a.zip")), bytes::read_file(folder.path("b.zip")));
 }
 
-TEST(WrittenContainer, MayReplaceTheOneItIsMadeFrom) {
+TEST(WrittenContainer, CanReplaceItsSource) {
     const TemporaryFolder folder;
     const auto path = folder.write("c.zip", zip_archive({{"meta.yml", old_yaml_index()}, {"line.txt", line_text}}));
     const auto before = read_container(bytes::file_source(path));
@@ -319,7 +319,7 @@ TEST(WrittenContainer, MayReplaceTheOneItIsMadeFrom) {
     EXPECT_EQ(container_member(bytes::file_source(path), "line.txt").all(), line_text);
 }
 
-TEST(WrittenContainer, FailureOfAMemberLeavesTheOldFileAlone) {
+TEST(WrittenContainer, FailureOfAMemberKeepsTheOldFile) {
     const TemporaryFolder folder;
     const auto path = folder.write("c.zip", "old");
     const std::vector<ContainerMember> members{
@@ -333,7 +333,7 @@ TEST(WrittenContainer, FailureOfAMemberLeavesTheOldFileAlone) {
     EXPECT_EQ(files, 1u) << "no temporary file is left";
 }
 
-TEST(WrittenContainer, RefusesNamesThatClashOrLeadOut) {
+TEST(WrittenContainer, RefusesDuplicateNamesAndPathsOutside) {
     const TemporaryFolder folder;
     const auto content = [] { return bytes::memory_source("x", "x"); };
     EXPECT_THROW(write_container(folder.path("c.zip"), {}, {{"a", content}, {"a", content}}), InvalidArgument);
@@ -342,7 +342,7 @@ TEST(WrittenContainer, RefusesNamesThatClashOrLeadOut) {
     EXPECT_THROW(write_container(folder.path("none/c.zip"), {}, {}), FileError);
 }
 
-TEST(ContainerDifferences, NameFieldAndMember) {
+TEST(ContainerDifferences, NameFieldsAndMembersThatDiffer) {
     const auto before =
         container({{"index.json", R"({"surfaces": [{"name": "s", "tags": []}]})"}, {"a", "1"}, {"b", "1"}});
     const auto after = container({{"index.json", R"({"surfaces": [{"name": "t"}]})"}, {"a", "2"}});
@@ -351,7 +351,7 @@ TEST(ContainerDifferences, NameFieldAndMember) {
                                         "member b: became absent"}));
 }
 
-TEST(ContainerSchema, NamesWhatContactEngineeringWouldRefuse) {
+TEST(ContainerSchema, ListsViolationsOfTheContactEngineeringSchema) {
     EXPECT_TRUE(schema_violations(read_container(container({{"index.json", json_index_text()}})).container).empty());
     const auto bad = read_container(container(
         {{"index.json", R"({"surfaces": [{"name": "", "topographies": [{"name": "l", "datafile": {}, "unit": 3,

@@ -39,7 +39,7 @@ constexpr std::uint64_t gigabyte = std::uint64_t{1} << 30, megabyte = 1 << 20;
 
 // ---- NetCDF ---------------------------------------------------------------------------------------------------------
 
-TEST(NetCdf, AttributeJsonTellsInstrumentAndTime) {
+TEST(NetCdf, ReadsInstrumentAndTimeFromTheJsonAttribute) {
     const auto channels = channels_of(named(netcdf_samples(), "map, version 1"));
     const auto& metadata = channels.at(0).info.metadata;
     EXPECT_EQ(metadata.instrument.name, "NewView");
@@ -49,26 +49,26 @@ TEST(NetCdf, AttributeJsonTellsInstrumentAndTime) {
     EXPECT_TRUE(std::get<HeightMap>(channels[0].read()).periodic);
 }
 
-TEST(NetCdf, UnequalStepsBecomeAProfile) {
+TEST(NetCdf, UnequalStepsGiveAProfile) {
     const auto profile = std::get<Profile>(channels_of(named(netcdf_samples(), "unequal steps")).at(0).read());
     EXPECT_DOUBLE_EQ(profile.positions[2], 1.5e-6);
     EXPECT_DOUBLE_EQ(profile.heights[3], 5e-9);
 }
 
 TEST(NetCdf,
-     AxesKeepTheirOwnUnit) {  // SurfaceTopography refuses a file whose heights are in another unit than its axes
+     AxesHaveSeparateUnits) {  // SurfaceTopography refuses a file whose heights are in another unit than its axes
     const auto channel = channels_of(named(netcdf_samples(), "records")).at(0);
     EXPECT_DOUBLE_EQ(channel.info.size[0], 5e-6);
     EXPECT_EQ(channel.info.unit, "nm");
 }
 
-TEST(NetCdf, Version4IsReadToo) {  // SurfaceTopography reads only the classic format
+TEST(NetCdf, Version4IsRead) {  // SurfaceTopography reads only the classic format
     const auto map = std::get<HeightMap>(channels_of(named(netcdf_samples(), "version 4, packed")).at(0).read());
     EXPECT_TRUE(map.periodic);
     EXPECT_DOUBLE_EQ(map.size[1], 1e-6);
 }
 
-TEST(NetCdf, DimensionWithoutValuesIsNoAxis) {
+TEST(NetCdf, DimensionWithoutValuesIsNotAnAxis) {
     Hdf5Builder file;
     file.dataset("/heights", H5T_IEEE_F64LE, {3}, {1.0, 2.0, 4.0}).attribute("/heights", "unit", std::string("nm"));
     file.attribute("/", "_NCProperties", std::string("version=2"));
@@ -79,7 +79,7 @@ TEST(NetCdf, DimensionWithoutValuesIsNoAxis) {
     EXPECT_DOUBLE_EQ(std::get<LineScan>(channel.read()).size, 6e-6);
 }
 
-TEST(NetCdf, WhatTheLibraryFillsInIsUndefined) {
+TEST(NetCdf, FillValuesOfTheLibraryAreUndefined) {
     Hdf5Builder file;
     file.dataset("/heights", H5T_IEEE_F64LE, {2, 2}, {1.0, 2.0, 9.9692099683868690e+36, 4.0})
         .attribute("/heights", "unit", std::string("nm"));
@@ -90,7 +90,7 @@ TEST(NetCdf, WhatTheLibraryFillsInIsUndefined) {
     EXPECT_EQ(map.heights.isNaN().count(), 1);
 }
 
-TEST(NetCdf, HeightsWithoutUnitHaveThatOfTheirPositions) {  // as SurfaceTopography writes unequal steps
+TEST(NetCdf, HeightsWithoutUnitUseTheUnitOfPositions) {  // as SurfaceTopography writes unequal steps
     Hdf5Builder file;
     file.dataset("/heights", H5T_IEEE_F64LE, {3}, {1.0, 2.0, 4.0})
         .dataset("/x", H5T_IEEE_F64LE, {3}, {0.0, 1.0, 3.0})
@@ -100,7 +100,7 @@ TEST(NetCdf, HeightsWithoutUnitHaveThatOfTheirPositions) {  // as SurfaceTopogra
     EXPECT_DOUBLE_EQ(profile.positions[2], 3e-6);
 }
 
-TEST(NetCdf, StatedUnitsWinOverGivenOnes) {
+TEST(NetCdf, UnitsInTheFileOverrideGivenUnits) {
     const TemporaryFolder folder;
     Table table;
     table.columns = {{"x", "m", Array1D{{0.0, 1.0, 3.0}}}, {"heights", "m", Array1D{{0.5, 0.25, 0.125}}}};
@@ -108,7 +108,7 @@ TEST(NetCdf, StatedUnitsWinOverGivenOnes) {
     EXPECT_DOUBLE_EQ(std::get<Profile>(read(folder.path("t.nc"), 0, {{}, "um"})).positions[2], 3.0);
 }
 
-TEST(NetCdf, WithoutUnitItIsListedAndAsksForIt) {
+TEST(NetCdf, WithoutUnitIsListedAndTheUnitReportedMissing) {
     const TemporaryFolder folder;
     Table table;
     table.columns = {{"x", "", Array1D{{0.0, 1.0, 3.0}}}, {"heights", "", Array1D{{0.5, 0.25, 0.125}}}};
@@ -118,14 +118,14 @@ TEST(NetCdf, WithoutUnitItIsListedAndAsksForIt) {
     EXPECT_NE(message_of([&] { (void)channel.read(); }).find("states no unit"), std::string::npos);
 }
 
-TEST(NetCdf, RecordsNeverCountedAreRefused) {
+TEST(NetCdf, RefusesRecordsWithoutACount) {
     auto sample = named(netcdf_samples(), "records");
     sample.content.replace(4, 4, "\xff\xff\xff\xff");
     EXPECT_NE(message_of([&] { (void)channels_of(sample); }).find("number of records was never written"),
               std::string::npos);
 }
 
-TEST(NetCdf, OpeningReadsTheHeaderAlone) {
+TEST(NetCdf, OpeningReadsTheHeaderOnly) {
     constexpr Index n = 11'000;
     ByteBuilder header(std::endian::big);
     header.text("CDF")
@@ -166,7 +166,7 @@ std::string npy_of(const std::string& type, const std::string& shape, const std:
     return file.content();
 }
 
-TEST(Npy, RecordsAndForeignNumbersAreRefused) {
+TEST(Npy, RecordsAndOtherNumberTypesAreRefused) {
     const auto message = [](const std::string& content) {
         return message_of([&] { (void)open(bytes::memory_source("a.npy", content), {}); });
     };
@@ -190,13 +190,13 @@ TEST(Npy, WithoutSizeAndUnitItIsListed) {
     EXPECT_THROW((void)channel.read(), InvalidArgument);
 }
 
-TEST(Npy, OpeningReadsTheHeaderAlone) {
+TEST(Npy, OpeningReadsTheHeaderOnly) {
     const CountedSource large(npy_of("'<f4'", "(16384, 16000)", ""), gigabyte);
     EXPECT_EQ(open(large.source(), {}).at(0).info.shape, (std::vector<Index>{16384, 16000}));
     EXPECT_LT(large.bytes(), megabyte);
 }
 
-TEST(Npz, ListsArraysAndPassesOverSingleNumbers) {
+TEST(Npz, ListsArraysAndIgnoresSingleNumbers) {
     const auto channels = channels_of(named(npz_samples(), "four arrays"));
     ASSERT_EQ(channels.size(), 3u);
     EXPECT_EQ(channels[0].info.name, "names");
@@ -208,7 +208,7 @@ TEST(Npz, ListsArraysAndPassesOverSingleNumbers) {
     EXPECT_EQ(preferred_channel(channels), 2u) << "a name of heights goes before others";
 }
 
-TEST(Npz, ArchivesWithOtherMembersAreNone) {
+TEST(Npz, ArchivesWithOtherMembersAreNotNpz) {
     const auto archive =
         zip_archive({{"a.npy", npy_of("'<f8'", "(2, 2)", std::string(32, '\0'))}, {"readme.txt", "words"}});
     EXPECT_THROW((void)open(bytes::memory_source("a.zip", archive), {}), FormatError);
@@ -216,14 +216,14 @@ TEST(Npz, ArchivesWithOtherMembersAreNone) {
 
 // ---- MATLAB ---------------------------------------------------------------------------------------------------------
 
-TEST(Mat, ARowIsALineOfThePicture) {  // SurfaceTopography takes the row as x
+TEST(Mat, RowsAreLinesAlongX) {  // SurfaceTopography takes the row as x
     const auto sample = named(mat_samples(), "level 4, float64");
     const auto map = std::get<HeightMap>(channels_of(sample, sample.options).at(0).read());
     EXPECT_EQ(map.shape(), (std::array<Index, 2>{6, 4}));  // 4 rows of 6 columns
     EXPECT_DOUBLE_EQ(map.heights(5, 0), sample.heights(5, 0));
 }
 
-TEST(Mat, Version73IsReadAsWell) {  // SurfaceTopography 1.22 reads up to version 7.2
+TEST(Mat, Version73IsRead) {  // SurfaceTopography 1.22 reads up to version 7.2
     const auto sample = named(mat_samples(), "version 7.3");
     const auto channels = channels_of(sample, sample.options);
     ASSERT_EQ(channels.size(), 1u);  // neither the text nor the content of the struct
@@ -231,7 +231,7 @@ TEST(Mat, Version73IsReadAsWell) {  // SurfaceTopography 1.22 reads up to versio
     EXPECT_EQ(channels[0].info.orientation, "rows of the matrix from the top, as stored");
 }
 
-TEST(Mat, SizeAndUnitAreAskedFor) {  // SurfaceTopography has none and does not require any
+TEST(Mat, SizeAndUnitAreReportedMissing) {  // SurfaceTopography has none and does not require any
     for (const auto& sample : mat_samples()) {
         const auto channel = channels_of(sample).at(sample.channel);
         EXPECT_EQ(missing(channel.info)[0], "size");
@@ -240,7 +240,7 @@ TEST(Mat, SizeAndUnitAreAskedFor) {  // SurfaceTopography has none and does not 
     }
 }
 
-TEST(Mat, TextsAreNoHeights) { EXPECT_EQ(channels_of(named(mat_samples(), "level 4, float64")).size(), 1u); }
+TEST(Mat, TextsAreNotHeights) { EXPECT_EQ(channels_of(named(mat_samples(), "level 4, float64")).size(), 1u); }
 
 TEST(Mat, ComplexMatricesAreListedOnly) {
     auto sample = named(mat_samples(), "level 5, float64");
@@ -252,19 +252,19 @@ TEST(Mat, ComplexMatricesAreListedOnly) {
     EXPECT_TRUE(channels[1].info.is_height);
 }
 
-TEST(Mat, LogicalMatricesArePassedOver) {
+TEST(Mat, LogicalMatricesAreIgnored) {
     auto sample = named(mat_samples(), "level 5, float64");
     sample.content[128 + 8 + 8 + 1] = 0x02;
     EXPECT_EQ(channels_of(sample).size(), 1u);
 }
 
-TEST(Mat, StructsAloneAreRefusedPolitely) {
+TEST(Mat, FilesWithStructsOnlyAreRefused) {
     auto sample = named(mat_samples(), "level 5, whole doubles kept as int16");
     sample.content[128 + 8 + 8] = 2;  // the class of structs
     EXPECT_NE(message_of([&] { (void)channels_of(sample); }).find("structs, cells and objects"), std::string::npos);
 }
 
-TEST(Mat, CompressedMatrixThatPromisesTooMuchIsRefused) {
+TEST(Mat, CompressedMatrixWithTooLargeASizeIsRefused) {
     constexpr std::uint32_t side = 20000, values = 8 * side * side;
     ByteBuilder header;  // of a matrix of 3 GB
     header.number(std::uint32_t{14})
@@ -299,7 +299,7 @@ TEST(Mat, CompressedMatrixThatPromisesTooMuchIsRefused) {
     EXPECT_NE(message_of([&] { (void)channel.read(); }).find("would become"), std::string::npos);
 }
 
-TEST(Mat, OpeningReadsHeadersAlone) {
+TEST(Mat, OpeningReadsHeadersOnly) {
     ByteBuilder header;
     header.text("MATLAB 5.0 MAT-file", 116, ' ').text("", 8).number(std::uint16_t{0x0100}).text("IM");
     constexpr std::uint32_t rows = 16000, columns = 16384, bytes = 4 * rows * columns;

@@ -42,7 +42,7 @@ TEST(Gwy, TitlesAndMetadataAreKept) {
 
 TEST(Gwy, TitleIsOptional) { EXPECT_EQ(opened(gwy_file(of_field(field))).at(0).info.name, ""); }
 
-TEST(Gwy, TenAndMoreChannelsStandInTheOrderOfTheirNumbers) {
+TEST(Gwy, TenAndMoreChannelsAreInNumericalOrder) {
     const auto channels = opened(gwy_file(gwy_component("/10/data", 'o', field) + gwy_text("/10/data/title", "b") +
                                           gwy_component("/9/data", 'o', field) + gwy_text("/9/data/title", "a")));
     ASSERT_EQ(channels.size(), 2u);
@@ -50,7 +50,7 @@ TEST(Gwy, TenAndMoreChannelsStandInTheOrderOfTheirNumbers) {
     EXPECT_EQ(channels[1].info.name, "b");
 }
 
-TEST(Gwy, FieldsWhoseUnitIsNoLengthAreListedOnly) {
+TEST(Gwy, FieldsWithOtherUnitsThanLengthAreListedOnly) {
     const auto channels =
         opened(gwy_file(of_field(gwy_field(heights, 4e-6, 3e-6, "m", "deg")) + gwy_component("/1/data", 'o', field)));
     EXPECT_FALSE(channels.at(0).info.is_height);
@@ -58,7 +58,7 @@ TEST(Gwy, FieldsWhoseUnitIsNoLengthAreListedOnly) {
     EXPECT_TRUE(channels.at(1).info.is_height);
 }
 
-TEST(Gwy, FieldsWithoutUnitsNeedTheUsers) {
+TEST(Gwy, FieldsWithoutUnitsRequireGivenUnits) {
     const auto content = gwy_file(of_field(gwy_field(heights, 1.0, 1.0, "", "")));
     const auto info = opened(content).at(0).info;
     EXPECT_EQ(missing(info), (std::vector<std::string>{"size", "unit", "instrument", "date"}));
@@ -67,18 +67,18 @@ TEST(Gwy, FieldsWithoutUnitsNeedTheUsers) {
     EXPECT_NEAR(map.heights(3, 2), 1e-6 * heights(3, 2), 1e-24);
 }
 
-TEST(Gwy, PrefixOfTheUnitIsReadAndSaid) {
+TEST(Gwy, PrefixOfTheUnitIsAppliedWithAWarning) {
     const auto info = opened(gwy_file(of_field(gwy_field(heights, 4.0, 3.0, "µm", "nm")))).at(0).info;
     ASSERT_EQ(info.alerts.size(), 1u);
     EXPECT_EQ(info.alerts[0].code, "UNIT_PREFIX");
     EXPECT_DOUBLE_EQ(info.size[0], 4e-6);
 }
 
-TEST(Gwy, NegativeExtentIsALengthAllTheSame) {
+TEST(Gwy, NegativeExtentIsReadAsALength) {
     EXPECT_EQ(opened(gwy_file(of_field(gwy_field(heights, -4e-6, 3e-6, "m", "m")))).at(0).info.size[0], 4e-6);
 }
 
-TEST(Gwy, MaskIsASelectionAndNotApplied) {
+TEST(Gwy, MaskIsNotApplied) {
     const auto channels = opened(gwy_file(
         of_field(field) + gwy_component("/0/mask", 'o', gwy_field(Array2D::Constant(4, 3, 1.0), 4e-6, 3e-6, "m", ""))));
     ASSERT_EQ(channels.at(0).info.alerts.size(), 1u);
@@ -96,7 +96,7 @@ TEST(Gwy, FilesWithoutMapsAndOfOtherVersionsAreRefused) {
     EXPECT_NE(refusal("GWYP" + gwy_object("GwyBrick", "")).find("contains 'GwyBrick'"), std::string::npos);
 }
 
-TEST(Gwy, DamageIsRefusedWithItsPlace) {
+TEST(Gwy, DamagedFilesAreRefusedWithTheOffset) {
     EXPECT_NE(
         refusal(gwy_file(gwy_component("a", 'z', ""))).find("at byte 23: GWY: component 'a' has the type '\\x7a'"),
         std::string::npos)
@@ -117,7 +117,7 @@ TEST(Gwy, ComponentsWithoutEndAreRefused) {
     EXPECT_NE(refusal(gwy_file(small)).find("more than 200000 components"), std::string::npos);
 }
 
-TEST(Gwy, OpeningAGigabyteReadsItsHeadersAlone) {
+TEST(Gwy, OpeningAGigabyteReadsHeadersOnly) {
     auto small = gwy_file(of_field(field) + gwy_text("/0/data/title", "behind the heights"));
     const std::uint64_t more = std::uint64_t{8} * (11264 * 11264 - 12);
     const auto grow = [&](const std::string& name) {  // the size of an object after its name
@@ -157,7 +157,7 @@ HeightMap small_map() {
     return map;
 }
 
-TEST(GwyWriter, PutsTogetherWhatTheUserGuideDescribes) {
+TEST(GwyWriter, WritesTheLayoutOfTheUserGuide) {
     const TemporaryFolder folder;
     format_to_write("a.gwy").write(folder.path("a.gwy"), small_map());
     const auto meta =
@@ -168,7 +168,7 @@ TEST(GwyWriter, PutsTogetherWhatTheUserGuideDescribes) {
                        of_field(gwy_field(heights, 4e-6, 3.5e-6, "m", "m"))));
 }
 
-TEST(GwyWriter, UndefinedPointsAreMaskedAndFiniteAndUndefinedAgain) {
+TEST(GwyWriter, UndefinedPointsAreMaskedAndReadBackAsUndefined) {
     auto map = small_map();
     map.heights(2, 1) = map.heights(0, 0) = NAN;
     const TemporaryFolder folder;
@@ -187,14 +187,14 @@ TEST(GwyWriter, UndefinedPointsAreMaskedAndFiniteAndUndefinedAgain) {
     EXPECT_NEAR(plain(2, 1), mean, 1e-22);
 }
 
-TEST(GwyWriter, LinesAreRefusedWithWhatHoldsThem) {
+TEST(GwyWriter, LinesAreRefusedWithTheFormatsThatHoldThem) {
     const topography::LineScan line{Array1D::Zero(3), 1.0, false, {}};
     EXPECT_EQ(
         message_of([&] { format_to_write("a.gwy").write("a.gwy", line); }),
         "a.gwy: Gwyddion's format can hold only maps, and this is a line; write it as .x3p, .sdf, .nc, .npy or .csv");
 }
 
-TEST(QuantityMaps, StandInTheirUnitsWithUndefinedPointsMasked) {
+TEST(QuantityMaps, AreWrittenInTheirUnitsWithUndefinedPointsMasked) {
     Array2D modulus(3, 2);
     modulus << 1.0, 2.0, 3.0, 4.0, NAN, 6.0;
     const TemporaryFolder folder;
@@ -211,7 +211,7 @@ TEST(QuantityMaps, StandInTheirUnitsWithUndefinedPointsMasked) {
     EXPECT_TRUE((height.heights == expected || (height.heights.isNaN() && expected.isNaN())).all());
 }
 
-TEST(QuantityMaps, RefuseWhatIsNoGrid) {
+TEST(QuantityMaps, RefuseMapsOfDifferentShapes) {
     EXPECT_THROW(write_quantity_maps("a.gwy", {}, {1.0, 1.0}), InvalidArgument);
     EXPECT_EQ(message_of([] {
                   write_quantity_maps("a.gwy", {{"a", "Pa", Array2D::Zero(3, 2)}, {"b", "N", Array2D::Zero(2, 2)}},

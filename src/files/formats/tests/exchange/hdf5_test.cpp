@@ -41,14 +41,14 @@ std::vector<double> numbers(std::size_t count) {
     return values;
 }
 
-TEST(Hdf5, EveryMapAndLineIsAChannelInGroupsToo) {
+TEST(Hdf5, EveryMapAndLineOfEveryGroupIsAChannel) {
     Hdf5Builder file;
     file.dataset("/map", H5T_IEEE_F32LE, {3, 4}, numbers(12)).dataset("/deep/er/line", H5T_STD_I8LE, {5}, numbers(5));
     file.dataset("/cube", H5T_IEEE_F64LE, {2, 2, 2}, numbers(8)).dataset("/one", H5T_IEEE_F64LE, {1, 1}, {1.0});
     EXPECT_EQ(names_of(channels_of(file.bytes())), (std::vector<std::string>{"deep/er/line", "map"}));
 }
 
-TEST(Hdf5, SizeOfTheMapIsNotTheLines) {
+TEST(Hdf5, GivenSizeOfTheMapIsNotUsedForLines) {
     Hdf5Builder file;
     file.dataset("/line", H5T_STD_I8LE, {5}, numbers(5)).dataset("/map", H5T_IEEE_F32LE, {3, 4}, numbers(12));
     const auto channels = channels_of(file.bytes());
@@ -56,7 +56,7 @@ TEST(Hdf5, SizeOfTheMapIsNotTheLines) {
     EXPECT_DOUBLE_EQ(std::get<HeightMap>(channels.at(1).read()).size[1], 4e-6);
 }
 
-TEST(Hdf5, UnitOfAnAttributeIsTaken) {  // SurfaceTopography reads no unit
+TEST(Hdf5, UnitOfAnAttributeIsUsed) {  // SurfaceTopography reads no unit
     Hdf5Builder file;
     file.dataset("/a", H5T_IEEE_F64LE, {2, 3}, numbers(6)).attribute("/a", "unit", std::string("um"));
     file.dataset("/b", H5T_IEEE_F64LE, {2, 3}, numbers(6)).variable_text("/b", "units", "V");
@@ -75,7 +75,7 @@ TEST(Hdf5, StepsOfAnAttributeGiveTheSize) {  // SurfaceTopography reads no size
     EXPECT_DOUBLE_EQ(channel.info.size.at(1), 0.75e-6);
 }
 
-TEST(Hdf5, StepsThatAreNoLengthAreNamedAndCostTheirMapAlone) {
+TEST(Hdf5, InvalidStepsAreNamedAndAffectTheirMapOnly) {
     constexpr double infinite = std::numeric_limits<double>::infinity();
     for (const double step : {-0.5, 0.0, 1e-300, 1e300, infinite, std::nan("")}) {
         Hdf5Builder file;
@@ -95,7 +95,7 @@ TEST(Hdf5, StepsThatAreNoLengthAreNamedAndCostTheirMapAlone) {
     }
 }
 
-TEST(Hdf5, WithoutSizeAndUnitItIsListed) {
+TEST(Hdf5, WithoutSizeAndUnitIsListed) {
     Hdf5Builder file;
     file.dataset("/a", H5T_IEEE_F64LE, {2, 3}, numbers(6));
     const auto channel = channels_of(file.bytes(), {}).at(0);
@@ -103,7 +103,7 @@ TEST(Hdf5, WithoutSizeAndUnitItIsListed) {
     EXPECT_THROW((void)channel.read(), InvalidArgument);
 }
 
-TEST(Hdf5, PiecesNeverWrittenHoldTheFillValue) {
+TEST(Hdf5, ChunksNeverWrittenHaveTheFillValue) {
     Hdf5Builder file;
     file.dataset("/a", H5T_STD_I16LE, {4, 5}, {}, {.chunk = {2, 2}, .fill = 7.0});
     EXPECT_TRUE((std::get<HeightMap>(channels_of(file.bytes()).at(0).read()).heights == 7.0 * units::nm).all());
@@ -119,7 +119,7 @@ TEST(Hdf5, ValuesNeverWrittenAreListedAndRefused) {
     EXPECT_EQ(std::get<HeightMap>(channels[1].read()).heights(3, 4), 19.0 * units::nm);
 }
 
-TEST(Hdf5, DatasetThatTheLibraryCannotOpenIsTold) {
+TEST(Hdf5, DatasetThatTheLibraryCannotOpenIsReported) {
     Hdf5Builder file({.newest = true});
     file.dataset("/a", H5T_STD_I16LE, {4, 5}, numbers(20)).dataset("/b", H5T_STD_I16LE, {4, 5}, numbers(20));
     auto content = file.bytes();
@@ -132,7 +132,7 @@ TEST(Hdf5, DatasetThatTheLibraryCannotOpenIsTold) {
     EXPECT_EQ(std::get<HeightMap>(channels[1 - damaged].read()).heights(3, 4), 19.0 * units::nm);
 }
 
-TEST(Hdf5, HeapsThatDoNotAddUpAreRefusedBeforeTheLibrarySeesThem) {
+TEST(Hdf5, InconsistentHeapsAreRefusedBeforeTheLibraryReadsThem) {
     Hdf5Builder file;
     file.dataset("/a", H5T_STD_I16LE, {4, 5}, numbers(20)).variable_text("/a", "note", "a text of variable length");
     const auto content = file.bytes();
@@ -147,7 +147,7 @@ TEST(Hdf5, HeapsThatDoNotAddUpAreRefusedBeforeTheLibrarySeesThem) {
     }
 }
 
-TEST(Hdf5, OtherFiltersAreNamedWithARemedy) {
+TEST(Hdf5, UnsupportedFiltersAreNamedWithARemedy) {
     Hdf5Builder file;
     file.dataset("/a", H5T_STD_I16LE, {4, 5}, numbers(20), {.chunk = {2, 2}, .n_bit = true});
     const auto channel = channels_of(file.bytes()).at(0);
@@ -156,7 +156,7 @@ TEST(Hdf5, OtherFiltersAreNamedWithARemedy) {
     EXPECT_NE(message.find("h5repack"), std::string::npos) << message;
 }
 
-TEST(Hdf5, NothingOutsideTheFileIsFollowed) {
+TEST(Hdf5, ExternalLinksAreNotFollowed) {
     const TemporaryFolder folder;
     Hdf5Builder other;
     other.dataset("/secret", H5T_IEEE_F64LE, {2, 3}, numbers(6));
@@ -172,7 +172,7 @@ TEST(Hdf5, NothingOutsideTheFileIsFollowed) {
     EXPECT_NE(message_of([&] { (void)channels.at(1).read(); }).find("other files"), std::string::npos);
 }
 
-TEST(Hdf5, GroupsThatHoldThemselvesEnd) {
+TEST(Hdf5, GroupsThatContainThemselvesTerminate) {
     Hdf5Builder file;
     file.dataset("/group/map", H5T_IEEE_F64LE, {2, 3}, numbers(6)).hard_link("/group/again", "/group");
     const auto channels = channels_of(file.bytes());
@@ -180,7 +180,7 @@ TEST(Hdf5, GroupsThatHoldThemselvesEnd) {
     EXPECT_LE(channels.size(), 32u);
 }
 
-TEST(Hdf5, BombsAreRefused) {
+TEST(Hdf5, DecompressionBombsAreRefused) {
     constexpr hsize_t side = 4096;
     Hdf5Builder file;
     file.dataset("/bomb", H5T_IEEE_F64LE, {side, side}, std::vector<double>(side * side, 1.0),
@@ -195,7 +195,7 @@ TEST(Hdf5, BombsAreRefused) {
     EXPECT_EQ(std::get<HeightMap>(channels[1].read()).heights(1, 2), 5.0 * units::nm);
 }
 
-TEST(Hdf5, DamagedPiecesAreRefused) {
+TEST(Hdf5, DamagedChunksAreRefused) {
     Hdf5Builder file;
     file.dataset("/a", H5T_IEEE_F64LE, {8, 8}, numbers(64), {.chunk = {8, 8}, .summed = true});
     auto content = file.bytes();
@@ -207,7 +207,7 @@ TEST(Hdf5, DamagedPiecesAreRefused) {
     EXPECT_NE(message_of([&] { (void)channel.read(); }).find("wrong checksum"), std::string::npos);
 }
 
-TEST(Hdf5, OnDiskAndInMemoryAreTheSame) {
+TEST(Hdf5, IsReadEquallyFromDiskAndMemory) {
     const TemporaryFolder folder;
     for (const auto& sample : hdf5_samples()) {
         const auto on_disk = open(folder.write("a.h5", sample.content), sample.options).at(sample.channel).read();
@@ -219,7 +219,7 @@ TEST(Hdf5, OnDiskAndInMemoryAreTheSame) {
     }
 }
 
-TEST(Hdf5, LargePackedMapsAreReadInPieces) {
+TEST(Hdf5, LargeCompressedMapsAreReadInChunks) {
     constexpr hsize_t nx = 700, ny = 600;
     auto values = numbers(nx * ny);
     for (auto& value : values) value = std::fmod(value * 7919.0, 65521.0);
@@ -251,7 +251,7 @@ TEST(Datx, ConverterOfXBelongsToColumns) {  // earlier readers gave a map of 4 r
     EXPECT_DOUBLE_EQ(channel.info.size.at(1), 4 * 0.3e-6);
 }
 
-TEST(Datx, FringesAreHalfWavelengths) {  // which SurfaceTopography refuses
+TEST(Datx, ConvertsFringesToHalfWavelengths) {  // which SurfaceTopography refuses
     const auto map = std::get<HeightMap>(channels_of(datx_samples().at(1).content, {}).at(0).read());
     EXPECT_DOUBLE_EQ(map.heights(0, 0), 632.8e-9 * 0.5 * 1.25);
     EXPECT_TRUE(std::isnan(map.heights(2, 3)));
@@ -263,7 +263,7 @@ Hdf5Builder& surface(Hdf5Builder& file, const std::string& unit) {
         .attribute("/Data/Surface/{1}", "Unit", unit);
 }
 
-TEST(Datx, WithoutConvertersTheSizeIsAskedFor) {
+TEST(Datx, WithoutConvertersTheSizeIsReportedMissing) {
     Hdf5Builder file;
     const auto channel = channels_of(surface(file, "MicroMeters").bytes(), {}).at(0);
     EXPECT_EQ(channel.info.format, "datx");
@@ -271,13 +271,13 @@ TEST(Datx, WithoutConvertersTheSizeIsAskedFor) {
     EXPECT_EQ(channel.info.unit, "µm");
 }
 
-TEST(Datx, UnitsThatDisagreeAreTold) {
+TEST(Datx, UnitsThatDisagreeGiveAWarning) {
     Hdf5Builder file;
     surface(file, "NanoMeters").converter("/Data/Surface/{1}", "Z Converter", {"HeightCat", "MicroMeters", {0.0, 1.0}});
     EXPECT_EQ(channels_of(file.bytes(), {}).at(0).info.alerts.at(0).code, "UNIT_MISMATCH");
 }
 
-TEST(Datx, UnitThatIsNoLengthIsNoHeight) {
+TEST(Datx, ChannelWithAnotherUnitThanLengthIsNotAHeight) {
     Hdf5Builder file;
     EXPECT_FALSE(channels_of(surface(file, "Radians").bytes(), {}).at(0).info.is_height);
 }
@@ -294,7 +294,7 @@ TEST(JpkHdf5, EachFrameIsAChannel) {
     EXPECT_EQ(channels[0].info.metadata.attributes.at("lines_a_second"), "128");
 }
 
-TEST(JpkHdf5, MetresAreAssumedAndTold) {
+TEST(JpkHdf5, MetresAreAssumedWithAWarning) {
     EXPECT_EQ(channels_of(jpk_hdf5_samples().at(0).content, {}).at(0).info.alerts.at(0).code, "UNIT_ASSUMED");
 }
 
@@ -309,7 +309,7 @@ TEST(JpkHdf5, OtherChannelsAreListedOnly) {
     EXPECT_FALSE(channel.info.is_height);
 }
 
-TEST(JpkHdf5, PixelsThatAreNoLinesAreRefused) {
+TEST(JpkHdf5, PixelsThatDoNotFormLinesAreRefused) {
     Hdf5Builder file;
     file.dataset("/Measurement_000/Channel_000/Height", H5T_IEEE_F64LE, {7, 1}, numbers(7));
     file.attribute("/Measurement_000/Channel_000", "channel.name", std::string("height"));
@@ -340,7 +340,7 @@ std::vector<double> values_of(std::size_t count, const std::function<double(std:
     return values;
 }
 
-TEST(Hdf5, IndicesPositionsPicturesAndTablesAreNoHeights) {
+TEST(Hdf5, IndicesPositionsPicturesAndTablesAreNotHeights) {
     const auto rough = [](std::size_t i) { return static_cast<double>((7 * i * i) % 31); };
     EXPECT_EQ(why("/data", H5T_IEEE_F64LE, {6, 8}, values_of(48, rough)), "");
     EXPECT_EQ(why("/line", H5T_IEEE_F64LE, {40}, values_of(40, rough)), "");
@@ -373,7 +373,7 @@ TEST(Hdf5, IndicesPositionsPicturesAndTablesAreNoHeights) {
     EXPECT_EQ(why("/height", H5T_STD_I32LE, {6, 8}, values_of(48, rough)), "") << "named so";
 }
 
-TEST(Hdf5, ArraysOfDoubtAreReadWhenChosen) {
+TEST(Hdf5, DoubtfulArraysAreReadWhenChosen) {
     Hdf5Builder file;
     file.dataset("/counts", H5T_STD_I32LE, {3, 2}, {1, 2, 3, 5, 4, 6});
     const auto channels = channels_of(file.bytes());
@@ -382,7 +382,7 @@ TEST(Hdf5, ArraysOfDoubtAreReadWhenChosen) {
     EXPECT_THROW((void)chosen_channels("f", channels, std::nullopt), InvalidArgument);
 }
 
-TEST(Hdf5, FilesOfElectronMicroscopyAreNoArrays) {
+TEST(Hdf5, FilesOfElectronMicroscopyAreNotArrays) {
     Hdf5Builder velox, ncem;
     velox.group("/Data").group("/Data/Image").group("/Data/Image/1");
     velox.dataset("/Data/Image/1/Metadata", H5T_STD_U8LE, {60, 1}, numbers(60));

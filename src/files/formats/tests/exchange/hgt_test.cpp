@@ -38,7 +38,7 @@ Match detected(const std::string& content) {
     return Match::no;
 }
 
-TEST(Hgt, MapThatIsNotSquareKeepsItsAxesAndItsVoids) {
+TEST(Hgt, KeepsAxesAndUndefinedPointsOfANonSquareMap) {
     EXPECT_EQ(detect_format(bytes::memory_source("N61E007.hgt", tile())).identifier, "hgt");
     const auto map = map_of(channel_named("N61E007.hgt"));
     ASSERT_EQ(map.shape(), (std::array<Index, 2>{nx, ny}));
@@ -48,7 +48,7 @@ TEST(Hgt, MapThatIsNotSquareKeepsItsAxesAndItsVoids) {
         EXPECT_DOUBLE_EQ(map.heights(i, j), height_at(i, j)) << i << ' ' << j;
 }
 
-TEST(Hgt, DegreeIsThatOfTheEllipsoid) {
+TEST(Hgt, LengthOfADegreeIsThatOfTheEllipsoid) {
     // NGA's series for the length of a degree of longitude and latitude [m]
     const double latitude = 46.5 * pi / 180.0;
     const double east = 111412.84 * std::cos(latitude) - 93.5 * std::cos(3 * latitude) + 0.118 * std::cos(5 * latitude);
@@ -67,14 +67,14 @@ TEST(Hgt, SouthernTilesSpanTowardsTheEquator) {
         << "both from 46 to 47 degrees";
 }
 
-TEST(Hgt, OtherNamesLeaveTheSizeOpen) {
+TEST(Hgt, OtherNamesLeaveTheSizeMissing) {
     for (const auto* name : {"tile.hgt", "N4", "NxxE007.hgt", "N99E007.hgt"})
         EXPECT_EQ(missing(channel_named(name).info).at(0), "size") << name;
     const auto message = message_of([] { (void)channel_named("tile.hgt").read(); });
     EXPECT_NE(message.find("give `size`"), std::string::npos) << message;
 }
 
-TEST(Hgt, OtherContentOfThatLengthIsNotTaken) {
+TEST(Hgt, OtherContentOfThatLengthIsNotRead) {
     constexpr std::size_t length = 2 * 1201 * 1201;
     EXPECT_EQ(detected(std::string(length, '\0')), Match::no) << "zeros";
     EXPECT_EQ(detected(std::string(length, 'x')), Match::no) << "text";
@@ -89,7 +89,7 @@ TEST(Hgt, OtherContentOfThatLengthIsNotTaken) {
     EXPECT_EQ(detected(tile().substr(1)), Match::no) << "any other length";
 }
 
-TEST(Hgt, TilesOfThreeArcSecondsHaveTheirShape) {
+TEST(Hgt, TilesOfThreeArcSecondsHaveTheRightShape) {
     const auto content = tile().substr(0, 2 * 1201 * 1201);
     EXPECT_EQ(open(bytes::memory_source("N10W020.hgt", content), {}).at(0).info.shape,
               (std::vector<Index>{1201, 1201}));

@@ -56,12 +56,12 @@ TEST(Sdf, TrailerMayBeTagged) {
     EXPECT_EQ(opened(content).at(0).info.metadata.attributes.at("OperatorName"), "Tom Jones");
 }
 
-TEST(Sdf, DateOfZerosIsNone) {
+TEST(Sdf, DateOfZerosIsIgnored) {
     const auto info = opened(replaced(sample_named("type 7"), "040120100853", "000000000000")).at(0).info;
     EXPECT_EQ(missing(info), (std::vector<std::string>{"date"}));
 }
 
-TEST(Sdf, HeaderLinesNeedNoEqualsSignAndNoCapitals) {
+TEST(Sdf, HeaderLinesMayLackEqualsSignAndCapitals) {
     auto content = replaced(sample_named("text of integers"), "NumPoints = 5", "NUMPOINTS   5");
     content = replaced(content, "Zscale = 1e-09", "zscale\t1e-09");
     EXPECT_NEAR(std::get<HeightMap>(opened(content).at(0).read()).heights(0, 0), 1e-9, 1e-24);
@@ -102,13 +102,13 @@ TEST(Sdf, AbsurdHeadersAreRefused) {
               std::string::npos);
 }
 
-TEST(Sdf, MissingScaleIsAskedFor) {
+TEST(Sdf, MissingScaleIsReported) {
     const auto content = replaced(sample_named("text of floats"), "Xscale = 1.0E-6\r\n", "");
     EXPECT_NE(refusal(content).find("`size`"), std::string::npos);
     EXPECT_EQ(std::get<HeightMap>(opened(content, {.size = {{1e-6, 4e-6}}}).at(0).read()).size[1], 4e-6);
 }
 
-TEST(Sdf, OpeningAGigabyteReadsItsHeaderAlone) {
+TEST(Sdf, OpeningAGigabyteReadsTheHeaderOnly) {
     auto header = sample_named("type 7").substr(0, 81);
     header[42] = header[44] = '\0';
     header[43] = header[45] = '\x2c';  // 11264 × 11264
@@ -132,7 +132,7 @@ TEST(SdfWriter, WritesTheBytesOfTheStandard) {
     EXPECT_EQ(bytes.substr(81, 16), bytes_of<double>({map.heights(0, 0), map.heights(1, 0)}));
 }
 
-TEST(SdfWriter, RefusesWhatItCannotHold) {
+TEST(SdfWriter, RefusesDataThatDoesNotFitTheFormat) {
     const Profile uneven{(Array1D(3) << 0.0, 1e-6, 3e-6).finished(), (Array1D(3) << 0.0, 1e-9, 0.0).finished(), {}};
     EXPECT_NE(
         message_of([&] { format_to_write("a.sdf").write("a.sdf", uneven); }).find("write it as .x3p, .nc or .csv"),

@@ -23,7 +23,7 @@ std::string refusal(const std::string& content, const ReadOptions& options = {})
     return message_of([&] { (void)opened(content, options).at(0).read(); });
 }
 
-TEST(Gsf, IsWrittenAsItIsRead) {
+TEST(Gsf, IsUnchangedAfterReadingAndWriting) {
     const TemporaryFolder folder;
     const topography::HeightMap map{lopsided_heights(5, 3, 1e-9), {2e-6, 3e-6}, false, {}};
     for (const char* name : {"t", "ti", "tit", "titl"}) {  // every length of the padding of the header
@@ -51,7 +51,7 @@ TEST(Gsf, OtherQuantitiesAreListed) {
               std::string::npos);
 }
 
-TEST(HeightTiff, AsksForTheUnitThatNoFileStates) {
+TEST(HeightTiff, ReportsTheUnitAsMissing) {
     const auto content = height_tiff_samples().at(0).content;
     const auto channel = opened(content).at(0);
     EXPECT_EQ(channel.info.size, (std::vector<double>{3e-6, 2e-6}));
@@ -59,7 +59,7 @@ TEST(HeightTiff, AsksForTheUnitThatNoFileStates) {
     EXPECT_NE(refusal(height_tiff_samples().at(1).content).find("`size`"), std::string::npos);
 }
 
-TEST(HeightTiff, GreyValuesOf8BitsAndColoursStayPictures) {
+TEST(HeightTiff, EightBitAndColourPicturesAreNotHeights) {
     for (const int samples : {1, 3}) {
         TiffPageBuilder page(std::endian::little);
         page.longs(256, {2}).longs(257, {2}).shorts(258, {8}).shorts(259, {1}).shorts(262, {1});

@@ -47,7 +47,7 @@ TEST(X3p, RevisionsOtherThanTheFirstAreRead) {
     }
 }
 
-TEST(X3p, HeightsAreReadOnlyWhenAsked) {
+TEST(X3p, HeightsAreReadOnDemand) {
     const auto xml = x3p_document(
         "SUR", incremental, doubles, two_by_three,
         "<DataLink><PointDataLink>d.bin</PointDataLink><MD5ChecksumPointData>00000000000000000000000000000000</MD5ChecksumPointData></DataLink>");
@@ -99,7 +99,7 @@ TEST(X3p, PointsAllInvalidAreRefused) {
               "a.x3p: all 6 heights are undefined");
 }
 
-TEST(X3p, ChangedDocumentIsAnAlert) {
+TEST(X3p, ChangedDocumentGivesAWarning) {
     const auto xml = x3p_document("SUR", incremental, doubles, two_by_three, linked + std::string());
     const auto with_sum = replaced(xml, "</p:ISO5436_2>",
                                    "<Record4><ChecksumFile>md5checksum.hex</ChecksumFile></Record4></p:ISO5436_2>");
@@ -112,7 +112,7 @@ TEST(X3p, ChangedDocumentIsAnAlert) {
     EXPECT_EQ(alerts(bytes::md5(xml))[0].code, "CHECKSUM");
 }
 
-TEST(X3p, MissingIncrementIsAskedFor) {
+TEST(X3p, MissingIncrementIsReported) {
     const auto xml = x3p_document("SUR", "<AxisType>I</AxisType><DataType>D</DataType>", doubles, two_by_three, linked);
     const Members members{{"main.xml", xml}, {"d.bin", data}};
     EXPECT_EQ(missing(opened(members).at(0).info).front(), "size");
@@ -120,13 +120,13 @@ TEST(X3p, MissingIncrementIsAskedFor) {
     EXPECT_EQ(std::get<HeightMap>(opened(members, {.size = {{1e-6, 2e-6}}}).at(0).read()).size[1], 2e-6);
 }
 
-TEST(X3p, NegativeIncrementIsALengthAllTheSame) {
+TEST(X3p, NegativeIncrementIsReadAsALength) {
     const auto xml = x3p_document("SUR", "<AxisType>I</AxisType><DataType>D</DataType><Increment>-3e-6</Increment>",
                                   doubles, two_by_three, linked);
     EXPECT_DOUBLE_EQ(opened({{"main.xml", xml}, {"d.bin", data}}).at(0).info.size[0], 6e-6);
 }
 
-TEST(X3p, BadArchiveInAnArchiveLeavesTheOthers) {
+TEST(X3p, OneBadNestedArchiveDoesNotAffectOthers) {
     const auto good =
         zip_archive({{"main.xml", x3p_document("SUR", incremental, doubles, two_by_three, linked)}, {"d.bin", data}});
     const auto channels = opened({{"bad.x3p", good.substr(0, 100)}, {"good.x3p", good}});
@@ -137,7 +137,7 @@ TEST(X3p, BadArchiveInAnArchiveLeavesTheOthers) {
     EXPECT_EQ(std::get<HeightMap>(channels[1].read()).heights(1, 2), 6.0);
 }
 
-TEST(X3p, ArchivesInArchivesInArchivesAreNotFollowed) {
+TEST(X3p, DoublyNestedArchivesAreNotOpened) {
     const auto good =
         zip_archive({{"main.xml", x3p_document("SUR", incremental, doubles, two_by_three, linked)}, {"d.bin", data}});
     EXPECT_NE(refusal({{"outer.x3p", zip_archive({{"inner.x3p", good}})}}).find("no main.xml"), std::string::npos);
@@ -154,7 +154,7 @@ TEST(X3p, LayersOfListedPointsAreRefused) {
               std::string::npos);
 }
 
-TEST(X3p, LayersOfAProfileAreLines) {
+TEST(X3p, LayersOfAProfileAreLineScans) {
     const auto xml =
         x3p_document("PRF", incremental, doubles,
                      "<MatrixDimension><SizeX>3</SizeX><SizeY>1</SizeY><SizeZ>2</SizeZ></MatrixDimension>", linked);
@@ -164,7 +164,7 @@ TEST(X3p, LayersOfAProfileAreLines) {
     EXPECT_EQ(std::get<LineScan>(channels[1].read()).heights[0], 4.0);
 }
 
-TEST(X3p, ListThatFillsTheMemoryIsRefused) {
+TEST(X3p, ListThatExceedsMemoryIsRefused) {
     std::string list = "<DataList>";
     for (int k = 0; k < 1'100'000; ++k) list += "<Datum/>";
     EXPECT_NE(refusal({{"main.xml", x3p_document("SUR", incremental, doubles, two_by_three, list + "</DataList>")}})
@@ -172,7 +172,7 @@ TEST(X3p, ListThatFillsTheMemoryIsRefused) {
               std::string::npos);
 }
 
-TEST(X3p, UnknownEntriesAndTheFirstOfJanuary1970AreNoMetadata) {
+TEST(X3p, IgnoresUnknownEntriesAndTheDateOf1970) {
     auto xml =
         replaced(x3p_document("SUR", incremental, doubles, two_by_three, linked), "2020-01-02", "1970-01-01T01:00:00");
     xml = replaced(xml, "<Manufacturer>M", "<Manufacturer>not available");
@@ -200,7 +200,7 @@ std::string written_document(const topography::Measurement& measurement) {
     return bytes::Archive(bytes::file_source(folder.path("a.x3p"))).read("main.xml");
 }
 
-TEST(X3pWriter, ElementsStandInTheOrderOfTheSchema) {
+TEST(X3pWriter, ElementsAreInTheOrderOfTheSchema) {
     const auto xml = written_document(small_map());
     std::size_t at = 0;
     for (const auto* element : {"<p:ISO5436_2",
@@ -244,7 +244,7 @@ TEST(X3pWriter, ElementsStandInTheOrderOfTheSchema) {
     }
 }
 
-TEST(X3pWriter, ChecksumsAreThoseOfTheMembers) {
+TEST(X3pWriter, ChecksumsMatchTheMembers) {
     const TemporaryFolder folder;
     format_to_write("a.x3p").write(folder.path("a.x3p"), small_map());
     const bytes::Archive archive(bytes::file_source(folder.path("a.x3p")));
@@ -255,14 +255,14 @@ TEST(X3pWriter, ChecksumsAreThoseOfTheMembers) {
     EXPECT_EQ(archive.size("bindata/data.bin"), 48u);
 }
 
-TEST(X3pWriter, SameHeightsAreTheSameBytes) {
+TEST(X3pWriter, SameHeightsGiveTheSameBytes) {
     const TemporaryFolder folder;
     format_to_write("a.x3p").write(folder.path("a.x3p"), small_map());
     format_to_write("a.x3p").write(folder.path("b.x3p"), small_map());
     EXPECT_EQ(bytes::read_file(folder.path("a.x3p")), bytes::read_file(folder.path("b.x3p")));
 }
 
-TEST(X3pWriter, TimeThatIsNoneOfXmlStandsInTheComment) {
+TEST(X3pWriter, TimeInAnotherFormatIsWrittenAsAComment) {
     auto map = small_map();
     map.metadata.acquisition_time = "09:57:48 AM Tue Jan 12 2016";
     const auto xml = written_document(map);
@@ -270,7 +270,7 @@ TEST(X3pWriter, TimeThatIsNoneOfXmlStandsInTheComment) {
     EXPECT_NE(xml.find("<Comment>measured 09:57:48 AM Tue Jan 12 2016</Comment>"), std::string::npos);
 }
 
-TEST(X3pWriter, DatesAreThoseOfXml) {
+TEST(X3pWriter, WritesDatesInXmlFormat) {
     auto map = small_map();
     for (const auto& [time, date] : {std::pair{"2016-01-12 09:57", "2016-01-12T09:57:00"},
                                      {"2016-01-12", "2016-01-12T00:00:00"},
@@ -295,7 +295,7 @@ TEST(X3pWriter, ProfilesKeepTheirPositions) {
     EXPECT_NE(written_document(uneven).find("<FeatureType>PRF<"), std::string::npos);
 }
 
-TEST(X3pWriter, RefusesWhatItCannotHoldAndFoldersThereAreNot) {
+TEST(X3pWriter, RefusesUnsupportedDataAndMissingFolders) {
     Profile traced{(Array1D(2) << 0.0, 1e-6).finished(), (Array1D(2) << 0.0, 1e-9).finished(), {}};
     traced.standard_error = Array1D::Constant(2, 1e-10);
     EXPECT_NE(message_of([&] { format_to_write("a.x3p").write("a.x3p", traced); }).find("write it as .csv"),

@@ -21,7 +21,7 @@ std::string integers(const std::string& entries, std::int16_t last = 3) {
         .content();
 }
 
-TEST(Bcr, CountOfVoidsIsNoHeight) {
+TEST(Bcr, CountOfVoidsIsNotAHeight) {
     const auto heights = map_of(channels_of(integers("bit2nm = 1\nvoidpixels = 0\n")).at(0)).heights;
     EXPECT_EQ(heights.isNaN().count(), 0) << "zero voids, and a height of zero";
     EXPECT_DOUBLE_EQ(heights(1, 1), 3e-9);
@@ -37,24 +37,24 @@ TEST(Bcr, VoidsOfNanoFocusAreUndefined) {
     EXPECT_EQ(channel.info.alerts[0].code, "SIZE_BETWEEN_POINTS");
 }
 
-TEST(Bcr, LengthsAreThoseOfAllPixels) {
+TEST(Bcr, LengthsSpanAllPixels) {
     EXPECT_NEAR(channels_of(integers("bit2nm = 1\n")).at(0).info.size.at(0), 20e-9, 1e-23);
     EXPECT_TRUE(channels_of(integers("bit2nm = 1\n")).at(0).info.alerts.empty());
     EXPECT_NEAR(channels_of(integers("bit2nm = 1\nxunit = um\n")).at(0).info.size.at(0), 20e-6, 1e-20);
 }
 
-TEST(Bcr, ForeignUtf16IsLeftToOtherFormats) {
+TEST(Bcr, OtherUtf16FilesAreNotBcr) {
     const std::string foreign("\xff\xfe\x00\xd8\x00\xd8x\0=\0", 10);
     EXPECT_EQ(refusal(foreign).find("BCR"), std::string::npos) << refusal(foreign);
     EXPECT_NE(refusal(foreign), "no error");
 }
 
-TEST(Bcr, IntegersWithoutScaleAskForTheUnit) {
+TEST(Bcr, IntegersWithoutScaleRequireAUnit) {
     EXPECT_EQ(missing(channels_of(integers("")).at(0).info).at(0), "unit");
     EXPECT_DOUBLE_EQ(map_of(channels_of(integers(""), {.size = {}, .unit = "um"}).at(0)).heights(1, 1), 3e-6);
 }
 
-TEST(Bcr, ChannelOfVoltsIsListedButNoHeight) {
+TEST(Bcr, ChannelInVoltsIsListedButNotAHeight) {
     const auto channel = channels_of(integers("bit2nm = 1\nzunit = V\n")).at(0);
     EXPECT_FALSE(channel.info.is_height);
     EXPECT_EQ(channel.info.unit, "V");

@@ -36,7 +36,7 @@ std::string message(const IgorContent& content) {
     });
 }
 
-TEST(Ibw, UnitOfAnAsylumChannelFollowsFromItsNameNotFromTheWave) {
+TEST(Ibw, UnitOfAnAsylumChannelFollowsFromItsName) {
     const auto channels = opened(asylum_content());
     const char* expected[] = {"m", "deg", "V", "m", "nA"};
     for (std::size_t k = 0; k < channels.size(); ++k) {
@@ -48,13 +48,13 @@ TEST(Ibw, UnitOfAnAsylumChannelFollowsFromItsNameNotFromTheWave) {
     EXPECT_EQ(channels[0].info.metadata.attributes.at("scan_angle"), "330");
 }
 
-TEST(Ibw, SizeIsPointsTimesTheirDistance) {
+TEST(Ibw, SizeIsNumberOfPointsTimesSpacing) {
     const auto info = opened(asylum_content()).at(0).info;
     EXPECT_DOUBLE_EQ(info.size.at(0), 3e-8);
     EXPECT_DOUBLE_EQ(info.size.at(1), 2e-8);
 }
 
-TEST(Ibw, HeightsAreInTheUnitOfTheWaveEvenIfAxesAreInAnother) {
+TEST(Ibw, HeightsUseTheUnitOfTheWaveNotOfTheAxes) {
     auto content = asylum_content();
     content.data_unit = "nm";
     content.lateral_unit = "um";
@@ -66,14 +66,14 @@ TEST(Ibw, HeightsAreInTheUnitOfTheWaveEvenIfAxesAreInAnother) {
     EXPECT_DOUBLE_EQ(map.heights(2, 0), 5e-9);
 }
 
-TEST(Ibw, LongUnitWinsOverTheShortOne) {
+TEST(Ibw, LongUnitOverridesTheShortUnit) {
     auto content = asylum_content();
     content.note.clear();
     content.long_data_unit = "micron";
     EXPECT_EQ(opened(content).at(0).info.unit, "µm");
 }
 
-TEST(Ibw, WaveWithoutUnitsLeavesUnitAndSizeToTheUser) {
+TEST(Ibw, WaveWithoutUnitsRequiresUnitAndSize) {
     auto content = asylum_content();
     content.note.clear();
     content.data_unit = content.lateral_unit = "";
@@ -83,7 +83,7 @@ TEST(Ibw, WaveWithoutUnitsLeavesUnitAndSizeToTheUser) {
     EXPECT_DOUBLE_EQ(map.size[1], 2e-6);
 }
 
-TEST(Ibw, DateIsThatOfTheNoteOrOfTheWave) {
+TEST(Ibw, DateIsReadFromTheNoteOrTheWave) {
     auto content = asylum_content();
     content.created = 3654699240u;  // 2019-10-23 18:14:00: 42299 days and 65640 s after 1904
     EXPECT_EQ(opened(content).at(0).info.metadata.acquisition_time, "2019-10-23 18:14:00");
@@ -91,7 +91,7 @@ TEST(Ibw, DateIsThatOfTheNoteOrOfTheWave) {
     EXPECT_EQ(opened(content).at(0).info.metadata.acquisition_time, "2019-10-24 12:14:13 PM");
 }
 
-TEST(Ibw, WhatIsNoTopographyIsNamed) {
+TEST(Ibw, OtherDataThanTopographyIsRefusedByName) {
     auto volume = asylum_content();
     volume.points = {3, 2, 1, 5};
     EXPECT_NE(message(volume).find("four dimensions"), std::string::npos);
@@ -109,7 +109,7 @@ TEST(Ibw, WhatIsNoTopographyIsNamed) {
     EXPECT_NE(message(complex).find("numbers of type 3"), std::string::npos);
 }
 
-TEST(Ibw, HeadersThatAnnounceMoreThanTheFileAreRefused) {
+TEST(Ibw, RefusesHeadersThatAnnounceMoreThanTheFile) {
     auto content = asylum_content();
     content.points = {2000000000, 2000000000, 2000000000, 0};
     EXPECT_NE(message(content).find("the wave announces 2000000000 × 2000000000"), std::string::npos);

@@ -16,13 +16,13 @@ Channel first_channel(const FormatSample& sample) {
     return formats::open(bytes::memory_source("a.jpk", sample.content), {}).at(0);
 }
 
-TEST(Jpk, NamesDirectionOfTheScan) {
+TEST(Jpk, NamesContainTheDirectionOfTheScan) {
     EXPECT_EQ(first_channel(jpk_samples().at(0)).info.name, "Height (measured, retrace)");
     EXPECT_EQ(first_channel(jpk_samples().at(1)).info.name, "Height (trace)");
     EXPECT_EQ(first_channel(jpk_samples().at(1)).info.metadata.attributes.at("line_direction"), "trace");
 }
 
-TEST(Jpk, CalibratedSlotWinsOverTheDefaultOne) {
+TEST(Jpk, CalibratedSlotOverridesTheDefaultSlot) {
     const auto info = first_channel(jpk_samples().at(0)).info;
     EXPECT_EQ(info.metadata.attributes.at("slot"), "calibrated");
     EXPECT_EQ(info.metadata.attributes.at("slots"), "volts [V], nominal [m], calibrated [m]");
@@ -42,24 +42,24 @@ TEST(Jpk, OffsetOfTheSlotIsAdded) {
     EXPECT_NEAR(map.heights(0, 0), -2e-12 * -700.0 + 3e-6, 1e-18);
 }
 
-TEST(Jpk, AmplitudeInMetresIsNoHeight) {
+TEST(Jpk, AmplitudeInMetresIsNotAHeight) {
     const auto content =
         replaced(jpk_samples().at(1).content, std::string("\0Height\0", 8), std::string("\0Error Q", 8));
     EXPECT_FALSE(formats::open(bytes::memory_source("a.jpk", content), {}).at(0).info.is_height);
 }
 
-TEST(Jpk, ImagesOfForceCurvesTellWhatWasComputed) {
+TEST(Jpk, ImagesOfForceCurvesNameTheComputedQuantity) {
     const auto info = first_channel(jpk_qi_samples().at(0)).info;
     EXPECT_EQ(info.name, "Height (measured, trace): Ref. Force Height at 40%");
     EXPECT_EQ(info.format, "jpk-qi");
     EXPECT_EQ(info.metadata.instrument.name, "JPK Nanowizard 3");
 }
 
-TEST(Jpk, DateIsThatOfTheFile) {
+TEST(Jpk, DateIsReadFromTheFile) {
     EXPECT_EQ(first_channel(jpk_samples().at(0)).info.metadata.acquisition_time, "2017-01-16 16:00:32.334 GMT");
 }
 
-TEST(Tiff, PlainPictureIsRefusedWithWhatReadsIt) {
+TEST(Tiff, PlainPictureIsRefusedWithTheCommandToUse) {
     TiffPageBuilder page(std::endian::little);
     page.picture(2, 2, 8, 1).strips(2, {std::string(4, 'x')});
     const auto content = tiff_file(std::endian::little, {page});
@@ -77,7 +77,7 @@ TEST(Tiff, DirectoriesThatFormALoopAreRefused) {
     EXPECT_NE(error.find("loop"), std::string::npos) << error;
 }
 
-TEST(Tiff, FewBytesThatAnnounceManyPixelsAreRefused) {
+TEST(Tiff, RefusesFewBytesThatAnnounceManyPixels) {
     TiffPageBuilder page(std::endian::big), first(std::endian::big);
     first.picture(2, 2, 8, 1)
         .strips(2, {std::string(4, 'x')})
@@ -94,7 +94,7 @@ TEST(Tiff, FewBytesThatAnnounceManyPixelsAreRefused) {
     EXPECT_NE(error.find("announce 1048576 × 1024 pixels"), std::string::npos) << error;
 }
 
-TEST(Tiff, DamagedCompressionIsRefusedAtItsStrip) {
+TEST(Tiff, DamagedCompressionIsRefusedWithItsStrip) {
     auto sample = jpk_samples().at(2);
     const auto strip = sample.content.find("\x78\x9c");
     sample.content.replace(strip, 8, "xxxxxxxx");

@@ -41,7 +41,7 @@ TEST(Mdt, HeightIsOffsetPlusStepTimesInteger) {
     EXPECT_NEAR(heights[0], (3.0 - 0.5 * raw(0, 0)) * units::angstrom, 1e-24);
 }
 
-TEST(Mdt, StepsThatRunBackwardsAreLengths) {
+TEST(Mdt, NegativeStepsAreReadAsLengths) {
     const auto info = channels_of({mdt_scan(raw, 1.0f, 0.0f, -1, "")}).at(0).info;
     EXPECT_DOUBLE_EQ(info.size[1], 9.0 * units::nm);
     EXPECT_EQ(info.metadata.acquisition_time, "2015-01-17 12:34:56");
@@ -51,20 +51,20 @@ TEST(Mdt, CyrillicTitlesAreRead) {
     EXPECT_EQ(channels_of({mdt_scan(raw, 1.0f, 0.0f, -1, "\xc2\xfb\xf1\xee\xf2\xe0 1")}).at(0).info.name, "Высота 1");
 }
 
-TEST(Mdt, MapsWithoutAStepOfHeightsAreListedWithAnAlert) {
+TEST(Mdt, MapsWithoutHeightStepAreListedWithAWarning) {
     const auto info = channels_of({mdt_scan(raw, 0.0f, 0.0f, -1, "")}).at(0).info;
     EXPECT_FALSE(info.is_height);
     ASSERT_EQ(info.alerts.size(), 1u);
     EXPECT_EQ(info.alerts[0].code, "NO_HEIGHT_SCALE");
 }
 
-TEST(Mdt, FilesOfSpectraAloneAreRefusedWithWhatReadsThem) {
+TEST(Mdt, FilesWithSpectraOnlyAreRefusedWithTheRemedy) {
     const auto message = refusal(mdt_file({mdt_spectrum(), mdt_spectrum()}));
     EXPECT_NE(message.find("2 frames without a map"), std::string::npos) << message;
     EXPECT_NE(message.find("setae jkr fit"), std::string::npos) << message;
 }
 
-TEST(Mdt, MapsThatLeaveTheirFrameAreRefused) {
+TEST(Mdt, MapsLargerThanTheirFrameAreRefused) {
     auto first = mdt_scan(raw, 1.0f, 0.0f, -1, "");
     first[22 + 130 + 4] = 60;  // rows
     const auto message = refusal(mdt_file({first, mdt_scan(raw, 1.0f, 0.0f, -1, std::string(600, 'x'))}));

@@ -29,7 +29,7 @@ std::string message(const std::string& content) {
 }
 
 /// SurfaceTopography read lengths in metres as micrometres.
-TEST(Mi, SizesAreMetresWhateverTheUnitOfHeights) {
+TEST(Mi, SizesAreInMetresForAnyUnitOfHeights) {
     const auto info = opened(sample_of("BINARY").content).at(1).info;
     EXPECT_DOUBLE_EQ(info.size.at(0), 16 * units::um);
     EXPECT_EQ(info.unit, "µm");
@@ -37,7 +37,7 @@ TEST(Mi, SizesAreMetresWhateverTheUnitOfHeights) {
 
 /// "FALSE" is a nonempty text: SurfaceTopography read it as true. Rows have the same order for both directions of the
 /// scan.
-TEST(Mi, RowsAreTurnedForScansUpwardsAndDownwards) {
+TEST(Mi, RowOrderFollowsTheScanDirection) {
     const auto sample = sample_of("BINARY_32");
     const auto down = opened(sample.content).at(1),
                up = opened(replaced(sample.content, "scanUp        FALSE", "scanUp        TRUE")).at(1);
@@ -49,7 +49,7 @@ TEST(Mi, RowsAreTurnedForScansUpwardsAndDownwards) {
 }
 
 /// SurfaceTopography stopped at the first number as text.
-TEST(Mi, NumbersInWordsAreRead) {
+TEST(Mi, NumbersAsTextAreRead) {
     const auto map = std::get<topography::HeightMap>(opened(sample_of("ASCII").content).at(1).read());
     EXPECT_NEAR(map.heights(0, 0), 7.0 * 3.0 * units::um / 32768.0, 1e-20);
 }
@@ -64,7 +64,7 @@ TEST(Mi, OtherQuantitiesAreListedWithTheirUnit) {
     EXPECT_EQ(channels[1].info.metadata.acquisition_time, "Tue Feb 18 15:00:51 2014");
 }
 
-TEST(Mi, WhatIsNoImageIsNamed) {
+TEST(Mi, OtherDataThanImagesIsRefusedByName) {
     const auto content = sample_of("BINARY").content;
     EXPECT_NE(message(replaced(content, "Image", "Spectroscopy")).find("'Spectroscopy'"), std::string::npos);
     EXPECT_NE(message(replaced(content, "data          BINARY", "data          PACKED")).find("'PACKED'"),

@@ -19,7 +19,7 @@ std::vector<Channel> opened(const std::string& content, const ReadOptions& optio
     return open(bytes::memory_source("a.sxm", content), options);
 }
 
-TEST(Nanonis, ListsChannelsAndWays) {
+TEST(Nanonis, ListsChannelsWithScanDirection) {
     const auto channels = opened(nanonis_file(map, "up", "3.0E-6 2.0E-6"));
     ASSERT_EQ(channels.size(), 3u);
     EXPECT_EQ(channels[0].info.name, "Z (forward)");
@@ -31,14 +31,14 @@ TEST(Nanonis, ListsChannelsAndWays) {
     EXPECT_EQ(channels[0].info.metadata.attributes.at("scan_direction"), "up");
 }
 
-TEST(Nanonis, RangeOfZeroIsAskedFor) {
+TEST(Nanonis, RangeOfZeroIsReportedMissing) {
     const auto content = nanonis_file(map, "down", "0.0 0.0");
     EXPECT_NE(message_of([&] { (void)opened(content)[0].read(); }).find("`size`"), std::string::npos);
     EXPECT_DOUBLE_EQ(std::get<topography::HeightMap>(opened(content, {.size = {{1e-6, 2e-6}}})[0].read()).size[1],
                      2e-6);
 }
 
-TEST(Nanonis, SaysWhatIsDamaged) {
+TEST(Nanonis, NamesTheDamageInTheError) {
     EXPECT_NE(message_of([] {
                   (void)opened(nanonis_file(map, "down", "1e-6 1e-6", "INT LSBFIRST"));
               }).find("expected FLOAT MSBFIRST"),

@@ -32,14 +32,14 @@ std::string message(const std::string& content) {
 }
 
 /// SurfaceTopography failed for maps that are not square.
-TEST(Nanoscope, WidthAndHeightKeepTheirAxes) {
+TEST(Nanoscope, WidthAndHeightStayOnTheirAxes) {
     const auto map = std::get<HeightMap>(opened(sample()).at(0).read());
     EXPECT_EQ(map.shape(), (std::array<Index, 2>{7, 4}));
     EXPECT_DOUBLE_EQ(map.size[0], 700 * units::nm);
     EXPECT_DOUBLE_EQ(map.size[1], 400 * units::nm);
 }
 
-TEST(Nanoscope, OneScanSizeTakesTheAspectRatio) {
+TEST(Nanoscope, OneScanSizeUsesTheAspectRatio) {
     EXPECT_DOUBLE_EQ(opened(replaced(sample(), "Scan Size: 700 400 nm", "Scan Size: 700 nm")).at(0).info.size.at(1),
                      700 * units::nm);
     const auto info =
@@ -48,13 +48,13 @@ TEST(Nanoscope, OneScanSizeTakesTheAspectRatio) {
     EXPECT_DOUBLE_EQ(info.size.at(1), 175 * units::nm);
 }
 
-TEST(Nanoscope, MicrometresAreSpelledWithATilde) {
+TEST(Nanoscope, ReadsATildeAsMicro) {
     const auto info = opened(replaced(sample(), "Scan Size: 700 400 nm", "Scan Size: 7 4 ~m")).at(0).info;
     EXPECT_NEAR(info.size.at(0), 7 * units::um, 1e-18);
     EXPECT_NEAR(info.size.at(1), 4 * units::um, 1e-18);
 }
 
-TEST(Nanoscope, NamesTellTheDirectionOfTheScan) {
+TEST(Nanoscope, NamesContainTheDirectionOfTheScan) {
     const auto info = opened(replaced(sample(), "\\Bytes/pixel",
                                       "\\Line Direction: Retrace\r\n\\Frame direction: Down\r\n\\Bytes/pixel"))
                           .at(0)
@@ -79,7 +79,7 @@ TEST(Nanoscope, OtherQuantitiesHaveTheirUnit) {
     }
 }
 
-TEST(Nanoscope, DeflectionInNanometresIsNoHeight) {
+TEST(Nanoscope, DeflectionInNanometresIsNotAHeight) {
     const auto channel = opened(replaced(sample(), "\"Height\"", "\"Deflection Error\"")).at(0);
     EXPECT_EQ(channel.info.unit, "nm");
     EXPECT_FALSE(channel.info.is_height);
@@ -92,7 +92,7 @@ TEST(Nanoscope, SensitivityPerMillivoltIsConverted) {
 }
 
 /// Version 5.30 may state another number of points for an image than its block contains; pixels remain square.
-TEST(Nanoscope, PointsOfTheScanHoldWhereThoseOfTheImageDoNotFillItsBlock) {
+TEST(Nanoscope, UsesThePointsOfTheScanIfThoseOfTheImageDoNotFitTheBlock) {
     const auto content = replaced(
         replaced(sample(), "\\Samps/line: 7\r\n\\Number of lines: 4", "\\Samps/line: 14\r\n\\Number of lines: 8"),
         "\\*Ciao image list", "\\*Ciao scan list\r\n\\Samps/line: 7\r\n\\Lines: 4\r\n\\*Ciao image list");
@@ -102,27 +102,27 @@ TEST(Nanoscope, PointsOfTheScanHoldWhereThoseOfTheImageDoNotFillItsBlock) {
     EXPECT_DOUBLE_EQ(info.size.at(1), 200 * units::nm);
 }
 
-TEST(Nanoscope, MissingSensitivityIsTold) {
+TEST(Nanoscope, MissingSensitivityIsReported) {
     const auto channel = opened(replaced(sample(), "\\@Sens. Zsens: V", "\\@Sens. Other: V")).at(0);
     EXPECT_FALSE(channel.info.is_height);
     EXPECT_EQ(channel.info.unit, "V");
     EXPECT_EQ(channel.info.alerts.at(0).code, "SENSITIVITY_MISSING");
 }
 
-TEST(Nanoscope, ForceCurvesAreRefusedWithWhatReadsThem) {
+TEST(Nanoscope, ForceCurvesAreRefusedWithTheCommandToUse) {
     const auto error = message(replaced(sample(), "\\*Ciao image list", "\\*Ciao force image list"));
     EXPECT_NE(error.find("force curves"), std::string::npos) << error;
     EXPECT_NE(error.find("setae jkr fit"), std::string::npos) << error;
 }
 
-TEST(Nanoscope, ForceVolumeGivesItsImageAndSaysSo) {
+TEST(Nanoscope, ForceVolumeGivesItsImageAndAWarning) {
     const auto channels = opened(
         replaced(sample(), "\\*Ciao image list", "\\*Ciao force image list\r\n\\Data offset: 9\r\n\\*Ciao image list"));
     ASSERT_EQ(channels.size(), 1u);
     EXPECT_EQ(channels[0].info.alerts.at(0).code, "FORCE_CURVES_NOT_READ");
 }
 
-TEST(Nanoscope, OlderVersionsAndTextAreNamed) {
+TEST(Nanoscope, OlderVersionsAndTextAreRefusedByName) {
     EXPECT_NE(message(replaced(sample(), "\\@2:Z scale: V [Sens. Zsens]", "\\Z scale: 440")).find("before 4.3"),
               std::string::npos);
     EXPECT_NE(message("?*File list\r\n\\Version: 0x04220200\r\n").find("exported as text"), std::string::npos);

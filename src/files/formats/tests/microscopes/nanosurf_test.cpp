@@ -22,7 +22,7 @@ std::string message(const std::string& content) {
 }
 
 /// SurfaceTopography ignored Dim2Min.
-TEST(Nanosurf, LeastIntegerIsDim2Min) {
+TEST(Nanosurf, SmallestIntegerIsDim2Min) {
     for (const auto& sample : nanosurf_samples()) {
         const auto map = std::get<topography::HeightMap>(opened(sample.content).at(2).read());
         const double step = 9.5 * units::um;  // over 2^bits
@@ -54,19 +54,19 @@ TEST(Nanosurf, ChannelsFollowInOrderOfTheirNumbers) {
 }
 
 /// SurfaceTopography had its test of the first line inverted.
-TEST(Nanosurf, OnlyFilesThatBeginWithTheFirstSectionAreTaken) {
+TEST(Nanosurf, DetectsOnlyFilesThatBeginWithTheFirstSection) {
     const auto content = nanosurf_samples().at(2).content;
     EXPECT_EQ(detect_format(bytes::memory_source("a.nid", content)).identifier, "nanosurf");
     EXPECT_NE(message(replaced(content, "[DataSet]\r\n", "[Dataset]\r\n")), "no error");
     EXPECT_NE(message("[DataSet-Info]\r\n" + content), "no error");
 }
 
-TEST(Nanosurf, SpectraAreListedAsNoHeights) {
+TEST(Nanosurf, SpectraAreListedButNotHeights) {
     const auto content = replaced(nanosurf_samples().at(2).content, "Dim0Unit=nm", "Dim0Unit=V");
     EXPECT_FALSE(opened(content).at(2).info.is_height);
 }
 
-TEST(Nanosurf, WhatCannotBeReadIsNamed) {
+TEST(Nanosurf, UnsupportedContentIsNamed) {
     const auto content = nanosurf_samples().at(2).content;
     EXPECT_NE(message(replaced(content, "SaveMode=Binary", "SaveMode=ASCII")).find("'ASCII'"), std::string::npos);
     EXPECT_NE(message(replaced(content, "SaveBits=16", "SaveBits=24")).find("'24' bits"), std::string::npos);

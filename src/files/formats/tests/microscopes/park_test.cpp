@@ -33,7 +33,7 @@ TEST(Park, NegativeGainIsKept) {
     EXPECT_DOUBLE_EQ(map.heights(0, 0), -2.5 * (0.5 * 3.0 + 12.0) * units::nm);
 }
 
-TEST(Park, TellsModeCantileverAndDirections) {
+TEST(Park, ReadsModeCantileverAndDirections) {
     const auto info = formats::open(sample_source(3), {}).at(0).info;
     EXPECT_EQ(info.name, "Z Height");
     EXPECT_EQ(info.unit, "nm");
@@ -50,7 +50,7 @@ TEST(Park, ScaleOfZeroCountsAsOne) {
     EXPECT_DOUBLE_EQ(map.heights(0, 0), -2.5 * (3.0 + 12.0) * units::nm);
 }
 
-TEST(Park, MissingUnitIsAssumedAloud) {
+TEST(Park, MissingUnitIsAssumedWithAWarning) {
     const auto channel = formats::open(with_field(244, std::uint32_t{0}), {}).at(0);
     EXPECT_EQ(channel.info.unit, "µm");
     EXPECT_EQ(channel.info.alerts.at(0).code, "UNIT_ASSUMED");
@@ -62,7 +62,7 @@ TEST(Park, ChannelInVoltsIsListedWithItsUnit) {
     EXPECT_EQ(channel.info.unit, "V");
 }
 
-TEST(Park, WhatCannotBeReadIsNamed) {
+TEST(Park, UnsupportedContentIsNamed) {
     EXPECT_NE(message(with_field(0, std::uint32_t{1})).find("line profile"), std::string::npos);
     EXPECT_NE(message(with_field(272, std::uint32_t{1})).find("compressed"), std::string::npos);
     EXPECT_NE(message(with_field(348, std::uint32_t{7})).find("type 7"), std::string::npos);
@@ -70,7 +70,7 @@ TEST(Park, WhatCannotBeReadIsNamed) {
     EXPECT_NE(message(with_field(100, std::uint32_t{0x80000001})).find("Park: 56 bytes"), std::string::npos);
 }
 
-TEST(Park, SizesAreMicrometresAlongTheirOwnAxes) {
+TEST(Park, SizesAreInMicrometresPerAxis) {
     const auto info = formats::open(sample_source(2), {}).at(0).info;
     EXPECT_DOUBLE_EQ(info.size.at(0), 0.7 * units::um);
     EXPECT_DOUBLE_EQ(info.size.at(1), 0.4 * units::um);

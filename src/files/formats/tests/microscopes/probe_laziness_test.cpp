@@ -44,7 +44,7 @@ void expect_lazy(const std::string& head, Index nx, Index ny) {
     EXPECT_LT(large.bytes(), megabyte);
 }
 
-TEST(ProbeFormats, OpenAGigabyteWithLessThanAMegabyte) {
+TEST(ScanningProbeFormats, OpenAGigabyteWithLessThanAMegabyte) {
     expect_lazy(large_nanoscope_header(), 20000, 12000);
     const auto mi = sample_text(mi_samples(), "BINARY_32");
     expect_lazy(replaced(replaced(mi.substr(0, mi.find("BINARY_32\n") + 10), "xPixels       8", "xPixels       10000"),

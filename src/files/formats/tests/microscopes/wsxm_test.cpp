@@ -24,7 +24,7 @@ std::string refusal(const std::string& content) {
     return message_of([&] { (void)open(file(content), {}); });
 }
 
-TEST(Wsxm, FloatsAreNotScaledByTheHeadersRange) {
+TEST(Wsxm, FloatsAreNotScaledByTheRangeOfTheHeader) {
     const auto raw = lopsided_heights(6, 4, 1.0);
     const auto heights = topography::all_heights(only_channel(wsxm_file<double>(floats, raw)).read());
     EXPECT_DOUBLE_EQ(heights[0], raw(0, 0) * units::nm);
@@ -37,7 +37,7 @@ TEST(Wsxm, IsReadWithoutPrinting) {
     EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
 }
 
-TEST(Wsxm, KeepsWhatTheHeaderSaysOfTheMeasurement) {
+TEST(Wsxm, ReadsMetadataOfTheHeader) {
     const auto metadata = only_channel(wsxm_file<double>(floats, lopsided_heights(6, 4, 1.0))).info.metadata;
     EXPECT_EQ(metadata.acquisition_time, "03/11/2011, 20:23:46.484");
     EXPECT_EQ(metadata.instrument.name, "Dulcinea controller 24");
@@ -45,7 +45,7 @@ TEST(Wsxm, KeepsWhatTheHeaderSaysOfTheMeasurement) {
     EXPECT_EQ(metadata.attributes.at("z_offset"), "136.524 nm");
 }
 
-TEST(Wsxm, RangeInOtherNumbersThanIntegersIsNotThatOfIntegers) {
+TEST(Wsxm, RangeInOtherNumbersIsNotAppliedToIntegers) {
     auto header = floats;
     header.type = "short";
     header.range = "    Maximum: 133.9231\r\n    Minimum: 115.038\r\n";
@@ -71,7 +71,7 @@ TEST(Wsxm, CurrentIsListedOnly) {
     EXPECT_EQ(channel.info.unit, "nA");
 }
 
-TEST(Wsxm, CurvesAreRefusedWithWhatReadsThem) {
+TEST(Wsxm, CurvesAreRefusedWithTheCommandToUse) {
     auto header = floats;
     header.second_line = "FZ File";
     EXPECT_NE(refusal(wsxm_file<double>(header, lopsided_heights(6, 4, 1.0)))
@@ -95,7 +95,7 @@ TEST(Wsxm, IntegersWithoutAmplitudeAreRefused) {
               std::string::npos);
 }
 
-TEST(Wsxm, ScaleFactorThatIsNotAppliedIsTold) {
+TEST(Wsxm, ScaleFactorThatIsNotAppliedGivesAWarning) {
     auto header = floats;
     header.range += "    Z Scale Factor: 2.5\r\n";
     const auto alerts = only_channel(wsxm_file<double>(header, lopsided_heights(6, 4, 1.0))).info.alerts;
@@ -103,7 +103,7 @@ TEST(Wsxm, ScaleFactorThatIsNotAppliedIsTold) {
     EXPECT_EQ(alerts[0].code, "SCALE_NOT_APPLIED");
 }
 
-TEST(Wsxm, LongCommentsBelongToTheHeader) {
+TEST(Wsxm, ReadsPastLongCommentsInTheHeader) {
     auto header = floats;
     header.range += "    Comments: " + std::string(200'000, 'x') + "\r\n";
     const auto raw = lopsided_heights(6, 4, 1.0);
@@ -111,7 +111,7 @@ TEST(Wsxm, LongCommentsBelongToTheHeader) {
                      raw(0, 0) * units::nm);
 }
 
-TEST(Wsxm, HeaderThatAnnouncesMoreThanItHoldsEndsWhereItSays) {
+TEST(Wsxm, DataBeginAtTheAnnouncedHeaderSize) {
     const auto raw = lopsided_heights(6, 4, 1.0);
     auto content = wsxm_file<double>(floats, raw);
     const auto end = content.find("[Header end]\r\n") + 14;

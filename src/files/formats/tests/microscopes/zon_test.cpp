@@ -37,11 +37,11 @@ TEST(Zon, PointsWithoutMeasurementAreUndefined) {
     EXPECT_EQ(heights.isNaN().count(), 2);
 }
 
-TEST(Zon, PackedMembersHoldTheHeightsOfPlainOnes) {
+TEST(Zon, CompressedMembersHaveTheHeightsOfPlainOnes) {
     EXPECT_TRUE((heights_of(zon_file({.raw = raw, .packed = true})) == heights_of(zon_file({.raw = raw}))).all());
 }
 
-TEST(Zon, TellsInstrumentTimeAndOtherImages) {
+TEST(Zon, ReadsInstrumentTimeAndOtherImages) {
     const auto channels = opened(zon_file({.raw = raw, .colour = true}));
     ASSERT_EQ(channels.size(), 2u);
     const auto& metadata = channels[0].info.metadata;
@@ -59,7 +59,7 @@ TEST(Zon, DeviceAndTimeMayBeMissing) {
     EXPECT_EQ(opened(keyence_package(members, false))[0].info.metadata.acquisition_time, "");
 }
 
-TEST(Zon, WhatDoesNotFitIsRefused) {
+TEST(Zon, InconsistentSizesAreRefused) {
     const auto with = [](std::size_t offset, std::uint32_t number, bool packed) {
         auto members = zon_members({.raw = raw});
         for (auto& [name, content] : members)
@@ -80,13 +80,13 @@ TEST(Zon, WhatDoesNotFitIsRefused) {
               std::string::npos);
 }
 
-TEST(Zag, IsNotTakenForZonThoughItBeginsAlike) {
+TEST(Zag, IsDistinguishedFromZon) {
     const auto source = bytes::memory_source("a.zag", zag_file({{"one.zon", zon_file({.raw = raw})}}));
     EXPECT_EQ(detect_format(source).identifier, "zag");
     EXPECT_EQ(detect_format(bytes::memory_source("a.zon", zon_file({.raw = raw}))).identifier, "zon");
 }
 
-TEST(Zag, EveryMeasurementIsAChannelUnderTheNameOfItsFile) {
+TEST(Zag, EveryMeasurementIsAChannelNamedByItsFile) {
     const auto channels =
         opened(zag_file({{"one.zon", zon_file({.raw = raw})}, {"hidden.zon", zon_file({.raw = raw + 5.0})}}));
     ASSERT_EQ(channels.size(), 2u);
@@ -100,7 +100,7 @@ TEST(Zag, EveryMeasurementIsAChannelUnderTheNameOfItsFile) {
                 50 * units::nm, 1e-18);
 }
 
-TEST(Zag, DamagedMeasurementLeavesTheOthers) {
+TEST(Zag, OneDamagedMeasurementDoesNotAffectOthers) {
     const auto channels = opened(zag_file({{"bad.zon", "KPK0 nothing"}, {"good.zon", zon_file({.raw = raw})}}));
     ASSERT_EQ(channels.size(), 2u);
     EXPECT_EQ(channels[0].info.alerts.at(0).code, "UNREADABLE_MEMBER");

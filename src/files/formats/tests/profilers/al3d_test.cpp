@@ -32,7 +32,7 @@ TEST(Al3d, NegativeMarkerOfInvalidPixelsIsUndefined) {
     EXPECT_EQ(heights.isNaN().count(), 1);
 }
 
-TEST(Al3d, ValuesWithinToleranceOfTheMarkerAreUndefinedAndNoOthers) {
+TEST(Al3d, OnlyValuesNearTheMarkerAreUndefined) {
     auto stored = lopsided_heights(4, 2, 1e-6);
     stored(0, 0) = 3e15 * (1.0 + 1.2e-7);
     stored(1, 0) = 3e15 * (1.0 - 1.2e-7);
@@ -43,14 +43,14 @@ TEST(Al3d, ValuesWithinToleranceOfTheMarkerAreUndefinedAndNoOthers) {
     EXPECT_FALSE(std::isnan(heights[4]));
 }
 
-TEST(Al3d, ZeroAsMarkerIsOnlyZero) {
+TEST(Al3d, ZeroAsMarkerMatchesExactZeroOnly) {
     auto stored = lopsided_heights(3, 2, 1e-6);
     stored(2, 1) = 0.0;
     EXPECT_EQ(heights_of(stored, "0").isNaN().count(), 1);
     EXPECT_EQ(heights_of(stored, "nan").isNaN().count(), 0);
 }
 
-TEST(Al3d, ReadsTheImageOnceAndNotMore) {
+TEST(Al3d, ReadsTheImageOnlyOnce) {
     CountedSource counted(al3d_file(lopsided_heights(301, 201, 1e-6), {}));
     const auto channels = open(counted.source(), {});
     EXPECT_LT(counted.bytes(), 3u << 16);  // to detect and to walk the tags
@@ -70,7 +70,7 @@ TEST(Al3d, KeepsItsCommentAndApplication) {
     EXPECT_EQ(info.unit, "m");
 }
 
-TEST(Al3d, DamagedTagsAreRefusedWithTheirPlace) {
+TEST(Al3d, DamagedTagsAreRefusedWithTheOffset) {
     const auto content = al3d_file(lopsided_heights(3, 2, 1e-6), {});
     auto damaged = content;
     damaged[17 + 52 + 50] = 'x';
@@ -85,7 +85,7 @@ TEST(Al3d, DamagedTagsAreRefusedWithTheirPlace) {
     EXPECT_NE(refusal(damaged).find("'999999999' tags announced"), std::string::npos) << refusal(damaged);
 }
 
-TEST(Al3d, FilesWithPicturesAloneAreRefused) {
+TEST(Al3d, FilesWithPicturesOnlyAreRefused) {
     auto content = al3d_file(lopsided_heights(3, 2, 1e-6), {});
     const auto at = content.find("DepthImageOffset") + 20;
     content.replace(at, 30, std::string("0") + std::string(29, '\0'));

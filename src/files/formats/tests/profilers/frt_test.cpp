@@ -6,7 +6,7 @@
 namespace setae::formats::tests::frt_test {
 namespace {
 
-TEST(Frt, FirstRowStoredIsTheLowest) {
+TEST(Frt, FirstStoredRowIsAtTheBottom) {
     const auto map = map_of(channels_of(frt_samples().at(0).content).at(0));
     EXPECT_LT(map.heights(0, 0), map.heights(0, 3))
         << "heights grow downwards in the sample, whose last row stands first in the file";
@@ -26,7 +26,7 @@ TEST(Frt, SensorOfAnImageIsNamed) {
     EXPECT_EQ(channels_of(frt_samples().at(3).content).at(0).info.name, "Thickness (bottom sensor)");
 }
 
-TEST(Frt, TellsInstrumentAndTime) {
+TEST(Frt, ReadsInstrumentAndTime) {
     const auto metadata = channels_of(frt_samples().at(1).content).at(0).info.metadata;
     EXPECT_EQ(metadata.instrument.name, "FRT MicroProf");
     EXPECT_EQ(metadata.acquisition_time, "2023-06-26 16:22:25 UTC");

@@ -27,7 +27,7 @@ TEST(Lext, FirstIndexIsX) {
     EXPECT_NEAR(map.pixel_size()[1], 250000e-12 * 0.998, 1e-18);
 }
 
-TEST(Lext, ListsIntensityAndLeavesThumbnailsOut) {
+TEST(Lext, ListsIntensityAndIgnoresThumbnails) {
     const auto channels = opened(sample());
     ASSERT_EQ(channels.size(), 2u);
     EXPECT_EQ(channels[0].info.name, "intensity");
@@ -36,7 +36,7 @@ TEST(Lext, ListsIntensityAndLeavesThumbnailsOut) {
     EXPECT_EQ(channels[1].info.metadata.acquisition_time, "2013:03:18 10:21:00");
 }
 
-TEST(Lext, WhatCannotBeReadIsNamed) {
+TEST(Lext, UnsupportedContentIsNamed) {
     EXPECT_NE(message(replaced(sample(), "HEIGHT", "HEIGHX")).find("no page named HEIGHT"), std::string::npos)
         << message(replaced(sample(), "HEIGHT", "HEIGHX"));
     EXPECT_NE(message(replaced(sample(), "<HeightDataUnitZ>2", "<HeightDataUnitZ>3")).find("<HeightDataUnitZ> is '3'"),

@@ -11,7 +11,7 @@ namespace {
 
 const auto big = std::endian::big;
 
-TEST(MetroPro, TimeIsUtcWhereverItIsRead) {
+TEST(MetroPro, TimeIsUtcInAnyTimeZone) {
     for (const auto* zone : {"UTC", "America/New_York", "Asia/Tokyo"}) {
         setenv("TZ", zone, 1);
         tzset();
@@ -23,13 +23,13 @@ TEST(MetroPro, TimeIsUtcWhereverItIsRead) {
     tzset();
 }
 
-TEST(MetroPro, SignOfTheHeaderTurnsHeightsOver) {
+TEST(MetroPro, NegativeSignOfTheHeaderInvertsHeights) {
     const auto file = metropro_samples().at(0).content;
     EXPECT_DOUBLE_EQ(map_of(channels_of(with_number<std::int16_t>(file, 232, 1, big)).at(0)).heights(0, 0),
                      -map_of(channels_of(file).at(0)).heights(0, 0));
 }
 
-TEST(MetroPro, StepFollowsPhaseResolution) {
+TEST(MetroPro, HeightStepFollowsPhaseResolution) {
     const auto file = metropro_samples().at(0).content;
     const double normal = map_of(channels_of(file).at(0)).heights(0, 0);
     EXPECT_DOUBLE_EQ(map_of(channels_of(with_number<std::int16_t>(file, 218, 1, big)).at(0)).heights(0, 0),
@@ -40,13 +40,13 @@ TEST(MetroPro, StepFollowsPhaseResolution) {
               "file: at byte 218: MetroPro: phase resolution 3, expected 0, 1 or 2");
 }
 
-TEST(MetroPro, ObliquityStretchesHeights) {
+TEST(MetroPro, ObliquityScalesHeights) {
     const auto file = metropro_samples().at(0).content;
     EXPECT_DOUBLE_EQ(map_of(channels_of(with_number(file, 176, 2.5f, big)).at(0)).heights(0, 0),
                      2.0 * map_of(channels_of(file).at(0)).heights(0, 0));
 }
 
-TEST(MetroPro, IntensitiesAreListedBehindThePhase) {
+TEST(MetroPro, IntensitiesAreListedAfterThePhase) {
     const auto channels = channels_of(metropro_samples().at(1).content);
     ASSERT_EQ(channels.size(), 2u);
     EXPECT_EQ(channels[0].info.name, "Phase");
@@ -57,18 +57,18 @@ TEST(MetroPro, IntensitiesAreListedBehindThePhase) {
     EXPECT_EQ(channels[0].info.metadata.attributes.at("serial_number"), "4711");
 }
 
-TEST(MetroPro, SerialNumberOfNewerFilesIsWhole) {
+TEST(MetroPro, SerialNumberOfNewerFilesIsComplete) {
     const auto file = with_number<std::int32_t>(metropro_samples().at(0).content, 798, 70000);
     EXPECT_EQ(channels_of(file).at(0).info.metadata.attributes.at("serial_number"), "70000")
         << "this field is little-endian";
 }
 
-TEST(MetroPro, WithoutLateralResolutionAsksForTheSize) {
+TEST(MetroPro, WithoutLateralResolutionTheSizeIsMissing) {
     const auto file = with_number(metropro_samples().at(0).content, 184, 0.0f, big);
     EXPECT_EQ(missing(channels_of(file).at(0).info).at(0), "size");
 }
 
-TEST(MetroPro, HeaderThatDoesNotFitItsSignatureIsRefused) {
+TEST(MetroPro, HeaderInconsistentWithItsSignatureIsRefused) {
     EXPECT_EQ(refusal(with_number<std::uint32_t>(metropro_samples().at(0).content, 6, 4096, big)),
               "file: at byte 6: MetroPro: header of format 1 and 4096 bytes, expected 1 and 834 after this signature");
 }

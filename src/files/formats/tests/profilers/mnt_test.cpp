@@ -43,7 +43,7 @@ TEST(Mnt, SizeIsPointsTimesStep) {
 
 /// Entry 1 next to the list of objects is their number, 12 or 39 in files in which it seemed to define the meaning of
 /// zero: the mask does.
-TEST(Mnt, ZeroIsUndefinedWhereTheMaskSaysSoHoweverManyObjectsThereAre) {
+TEST(Mnt, ZeroIsUndefinedOnlyIfTheMaskMarksIt) {
     auto surface = surface_with_a_zero();
     for (const int others : {11, 38}) {
         surface.mask = false;
@@ -55,7 +55,7 @@ TEST(Mnt, ZeroIsUndefinedWhereTheMaskSaysSoHoweverManyObjectsThereAre) {
     }
 }
 
-TEST(Mnt, EveryMeasuredSurfaceIsAChannelAndOtherQuantitiesAreListedOnly) {
+TEST(Mnt, ReadsMeasuredSurfacesAndListsOtherQuantities) {
     auto volts = surface_with_a_zero();
     volts.z_unit = volts.z_shown = "V";
     volts.name = "current";
@@ -72,7 +72,7 @@ TEST(Mnt, DocumentWithoutSurfaceIsRefused) {
               std::string::npos);
 }
 
-TEST(Mnt, OtherCompoundFilesAreNotTaken) {
+TEST(Mnt, OtherCompoundFilesAreNotMnt) {
     const auto content = CompoundFile({{"WordDocument", std::string(5000, 'w')}}).content();
     EXPECT_NE(message_of([&] { (void)opened(content); }).find("no supported format"), std::string::npos);
 }

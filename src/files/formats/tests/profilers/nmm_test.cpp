@@ -36,7 +36,7 @@ TEST(Nmm, EachScanIsAChannelWithItsOwnHeights) {
     EXPECT_DOUBLE_EQ(first[2], 3.0 * first[0]);
 }
 
-TEST(Nmm, IsReadByTheCallThatReadsEveryFile) {
+TEST(Nmm, IsReadByTheGeneralReader) {
     const TemporaryFolder folder;
     const auto map = lopsided_heights(4, 3, units::nm);
     EXPECT_DOUBLE_EQ(topography::all_heights(read(folder.write("groove.zip", zip_archive(nmm_members({map})))))[1],
@@ -76,14 +76,14 @@ TEST(Nmm, LinesThatAreTooShortAreRefusedWithMemberAndLine) {
     EXPECT_NE(message.find("groove_1_2.dat:2: NMM: the member ends after 1 of 4 points"), std::string::npos) << message;
 }
 
-TEST(Nmm, ColumnsOtherThanHeightsAloneAreRefused) {
+TEST(Nmm, FilesWithoutHeightsAreRefused) {
     auto members = nmm_members({lopsided_heights(4, 1, units::nm)});
     replace(member(members, "groove_1_1.dsc"), "-Lz+Az", "Bz");
     const auto message = message_of([&] { (void)channels_of(members).at(0).read(); });
     EXPECT_NE(message.find("no column '-Lz+Az', got Lx, Ly, Lz, Ax, Bz"), std::string::npos) << message;
 }
 
-TEST(Nmm, FieldsThatDoNotFitTheirStepsAreRefused) {
+TEST(Nmm, FieldsInconsistentWithTheirStepsAreRefused) {
     auto members = nmm_members({lopsided_heights(4, 3, units::nm)});
     replace(member(members, "groove.dsc"), "Distance beetween points : 0.5", "Distance beetween points : 0.4");
     EXPECT_NE(message_of([&] { (void)channels_of(members); }).find("expected a whole number of steps"),

@@ -15,7 +15,7 @@ TEST(Nms, PitchIsInNanometres) {
     EXPECT_EQ(info.unit, "µm");
 }
 
-TEST(Nms, TellsTimeTitleAndPicture) {
+TEST(Nms, ReadsTimeTitleAndPicture) {
     const auto channels = channels_of(nms_samples().at(1).content);
     ASSERT_EQ(channels.size(), 2u);
     EXPECT_EQ(channels[0].info.name, "Confocal Height Image");
@@ -25,13 +25,13 @@ TEST(Nms, TellsTimeTitleAndPicture) {
     EXPECT_EQ(channels_of(nms_samples().at(0).content).size(), 1u) << "no picture behind the heights";
 }
 
-TEST(Nms, FileThatBeginsWithZerosIsNoOtherFormat) {
+TEST(Nms, LeadingZerosAreNotTakenForAnotherFormat) {
     auto file = nms_samples().at(0).content;
     file.replace(0, 16, 16, '\0');
     EXPECT_EQ(detect_format(bytes::memory_source("file", file)).identifier, "nms");
 }
 
-TEST(Nms, HeadersThatContradictThemselvesAreNotItsOwn) {
+TEST(Nms, InconsistentHeadersAreNotNms) {
     const auto file = nms_samples().at(2).content;
     const auto detected = [](const std::string& content) {
         return refusal(content).find("which no supported format") == std::string::npos;

@@ -27,7 +27,7 @@ std::string replaced(std::string content, std::string_view from, std::string_vie
     return content;
 }
 
-TEST(Oir, CalibrationAppliesToHeightsAsToLengths) {
+TEST(Oir, CalibrationAppliesToHeightsAndLengths) {
     const auto channel = opened(oir_file({.raw = raw})).at(1);
     const auto map = std::get<topography::HeightMap>(channel.read());
     EXPECT_NEAR(map.heights(2, 1), raw(2, 1) * 0.01 * 3.0 * units::um, 1e-18);
@@ -36,7 +36,7 @@ TEST(Oir, CalibrationAppliesToHeightsAsToLengths) {
     EXPECT_EQ(channel.info.unit, "µm");
 }
 
-TEST(Oir, ListsWhatIsNoHeight) {
+TEST(Oir, ListsOtherChannelsThanHeights) {
     const auto channels = opened(oir_file({.raw = raw}));
     ASSERT_EQ(channels.size(), 2u);
     EXPECT_EQ(channels[0].info.name, "INTENSITY");
@@ -46,7 +46,7 @@ TEST(Oir, ListsWhatIsNoHeight) {
     EXPECT_FALSE(camera[0].info.is_height);
 }
 
-TEST(Oir, TellsInstrumentAndTime) {
+TEST(Oir, ReadsInstrumentAndTime) {
     const auto metadata = opened(oir_file({.raw = raw})).at(1).info.metadata;
     EXPECT_EQ(metadata.instrument.name, "OLS5000");
     EXPECT_EQ(metadata.acquisition_time, "2019-06-21T14:03:11.208+09:00");
@@ -71,7 +71,7 @@ TEST(Oir, BrokenPropertiesAreRefused) {
               std::string::npos);
 }
 
-TEST(Poir, TakesEveryOirFileOfTheArchive) {
+TEST(Poir, ReadsEveryOirFileOfTheArchive) {
     const auto content = zip_archive({{"notes.txt", "x"},
                                       {"a.oir", oir_file({.raw = raw})},
                                       {"folder/b.OIR", oir_file({.raw = raw * 2.0})},

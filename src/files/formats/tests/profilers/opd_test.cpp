@@ -45,7 +45,7 @@ Block array(const std::string& name, std::int16_t value) {
 
 const Block wavelength = number("Wavelength", 7, 500.0f), pixel_size = number("Pixel_size", 7, 0.5f);
 
-TEST(Opd, ScaleIsWavelengthOverMultiplier) {
+TEST(Opd, HeightScaleIsWavelengthOverMultiplier) {
     const auto channels =
         channels_of(opd_file({wavelength, pixel_size, number<std::uint16_t>("Mult", 6, 1000), array("RAW_DATA", 8)}));
     EXPECT_DOUBLE_EQ(map_of(channels.at(0)).heights(1, 1), 4e-9);
@@ -53,34 +53,34 @@ TEST(Opd, ScaleIsWavelengthOverMultiplier) {
                      4e-6);
 }
 
-TEST(Opd, TellsWhenItWasMeasured) {
+TEST(Opd, ReadsTheTimeOfMeasurement) {
     const auto metadata = channels_of(opd_samples().at(1).content).at(0).info.metadata;
     EXPECT_EQ(metadata.acquisition_time, "7/7/2015 16:19:48");
     EXPECT_EQ(metadata.instrument.type, "interferometer");
     EXPECT_EQ(metadata.attributes.at("measurement_mode"), "PSI") << "an entry of Vision64's tree within a block";
 }
 
-TEST(Opd, IntensityIsListedButNoHeight) {
+TEST(Opd, IntensityIsListedButNotAHeight) {
     const auto channels = channels_of(opd_samples().at(2).content);
     ASSERT_EQ(channels.size(), 2u);
     EXPECT_EQ(channels[1].info.name, "Image");
     EXPECT_FALSE(channels[1].info.is_height);
 }
 
-TEST(Opd, ArrayTheFileCallsPrimaryHoldsHeights) {
+TEST(Opd, PrimaryArrayContainsHeights) {
     const Block primary{"PrimaryData2D", 15, std::string("\x12\x01\x06") + "Filled"};
     EXPECT_FALSE(channels_of(opd_file({wavelength, pixel_size, array("Filled", 8)})).at(0).info.is_height);
     EXPECT_TRUE(channels_of(opd_file({wavelength, pixel_size, primary, array("Filled", 8)})).at(0).info.is_height);
 }
 
-TEST(Opd, LengthThatVisionAnnouncesWronglyMovesNoOtherBlock) {
+TEST(Opd, WrongBlockLengthOfVisionDoesNotShiftOtherBlocks) {
     const auto modification = Block{"ImageModificat~0", 7, std::string(4, 'm'), 40};
     EXPECT_DOUBLE_EQ(
         map_of(channels_of(opd_file({modification, wavelength, pixel_size, array("OPD", 8)})).at(0)).heights(0, 0),
         4e-6);
 }
 
-TEST(Opd, WithoutPixelSizeAsksForTheSize) {
+TEST(Opd, WithoutPixelSizeTheSizeIsMissing) {
     const auto file = opd_file({wavelength, array("OPD", 8)});
     EXPECT_EQ(missing(channels_of(file).at(0).info).at(0), "size");
     EXPECT_NE(refusal(file).find("give `size`"), std::string::npos) << refusal(file);

@@ -17,13 +17,13 @@ std::string line(const std::string& more) {
                {vca::container("Raw", {vca::array<double>("Array", Array1D::LinSpaced(5, 0.0, 4.0)), more}, 0x46)});
 }
 
-TEST(Opdx, ExtentGoesFromTheFirstPointToTheLast) {
+TEST(Opdx, ExtentIsFromTheFirstPointToTheLast) {
     const auto file = line(vca::quantity("Extent", 8.0, "Micrometer", "\xc2\xb5m") +
                            vca::quantity("DataScale", 1.0, "Nanometer", "nm"));
     EXPECT_NEAR(channels_of(file).at(0).info.size.at(0), 10e-6, 1e-18) << "five points, 2 µm apart";
 }
 
-TEST(Opdx, EveryMapIsListedThePrimaryOneFirst) {
+TEST(Opdx, ListsEveryMapWithThePrimaryFirst) {
     const auto channels = channels_of(opdx_samples().at(0).content);
     ASSERT_EQ(channels.size(), 3u);
     EXPECT_EQ(channels[0].info.name, "Height");
@@ -40,7 +40,7 @@ TEST(Opdx, MatrixOfAnonymousTypeIsRead) {
     EXPECT_TRUE((named.heights.isNaN() || named.heights == anonymous.heights).all());
 }
 
-TEST(Opdx, TellsInstrumentStylusAndTime) {
+TEST(Opdx, ReadsInstrumentStylusAndTime) {
     const auto metadata = channels_of(opdx_samples().at(3).content).at(0).info.metadata;
     EXPECT_EQ(metadata.instrument.name, "Dektak Profiler");
     EXPECT_EQ(metadata.instrument.type, "stylus");
@@ -51,24 +51,24 @@ TEST(Opdx, TellsInstrumentStylusAndTime) {
     EXPECT_EQ(metadata.attributes.at("stylus_force"), "3 mg");
 }
 
-TEST(Opdx, ProfileWithoutScaleAsksForTheUnit) {
+TEST(Opdx, ProfileWithoutScaleRequiresAUnit) {
     const auto file = line(vca::quantity("Extent", 8.0, "Micrometer", "um"));
     EXPECT_NE(refusal(file).find("the file states no unit"), std::string::npos);
     EXPECT_DOUBLE_EQ(
         std::get<topography::LineScan>(channels_of(file, {.size = {}, .unit = "nm"}).at(0).read()).heights[3], 3e-9);
 }
 
-TEST(Opdx, ProfileThatAnnouncesOtherPointsIsRefused) {
+TEST(Opdx, ProfileWithAWrongNumberOfPointsIsRefused) {
     EXPECT_NE(refusal(line(vca::number<std::uint64_t>("NumPoints", 0x0b, 6))).find("announces 6 points but has 5"),
               std::string::npos);
 }
 
-TEST(Opdx, UnknownTypeIsRefusedWithItsPlace) {
+TEST(Opdx, UnknownTypeIsRefusedWithTheOffset) {
     EXPECT_EQ(refusal(signature + vca::item("odd", 0x33, "")),
               "file: at byte 19: OPDx: entry 'odd' is of the unknown type 0x33");
 }
 
-TEST(Opdx, EntriesThatLeadOutOfTheirContainerAreRefused) {
+TEST(Opdx, EntriesBeyondTheirContainerAreRefused) {
     auto file =
         signature + vca::container("MetaData", {vca::string("Date", "2/11/2021")}) + vca::string("Time", "11:39:13 PM");
     file[signature.size() + 14] = 12;  // bytes of the container
@@ -81,7 +81,7 @@ TEST(Opdx, EntriesNestedWithoutEndAreRefused) {
     EXPECT_NE(refusal(signature + nested).find("nested deeper than 16"), std::string::npos);
 }
 
-TEST(Opdx, MatrixWithoutWholeValuesIsRefused) {
+TEST(Opdx, MatrixWithPartialValuesIsRefused) {
     const auto matrix = vca::matrix<float>("Matrix", Array2D::Zero(3, 2), false);
     const auto dimensions = matrix.size() - 3 * 2 * sizeof(float) - 4;
     const auto file =

@@ -7,7 +7,7 @@
 namespace setae::formats::tests::plain_profilers_test {
 namespace {
 
-TEST(TrueMap, UnitIsAssumedAloud) {
+TEST(TrueMap, UnitIsAssumedWithAWarning) {
     const auto info = channels_of(tmd_samples().at(0).content).at(0).info;
     EXPECT_EQ(info.unit, "mm");
     ASSERT_EQ(info.alerts.size(), 1u);
@@ -15,7 +15,7 @@ TEST(TrueMap, UnitIsAssumedAloud) {
     EXPECT_EQ(info.metadata.attributes.at("comment"), "Created by TrueMap v6");
 }
 
-TEST(TrueMap, UnitGivenIsUsedForLengthsAndHeights) {
+TEST(TrueMap, GivenUnitAppliesToLengthsAndHeights) {
     const auto file = tmd_samples().at(0).content;
     const auto assumed = map_of(channels_of(file).at(0)),
                given = map_of(channels_of(file, {.size = {}, .unit = "um"}).at(0));
@@ -44,11 +44,11 @@ TEST(Zmg, KeepsRecipeAndComment) {
     EXPECT_EQ(metadata.instrument.name, "KLA Zeta");
 }
 
-TEST(Zmg, StepsThatAreNoLengthAreRefused) {
+TEST(Zmg, InvalidStepsAreRefused) {
     EXPECT_NE(refusal(with_number(zmg_samples().at(0).content, 97, -1.0f)).find("`size`"), std::string::npos);
 }
 
-TEST(OmniSurf3d, KeepsWhatTheHeaderSays) {
+TEST(OmniSurf3d, ReadsMetadataOfTheHeader) {
     const auto metadata = channels_of(os3d_samples().at(0).content).at(0).info.metadata;
     EXPECT_EQ(metadata.acquisition_time, "20180321T101500");
     EXPECT_EQ(metadata.attributes.at("identification"), "pen");

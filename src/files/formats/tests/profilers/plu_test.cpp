@@ -17,14 +17,14 @@ std::vector<Channel> channels_of(const std::string& content) {
     return open(bytes::memory_source("a.plu", content), {});
 }
 
-TEST(Plu, ExportsTheTimeAndTheInstrument) {
+TEST(Plu, ReadsTimeAndInstrument) {
     const auto metadata = channels_of(plu_file(3, {lopsided_heights(4, 3, 1.0)})).at(0).info.metadata;
     EXPECT_EQ(metadata.acquisition_time, "Fri Mar 10 16:35:59 2023");
     EXPECT_EQ(metadata.instrument.name, "PLu neox");
     EXPECT_EQ(metadata.attributes.at("comment"), "lapped");
 }
 
-TEST(Plu, ProfilesAreLines) {
+TEST(Plu, ProfilesAreLineScans) {
     const auto measurement = channels_of(plu_file(1, {lopsided_heights(5, 1, 1.0)})).at(0).read();
     const auto* scan = std::get_if<topography::LineScan>(&measurement);
     ASSERT_NE(scan, nullptr);
@@ -40,7 +40,7 @@ TEST(Plu, OnlyTheMarkerIsUndefined) {
     EXPECT_DOUBLE_EQ(read[4], 1.0);
 }
 
-TEST(Plu, LayersAreFoundBehindThePicturesOfThoseBefore) {
+TEST(Plu, FindsLayersAfterPicturesOfEarlierLayers) {
     const auto first = lopsided_heights(4, 3, 1.0);
     const auto channels = channels_of(plu_file(3, {first, first + 1.0, first + 2.0}));
     ASSERT_EQ(channels.size(), 3u);
@@ -50,7 +50,7 @@ TEST(Plu, LayersAreFoundBehindThePicturesOfThoseBefore) {
             << k;
 }
 
-TEST(Plu, OldVersionsCountNoLayersAndHaveOne) {
+TEST(Plu, OldVersionsWithoutLayerCountHaveOneLayer) {
     auto content = plu_file(3, {lopsided_heights(4, 3, 1.0)});
     content[489] = content[490] = '\0';
     const auto channels = channels_of(content);
@@ -73,7 +73,7 @@ TEST(Plu, OtherMeasurementsAreRefusedByName) {
         << message;
 }
 
-TEST(Plu, TextThatBeginsWithADateIsNone) {
+TEST(Plu, TextThatBeginsWithADateIsNotPlu) {
     const auto& format = detect_format(
         bytes::memory_source("log.txt", "Fri Mar 10 16:35:59 2023\n1 2\n2 3\n3 4\n" + std::string(600, ' ')));
     EXPECT_NE(format.identifier, "plu");

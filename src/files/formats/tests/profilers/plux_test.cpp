@@ -51,7 +51,7 @@ TEST(Plux, MissingLayersAreRefusedByName) {
     EXPECT_NE(refusal({{"index.xml", index_xml("")}}).find("names no layer"), std::string::npos);
 }
 
-TEST(Plux, ShortLayersAreRefusedWithTheirEnd) {
+TEST(Plux, ShortLayersAreRefusedWithTheOffsetOfTheirEnd) {
     const auto message = refusal({{"index.xml", index_xml("<LAYER_0><FILENAME_Z>z.raw</FILENAME_Z></LAYER_0>")},
                                   {"z.raw", std::string(12, '\0')}});
     EXPECT_NE(message.find("z.raw: at byte 12: plux: the file ends here"), std::string::npos) << message;

@@ -22,7 +22,7 @@ std::vector<Channel> channels_of(const std::string& profile) {
 const Array1D positions = Array1D::LinSpaced(5, 1.0, 3.0);  // mm
 const Array1D heights = lopsided_heights(5, 1, 0.01);
 
-TEST(Qep, RadiusOfTheProbeIsThatOfTheTip) {
+TEST(Qep, ReadsTheTipRadius) {
     for (const auto* radius : {"0.025", "0,025"})
         EXPECT_DOUBLE_EQ(
             channels_of(marwin_profile(positions, heights, radius)).at(0).info.metadata.instrument.tip_radius.value(),
@@ -33,7 +33,7 @@ TEST(Qep, RadiusOfTheProbeIsThatOfTheTip) {
                      .info.metadata.instrument.tip_radius.has_value());
 }
 
-TEST(Qep, KeepsMachineAndTime) {
+TEST(Qep, ReadsInstrumentAndTime) {
     const auto metadata = channels_of(marwin_profile(positions, heights, "0.025")).at(0).info.metadata;
     EXPECT_EQ(metadata.instrument.name, "MarSurf LD 260");
     EXPECT_EQ(metadata.instrument.type, "stylus");
@@ -41,7 +41,7 @@ TEST(Qep, KeepsMachineAndTime) {
     EXPECT_EQ(metadata.attributes.at("software_version"), "MarWin 12.06");
 }
 
-TEST(Qep, UnevenStepsMakeACurveOfTheValidPoints) {
+TEST(Qep, UnevenStepsGiveAProfileOfValidPoints) {
     Array1D uneven = positions, flagged = heights;
     uneven[1] += 0.2;
     flagged[2] = undefined;
@@ -61,7 +61,7 @@ TEST(Qep, EqualStepsKeepUndefinedPoints) {
     EXPECT_DOUBLE_EQ(scan.size, 2.5 * units::mm);
 }
 
-TEST(Qep, DamagedProfilesAreRefusedWithTheirPlace) {
+TEST(Qep, DamagedProfilesAreRefusedWithTheOffset) {
     const auto whole = marwin_profile(positions, heights, "0.025");
     const auto refusal = [](const std::string& profile) { return message_of([&] { (void)channels_of(profile); }); };
     EXPECT_NE(refusal(whole.substr(0, whole.size() - 3)).find("expected the end of 5 points at byte"),
@@ -77,7 +77,7 @@ TEST(Qep, DamagedProfilesAreRefusedWithTheirPlace) {
     EXPECT_NE(refusal(marwin_profile(standing, heights, "1")).find("x of point 4 is not larger"), std::string::npos);
 }
 
-TEST(Qep, MemberThatAnnouncesMoreThanItCanBeIsRefusedBeforeItIsTaken) {
+TEST(Qep, RefusesAnImpossibleMemberSizeBeforeAllocation) {
     auto archive = zip_archive({{"Kontur1.prf", marwin_profile(positions, heights, "0.025")}});
     const auto directory = archive.find("PK\x01\x02");
     archive.replace(directory + 24, 4, std::string("\x00\x00\x00\x33", 4));  // 855638016 bytes

@@ -25,7 +25,7 @@ SurObject flagged(std::uint16_t special_points) {
     return {.raw = lopsided_heights(5, 4, 1.0), .special_points = special_points, .least = 7};
 }
 
-TEST(Sur, ValueTwoBelowTheLeastIsUndefinedOnlyWhereTheHeaderFlagsIt) {
+TEST(Sur, ValueTwoBelowTheMinimumIsUndefinedOnlyIfFlagged) {
     auto object = flagged(1);
     object.raw(1, 1) = 5.0;
     EXPECT_EQ(map_of(opened(sur_object(object))[0]).heights.isNaN().count(), 1);
@@ -42,7 +42,7 @@ TEST(Sur, OffsetOfHeightsIsAdded) {
     EXPECT_DOUBLE_EQ(heights(0, 0), 5.0 * units::nm);
 }
 
-TEST(Sur, CompressedHeightsAreThoseOfThePlainFile) {
+TEST(Sur, CompressedHeightsEqualPlainHeights) {
     auto object = flagged(1);
     const auto plain = map_of(opened(sur_object(object))[0]);
     for (const int streams : {1, 3}) {
@@ -52,7 +52,7 @@ TEST(Sur, CompressedHeightsAreThoseOfThePlainFile) {
     }
 }
 
-TEST(Sur, MicrometresInTheCharacterSetOfDosAreMicrometres) {
+TEST(Sur, ReadsMicrometresInTheDosCharacterSet) {
     const auto channel = opened(sur_object(flagged(0)))[0];  // x in "\xe6m", y in "\xb5m"
     EXPECT_DOUBLE_EQ(channel.info.size.at(0), 5 * 0.5 * units::um);
     EXPECT_DOUBLE_EQ(channel.info.size.at(1), 4 * 0.25 * units::um);
@@ -78,7 +78,7 @@ TEST(Sur, InvertedHeightsAreNegated) {
     EXPECT_LT((upright + negated).abs().maxCoeff(), 1e-21);
 }
 
-TEST(Sur, UnitOfHeightsThatTheFileLacksIsTheUsers) {
+TEST(Sur, MissingUnitOfHeightsIsTakenFromTheUser) {
     auto object = flagged(0);
     object.z_unit = "";
     const auto content = sur_object(object);
@@ -118,7 +118,7 @@ TEST(Sur, EveryLayerIsAChannel) {
     EXPECT_NEAR(map_of(channels[2]).heights(0, 0) - map_of(channels[0]).heights(0, 0), 200 * 2.0 * units::nm, 1e-18);
 }
 
-TEST(Sur, ForceCurvesAndSpectraAreRefusedPolitely) {
+TEST(Sur, ForceCurvesAndSpectraAreRefused) {
     auto object = flagged(0);
     object.type = 14;
     EXPECT_NE(message_of([&] { (void)opened(sur_object(object)); }).find("setae jkr fit"), std::string::npos);
@@ -126,7 +126,7 @@ TEST(Sur, ForceCurvesAndSpectraAreRefusedPolitely) {
     EXPECT_NE(message_of([&] { (void)opened(sur_object(object)); }).find("objects of type 21"), std::string::npos);
 }
 
-TEST(Sur, DamagedHeadersAreRefusedWithThePlace) {
+TEST(Sur, DamagedHeadersAreRefusedWithTheOffset) {
     const auto content = sur_object(flagged(0));
     const auto changed = [&](std::size_t offset, auto number) {
         return ByteBuilder().text(content).number_at(offset, number).content();
@@ -139,7 +139,7 @@ TEST(Sur, DamagedHeadersAreRefusedWithThePlace) {
     EXPECT_NE(message(changed(334, std::uint16_t{60000})).find("truncated"), std::string::npos);
 }
 
-TEST(Sur, StreamsThatAnnounceMoreThanTheyCanHoldAreRefused) {
+TEST(Sur, StreamsWithAnImpossibleSizeAreRefused) {
     auto object = flagged(0);
     object.streams = 1;
     const auto content = sur_object(object);

@@ -29,7 +29,7 @@ TEST(Vk, SizeIsPointsTimesPitch) {
     EXPECT_EQ(info.unit, "pm");
 }
 
-TEST(Vk, TimeKeepsItsDifferenceFromUtcAsWritten) {
+TEST(Vk, TimeKeepsItsUtcOffset) {
     const auto time = [](int minutes) {
         return opened(vk4_file({.heights = {raw}, .minutes_ahead_of_utc = minutes}))[0].info.metadata.acquisition_time;
     };
@@ -38,7 +38,7 @@ TEST(Vk, TimeKeepsItsDifferenceFromUtcAsWritten) {
     EXPECT_EQ(time(0), "2014-09-29T10:58:26+00:00");
 }
 
-TEST(Vk, EveryImageOfHeightsIsAChannelAndLightIsListed) {
+TEST(Vk, ReadsHeightImagesAndListsLightImages) {
     const auto channels = opened(vk4_file({.heights = {raw, raw + 1.0}, .light = true}));
     ASSERT_EQ(channels.size(), 3u);
     EXPECT_EQ(channels[0].info.name, "Height");
@@ -47,7 +47,7 @@ TEST(Vk, EveryImageOfHeightsIsAChannelAndLightIsListed) {
     EXPECT_FALSE(channels[2].info.is_height);
 }
 
-TEST(Vk, TellsLensAndTitle) {
+TEST(Vk, ReadsLensAndTitle) {
     const auto metadata = opened(vk6_file({.heights = {raw}}))[0].info.metadata;
     EXPECT_EQ(metadata.attributes.at("title"), "wafer 3");
     EXPECT_EQ(metadata.attributes.at("lens"), "Plan 50x");
@@ -57,13 +57,13 @@ TEST(Vk, TellsLensAndTitle) {
     EXPECT_EQ(metadata.file, "a.vk");
 }
 
-TEST(Vk, WrappedFileHasTheHeightsOfThePlainOne) {
+TEST(Vk, WrappedFileHasTheHeightsOfThePlainFile) {
     const auto plain = topography::all_heights(opened(vk4_file({.heights = {raw}}))[0].read());
     EXPECT_TRUE((topography::all_heights(opened(vk6_file({.heights = {raw}}))[0].read()) == plain).all());
     EXPECT_TRUE((topography::all_heights(opened(vk6_file({.heights = {raw}}, '7'))[0].read()) == plain).all());
 }
 
-TEST(Vk, ArchiveMayBeginLittleBehindThePicture) {
+TEST(Vk, ArchiveMayStartShortlyAfterThePicture) {
     auto content = vk6_file({.heights = {raw}});
     content.insert(7 + bmp_picture().size(), 100, '\0');
     EXPECT_EQ(opened(content).size(), 1u);
@@ -71,7 +71,7 @@ TEST(Vk, ArchiveMayBeginLittleBehindThePicture) {
     EXPECT_NE(refusal(content).find("no ZIP archive follows the picture"), std::string::npos);
 }
 
-TEST(Vk, SizeOfZeroIsAskedFor) {
+TEST(Vk, SizeOfZeroIsReportedMissing) {
     const auto content = ByteBuilder().text(vk4_file({.heights = {raw}})).number_at(84 + 4 * 42, 0u).content();
     const auto channel = opened(content)[0];
     EXPECT_TRUE(channel.info.size.empty());
@@ -80,7 +80,7 @@ TEST(Vk, SizeOfZeroIsAskedFor) {
     EXPECT_EQ(given.info.size, (std::vector<double>{1e-6, 2e-6}));
 }
 
-TEST(Vk, ImagesWhoseSizesDisagreeAreRefusedWithThePlace) {
+TEST(Vk, ImagesOfInconsistentSizeAreRefusedWithTheOffset) {
     const auto content = vk4_file({.heights = {raw}});
     constexpr std::size_t image = 84 + 304;
     const auto changed = [&](std::size_t offset, std::uint32_t number) {

@@ -40,8 +40,9 @@ std::string refusal(const std::string& text, const ReadOptions& options = micron
     return message_of([&] { (void)channel_of(text, options).read(); });
 }
 
-TEST(XyzText, NodesWithoutAPointAreUndefined) {  // the other reader refuses such a list and then reads it as a map of
-                                                 // three columns
+TEST(XyzText,
+     GridNodesWithoutAPointAreUndefined) {  // the other reader refuses such a list and then reads it as a map of
+                                            // three columns
     const auto map = map_of("0 0 1\n0 1 2\n1 0 3\n1 1 4\n2 0 5\n");
     EXPECT_EQ(map.shape(), (std::array<Index, 2>{3, 2}));
     EXPECT_TRUE(std::isnan(map.heights(2, 1)));
@@ -50,14 +51,14 @@ TEST(XyzText, NodesWithoutAPointAreUndefined) {  // the other reader refuses suc
     EXPECT_DOUBLE_EQ(map.size[1], 2e-6);
 }
 
-TEST(XyzText, NamedColumnsStandInAnyOrderBesideOthers) {
+TEST(XyzText, NamedColumnsMayBeInAnyOrder) {
     const auto map = map_of("id,z [um],intensity,y [um],x [um]\n1,5,9,0,0\n2,6,9,0,1\n3,7,9,1,0\n4,8,9,1,1\n", {});
     EXPECT_EQ(map.shape(), (std::array<Index, 2>{2, 2}));
     EXPECT_DOUBLE_EQ(map.heights(1, 0), 6e-6);
     EXPECT_DOUBLE_EQ(map.heights(0, 1), 7e-6);
 }
 
-TEST(CurveText, PositionsAreFoundByTheirName) {
+TEST(CurveText, FindsPositionsByTheirName) {
     const auto heights = [](const std::string& text) {
         const auto line = std::get<LineScan>(channel_of(text, {}).read());
         EXPECT_DOUBLE_EQ(line.size, 4e-3) << text;
@@ -72,7 +73,7 @@ TEST(CurveText, PositionsAreFoundByTheirName) {
     }
 }
 
-TEST(CurveText, EvenStepsMakeTheSecondColumnPositions) {
+TEST(CurveText, SecondColumnWithEvenStepsGivesPositions) {
     std::string text, named;
     for (int i = 0; i < 12; ++i) {
         text += fmt::format("{} {}\n", (7 * i * i) % 11, 0.5 * i);
@@ -86,13 +87,13 @@ TEST(CurveText, EvenStepsMakeTheSecondColumnPositions) {
     EXPECT_NE(refusal("x,y\n" + named).find("jumps back and forth"), std::string::npos) << "x is named";
 }
 
-TEST(XyzText, OneLineOfNamedPointsIsAProfile) {
+TEST(XyzText, NamedPointsOnOneLineAreALineScan) {
     const auto line = std::get<LineScan>(channel_of("x [um],y [um],z [um]\n0,2,5\n1,2,6\n2,2,7\n3,2,4\n", {}).read());
     EXPECT_DOUBLE_EQ(line.size, 4e-6);
     EXPECT_DOUBLE_EQ(line.heights[1], 6e-6);
 }
 
-TEST(MatrixText, TallTablesWithoutNamesAreNoMaps) {
+TEST(MatrixText, TallTablesWithoutNamesAreNotMaps) {
     std::string text;
     for (int i = 0; i < 250; ++i) text += fmt::format("{} {} {} {}\n", (7 * i) % 31, i % 5, (3 * i) % 17, (i * i) % 23);
     const auto channel = channel_of(text, {});
@@ -100,15 +101,15 @@ TEST(MatrixText, TallTablesWithoutNamesAreNoMaps) {
     EXPECT_TRUE(channel_of(text, taken_as(TextLayout::matrix)).info.not_heights.empty());
 }
 
-TEST(MatrixText, ARowOfAMarkIsNoIndex) {  // 1e30 + 1 is 1e30
+TEST(MatrixText, RowsOfNoDataMarksAreNotAnIndex) {  // 1e30 + 1 is 1e30
     std::string text;
     for (int j = 0; j < 12; ++j)
         for (int i = 0; i < 8; ++i) text += fmt::format("{}{}", j < 9 ? 1e30 : (7.3 * i * j), i < 7 ? " " : "\n");
     EXPECT_TRUE(channel_of(text, {}).info.not_heights.empty());
 }
 
-TEST(XyzText, StepsAreComparedWithTheStepNotWithALength) {  // the other reader compares with 1e-6 of the unit of the
-                                                            // file: metres always pass
+TEST(XyzText, ToleranceOfStepsIsRelative) {  // the other reader compares with 1e-6 of the unit of the
+                                             // file: metres always pass
     EXPECT_EQ(
         channel_of("0 0 1e-9\n0 1e-7 2e-9\n1e-7 0 3e-9\n1e-7 1e-7 4e-9\n3.5e-7 0 1e-9\n3.5e-7 1e-7 2e-9\n", {{}, "m"})
             .info.shape,
@@ -122,14 +123,14 @@ TEST(XyzText, StepsAreComparedWithTheStepNotWithALength) {  // the other reader 
     EXPECT_TRUE(std::holds_alternative<Profile>(channel_of("0 1\n1e-7 2\n3e-7 3\n4e-7 1\n", {{}, "m"}).read()));
 }
 
-TEST(XyzText, PositionsMayBeginAnywhere) {
+TEST(XyzText, PositionsMayStartAnywhere) {
     const auto map = map_of("-3 10 1\n-3 12 2\n-2 10 3\n-2 12 4\n-1 10 5\n-1 12 6\n");
     EXPECT_EQ(map.shape(), (std::array<Index, 2>{3, 2}));
     EXPECT_DOUBLE_EQ(map.size[1], 4e-6);
     EXPECT_DOUBLE_EQ(map.heights(0, 1), 2e-6);
 }
 
-TEST(XyzText, UnitsOfTheHeaderNeedNoAlert) {
+TEST(XyzText, UnitsOfTheHeaderGiveNoWarning) {
     const auto channel = channel_of("x [mm];y [mm];z [nm]\n0,0;0,0;1,5\n0,0;0,1;2\n0,1;0,0;3\n0,1;0,1;4\n", {});
     EXPECT_TRUE(channel.info.alerts.empty());
     const auto map = std::get<HeightMap>(channel.read());
@@ -137,7 +138,7 @@ TEST(XyzText, UnitsOfTheHeaderNeedNoAlert) {
     EXPECT_NEAR(map.size[0], 0.2e-3, 1e-16);
 }
 
-TEST(XyzText, MissingUnitIsListedAndNamedWhenItIsRead) {
+TEST(XyzText, MissingUnitIsListedAndRefusedOnReading) {
     const auto channel = channel_of("0 0 1\n0 1 2\n1 0 3\n1 1 4\n", {});
     EXPECT_EQ(channel.info.shape, (std::vector<Index>{2, 2}));
     EXPECT_THROW((void)channel.read(), InvalidArgument);
@@ -150,7 +151,7 @@ TEST(XyzText, OtherQuantitiesAreListedOnly) {
     EXPECT_EQ(channel.info.unit, "deg");
 }
 
-TEST(XyzText, ScatteredAndDoublePointsAreRefused) {
+TEST(XyzText, ScatteredAndDuplicatePointsAreRefused) {
     EXPECT_NE(
         refusal("x;y;z\n0;0;1\n0.3;0.7;2\n0.9;0.1;3\n0.55;0.4;1\n").find("x of the points has 4 values for 4 points"),
         std::string::npos);
@@ -158,7 +159,7 @@ TEST(XyzText, ScatteredAndDoublePointsAreRefused) {
     EXPECT_NE(refusal("x;y;z\n0;0;1\n0;1;2\n1;0;3\n1;nan;4\n").find("y of the points is undefined"), std::string::npos);
 }
 
-TEST(XyzText, FarPointsDoNotMakeAHugeMap) {
+TEST(XyzText, DistantPointsAreRefusedWithoutAHugeMap) {
     EXPECT_NE(refusal("x;y;z\n0;0;1\n0;1;2\n1;0;3\n1;1;4\n20;0;1\n20;1;1\n").find("gaps of too many steps"),
               std::string::npos);
     EXPECT_NE(refusal("x;y;z\n0;0;1\n0;1;2\n1;0;3\n1;1;4\n1e12;0;1\n1e12;1;1\n").find("regular grid"),
@@ -167,7 +168,7 @@ TEST(XyzText, FarPointsDoNotMakeAHugeMap) {
               std::string::npos);
 }
 
-TEST(ThreeColumns, OnAGridArePointsUnlessTheUserSaysOtherwise) {
+TEST(ThreeColumns, OnAGridArePointsUnlessTheUserChoosesOtherwise) {
     const std::string text = "0 0 1\n0 1 2\n1 0 3\n1 1 4\n";
     const auto points = channel_of(text);
     EXPECT_EQ(points.info.format, "xyz");
@@ -181,7 +182,7 @@ TEST(ThreeColumns, OnAGridArePointsUnlessTheUserSaysOtherwise) {
     EXPECT_TRUE(channel_of(text, taken_as(TextLayout::columns)).info.alerts.empty());
 }
 
-TEST(ThreeColumns, BehindAnIndexAreACurve) {
+TEST(ThreeColumns, AfterAnIndexColumnAreACurve) {
     const std::string text = "0 -2.0 1\n1 -1.5 2\n2 -1.0 3\n3 -0.5 1\n";
     const auto curve = channel_of(text);
     EXPECT_EQ(curve.info.format, "xy");
@@ -191,7 +192,7 @@ TEST(ThreeColumns, BehindAnIndexAreACurve) {
     EXPECT_TRUE(channel_of("index,x [um],h [um]\n0,-2.0,1\n1,-1.5,2\n2,-1.0,3\n").info.alerts.empty());
 }
 
-TEST(ThreeColumns, OnNoGridAreANarrowMap) {
+TEST(ThreeColumns, NotOnAGridAreANarrowMap) {
     const std::string text = "1 4 2\n3 7 5\n2 2 8\n9 1 1\n";
     const auto matrix = channel_of(text);
     EXPECT_EQ(matrix.info.shape, (std::vector<Index>{3, 4}));
@@ -200,7 +201,7 @@ TEST(ThreeColumns, OnNoGridAreANarrowMap) {
     EXPECT_NE(refusal(text, taken_as(TextLayout::columns)).find("regular grid"), std::string::npos);
 }
 
-TEST(XyText, ExportsWithoutHeaderAskForTheUnitWhateverTheInstrument) {  // as of KLA-Tencor's Alpha-Step and Apex
+TEST(XyText, ExportsWithoutHeaderRequireAUnit) {  // as of KLA-Tencor's Alpha-Step and Apex
     const auto channel =
         channel_of("0.000000\t-16.602800\n0.001000\t-16.601200\n0.002000\t-16.596100\n0.003000\t-16.587800\n", {});
     EXPECT_EQ(channel.info.format, "xy");
@@ -209,7 +210,7 @@ TEST(XyText, ExportsWithoutHeaderAskForTheUnitWhateverTheInstrument) {  // as of
     EXPECT_THROW((void)channel.read(), InvalidArgument);
 }
 
-TEST(XyText, ColumnsThatAreNoCurveAreRefused) {
+TEST(XyText, ColumnsThatDoNotFormACurveAreRefused) {
     EXPECT_NE(refusal("3 2 3 4\n9 6 7 8\n5 1 1 1\n", taken_as(TextLayout::columns)).find("4 columns"),
               std::string::npos)
         << "the first turns back";
@@ -228,7 +229,7 @@ TEST(Dektak, EveryColumnOfHeightsIsAChannel) {
     EXPECT_DOUBLE_EQ(channels[1].info.metadata.instrument.tip_radius.value(), 12.5e-6);
 }
 
-TEST(Dektak, DamagedStylusIsNone) {
+TEST(Dektak, DamagedStylusEntryIsIgnored) {
     const auto channel =
         open(
             bytes::memory_source(
@@ -239,7 +240,7 @@ TEST(Dektak, DamagedStylusIsNone) {
     EXPECT_FALSE(channel.info.metadata.instrument.tip_radius.has_value());
 }
 
-TEST(Dabam, DescriptionIsRefusedWithTheFileToOpen) {
+TEST(Dabam, DescriptionFileIsRefusedWithTheFileToOpen) {
     try {
         (void)open(bytes::memory_source("m.txt", R"({"FILE_FORMAT": 1, "FILE_HEADER_LINES": 0, "X1_FACTOR": 0.001})"),
                    {});
@@ -249,7 +250,7 @@ TEST(Dabam, DescriptionIsRefusedWithTheFileToOpen) {
     }
 }
 
-TEST(Commas, ThatMayGroupThousandsAreRefusedInMapsToo) {
+TEST(Commas, ThatMayGroupThousandsAreRefusedInMaps) {
     const auto* text = "1,234 5,678 9,012 3,456\n1,235 5,679 9,013 3,457\n";
     EXPECT_NE(refusal(text).find("ambiguous"), std::string::npos);
     EXPECT_EQ(channel_of(std::string(text) + "1,5 2,5 3,5 4,5\n", {{{4e-6, 3e-6}}, "um"}).info.shape,
@@ -258,7 +259,7 @@ TEST(Commas, ThatMayGroupThousandsAreRefusedInMapsToo) {
     EXPECT_NE(refusal("x,h\n0,5,1,5\n1,5,2,5\n").find("also to mark decimals"), std::string::npos);
 }
 
-TEST(TextNumbers, MoreThanATextCanHoldAreRefusedBeforeRoomIsMade) {
+TEST(TextNumbers, RefusesImpossibleCountsBeforeAllocation) {
     std::string text;
     for (int i = 0; i < 1000; ++i) text += "1\n";
     tables::TextStart start;
@@ -269,7 +270,7 @@ TEST(TextNumbers, MoreThanATextCanHoldAreRefusedBeforeRoomIsMade) {
     EXPECT_THROW((void)tables::read_numbers(lines), FormatError);
 }
 
-TEST(Dabam, DescriptionBesideTheFileGivesUnitsAndColumns) {
+TEST(Dabam, DescriptionNextToTheFileGivesUnitsAndColumns) {
     const TemporaryFolder folder;
     folder.write(
         "m.txt",
@@ -284,7 +285,7 @@ TEST(Dabam, DescriptionBesideTheFileGivesUnitsAndColumns) {
     EXPECT_DOUBLE_EQ(scan.size, 4e-3);
 }
 
-TEST(Dabam, DamagedDescriptionsAreNone) {
+TEST(Dabam, DamagedDescriptionsAreIgnored) {
     const TemporaryFolder folder;
     const auto path = folder.write("m.dat", "0 1\n1 3\n2 -1\n");
     for (const auto* text : {"{", "[1, 2]", R"({"FILE_FORMAT": 1})", ""}) {

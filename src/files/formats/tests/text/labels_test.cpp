@@ -67,14 +67,14 @@ void expect_map(const Channel& channel, double size_x, double size_y, double uni
         for (Index j = 0; j < ny; ++j) ASSERT_NEAR(map.heights(i, j), height(i, j) * unit, 1e-12 * unit);
 }
 
-TEST(Labels, AreReadAsPositionsWhateverStandsInTheCorner) {
+TEST(MatrixLabels, AreReadAsPositionsForAnyCornerCell) {
     for (const auto* corner : {",", "y\\x,", "Y/X,", "0,", "nan,", "um,", "\"y / x\","})
         expect_map(channel_of(labelled(corner)), nx * 1.5e-6, ny * 0.25e-6);
     expect_map(channel_of(labelled("Y/X\t", "\t")), nx * 1.5e-6, ny * 0.25e-6);
     expect_map(channel_of(labelled("", ",")), nx * 1.5e-6, ny * 0.25e-6);  // no cell above the first column
 }
 
-TEST(Labels, TakeTheirUnitFromTheCorner) {
+TEST(MatrixLabels, TakeTheirUnitFromTheCornerCell) {
     const auto channel = channel_of(labelled("y\\x [nm],"), {});
     expect_map(channel, nx * 1.5e-9, ny * 0.25e-9, 1e-9);
     EXPECT_EQ(channel.info.alerts.at(0).code, "UNIT_ASSUMED");
@@ -82,11 +82,11 @@ TEST(Labels, TakeTheirUnitFromTheCorner) {
     expect_map(channel_of(labelled("Y/X,"), {.unit = "mm, um"}), nx * 1.5e-3, ny * 0.25e-3);
 }
 
-TEST(Labels, WithoutUnitAreAskedForTheUnitAlone) {
+TEST(MatrixLabels, WithoutUnitRequireTheUnitOnly) {
     EXPECT_NE(refusal(labelled(","), {}).find("states no unit"), std::string::npos);
 }
 
-TEST(Labels, ThatCountSayNothingOfTheSize) {
+TEST(MatrixLabels, ThatCountDoNotDetermineTheSize) {
     const auto counted = [](bool head, bool corner) {
         std::string text = head && corner ? "," : "";
         for (Index i = 0; head && i < nx; ++i) text += fmt::format("{}{}", i > 0 ? "," : "", i);
@@ -98,20 +98,20 @@ TEST(Labels, ThatCountSayNothingOfTheSize) {
     }
 }
 
-TEST(Labels, AboveAloneLeaveTheSizeAlongYOpen) {
+TEST(MatrixLabels, AboveOnlyLeaveTheSizeAlongYMissing) {
     const auto text = positions(",", 0.0, 1.5) + rows(",", [](Index) { return ""; });
     EXPECT_NE(refusal(text).find("states no size"), std::string::npos);
     expect_map(channel_of(text, {.size = {{16.5e-6, 9e-6}}, .unit = "um"}), 16.5e-6, 9e-6);
 }
 
-TEST(Labels, ThatDecreaseTurnTheMap) {
+TEST(MatrixLabels, ThatDecreaseReverseTheMap) {
     const auto channel = channel_of(labelled("Y/X,", ",", -1.5));
     const auto map = std::get<HeightMap>(channel.read());
     EXPECT_NEAR(map.heights(0, 2), height(nx - 1, 2) * 1e-6, 1e-18);
     EXPECT_NEAR(map.size[0], nx * 1.5e-6, 1e-15);
 }
 
-TEST(Labels, BesideAloneAreAskedAbout) {
+TEST(MatrixLabels, NextToRowsOnlyAreReportedAsAmbiguous) {
     const auto text = rows(",", [](Index j) { return fmt::format("{},", 0.5 * static_cast<double>(j)); });
     const auto message = refusal(text);
     EXPECT_NE(message.find("x of 11 profiles, or positions of the rows of a map"), std::string::npos) << message;
@@ -123,14 +123,14 @@ TEST(Labels, BesideAloneAreAskedAbout) {
     EXPECT_NEAR(profiles[10].info.size.at(0), 4.5e-6, 1e-15);
 }
 
-TEST(Labels, UnevenOnesAreRefused) {
+TEST(MatrixLabels, WithUnevenStepsAreRefused) {
     std::string head = "Y/X";
     for (Index i = 0; i < nx; ++i) head += fmt::format(",{}", i * i);
     EXPECT_NE(refusal(head + "\n" + rows(",", [](Index j) { return fmt::format("{},", j); })).find("not evenly spaced"),
               std::string::npos);
 }
 
-TEST(Labels, ThatBreakOffAreNamed) {
+TEST(MatrixLabels, ThatAreIncompleteAreReported) {
     auto text = labelled("Y/X,");
     std::string long_text = text;
     for (Index j = ny; j < 200; ++j) {
@@ -141,7 +141,7 @@ TEST(Labels, ThatBreakOffAreNamed) {
     EXPECT_NE(refusal(long_text).find("position 25.25 of row 101"), std::string::npos) << refusal(long_text);
 }
 
-TEST(Labels, AreNoHeightsThatHappenToBeEven) {
+TEST(MatrixLabels, AreDistinguishedFromEvenlySpacedHeights) {
     std::string ramp;
     for (Index j = 0; j < ny; ++j)
         for (Index i = 0; i < nx; ++i)
@@ -154,12 +154,12 @@ TEST(Labels, AreNoHeightsThatHappenToBeEven) {
         tells_labels(channel_of("1,2,3,4\n5,6,9,8\n3,3,2,2\n1,0,0,1\n", {.size = {{1e-6, 1e-6}}, .unit = "um"})));
 }
 
-TEST(Labels, AreKeptWhereTheUserSaysSo) {
+TEST(MatrixLabels, AreKeptAsHeightsOnRequest) {
     const auto channel = channel_of(labelled("0,"), {.size = {{1e-6, 1e-6}}, .unit = "um", .keep_values = true});
     EXPECT_EQ(channel.info.shape, (std::vector<Index>{nx + 1, ny + 1}));
 }
 
-TEST(ConfocalTable, TakesSizeAndUnitFromItsHeader) {
+TEST(ConfocalTable, ReadsSizeAndUnitFromTheHeader) {
     const auto table = [](const char* separator, bool quoted, char decimal) {
         const auto cell = [&](std::string text) { return quoted ? "\"" + text + "\"" : text; };
         std::string text;

@@ -33,13 +33,13 @@ std::string refusal(const std::string& text, const ReadOptions& options = {}) {
 
 const ReadOptions given{{{4e-6, 2e-6}}, "nm"};
 
-TEST(MatrixText, HeightsAreNotReadWhenItIsOpened) {
+TEST(MatrixText, OpeningDoesNotReadHeights) {
     const auto channel = channels_of("1 2 3 4\n5 wrong 7 8\n9 10 11 12\n", given).at(0);
     EXPECT_EQ(channel.info.shape, (std::vector<Index>{4, 3}));
     EXPECT_THROW((void)channel.read(), FormatError);
 }
 
-TEST(MatrixText, MissingSizeAndUnitAreListedAndNamedWhenItIsRead) {
+TEST(MatrixText, MissingSizeAndUnitAreListedAndRefusedOnReading) {
     const auto channel = channels_of("1 2 3 4\n5 6 7 8\n").at(0);
     EXPECT_EQ(channel.info.shape, (std::vector<Index>{4, 2}));
     EXPECT_EQ(missing(channel.info), (std::vector<std::string>{"size", "unit", "instrument", "date"}));
@@ -49,7 +49,7 @@ TEST(MatrixText, MissingSizeAndUnitAreListedAndNamedWhenItIsRead) {
     EXPECT_NE(refusal("# Value units: nm\n1 2 3 4\n5 6 7 8\n").find("no size"), std::string::npos);
 }
 
-TEST(MatrixText, PixelsAlongXAreThoseOfALine) {  // the other reader swaps nx and ny
+TEST(MatrixText, XPixelsIsTheLengthOfALine) {  // the other reader swaps nx and ny
     const auto map = map_of(
         "# File Format = ASCII\n# x-pixels = 4\n# y-pixels = 2\n# x-length = 400\n# y-length = 100\n# z-unit = nm\n# Start of Data:\n1 2 3 4\n5 6 7 8\n");
     EXPECT_EQ(map.shape(), (std::array<Index, 2>{4, 2}));
@@ -68,7 +68,7 @@ TEST(MatrixText, MapsOfTwoColumnsOrRowsAreMaps) {  // the other reader refuses t
     EXPECT_EQ(map_of("1 2\n3 4\n5 6\n", matrix).shape(), (std::array<Index, 2>{2, 3}));
 }
 
-TEST(MatrixText, DecimalCommasOfGermanGwyddion) {
+TEST(MatrixText, ReadsDecimalCommasOfGermanGwyddion) {
     const auto map =
         map_of("# Kanal: Z\n# Breite: 12,34 µm\n# Höhe: 5678,9 nm\n# Value units: m\n1,5e-9\t2,5e-9\n-3e-9\t4e-9\n");
     EXPECT_DOUBLE_EQ(map.size[0], 12.34e-6);
@@ -77,14 +77,14 @@ TEST(MatrixText, DecimalCommasOfGermanGwyddion) {
     EXPECT_DOUBLE_EQ(map.heights(0, 1), -3e-9);
 }
 
-TEST(MatrixText, WordsForUndefinedHeights) {
+TEST(MatrixText, ReadsWordsForUndefinedHeights) {
     const auto map = map_of("bad nan inf ***\n1 -inf Bad NaN\n1.#QNAN -1.#IND infinite 8\n", {{{4e-6, 3e-6}}, "nm"});
     EXPECT_EQ(map.heights.isNaN().count(), 10);
     EXPECT_DOUBLE_EQ(map.heights(0, 1), 1e-9);
     EXPECT_DOUBLE_EQ(map.heights(3, 2), 8e-9);
 }
 
-TEST(MatrixText, LinesMayEndInSeparatorsAndStandApart) {
+TEST(MatrixText, LinesMayHaveTrailingSeparatorsAndBlankLinesBetween) {
     const auto map = map_of("1\t2\t3\t4\t\n\n# remark\n5\t6\t7\t8\t\n   \n", given);
     EXPECT_EQ(map.shape(), (std::array<Index, 2>{4, 2}));
     EXPECT_DOUBLE_EQ(map.heights(3, 1), 8e-9);
@@ -106,7 +106,7 @@ TEST(MatrixText, WykoHeightsAreMultiplesOfTheWavelengthOrNanometres) {
     EXPECT_FALSE(channels_of(text("0\t0\t1", "Intensity")).at(0).info.is_height);
 }
 
-TEST(MatrixText, BlocksOfWykoAreChannels) {
+TEST(MatrixText, BlocksOfWykoFilesAreChannels) {
     const auto channels = channels_of(
         "Wyko ASCII Data File Format 0\t0\t1\nX Size\t4\nY Size\t2\nWavelength\t7\t4\t600\nPixel_size\t7\t4\t0.001\nRAW_DATA\t3\t48\t\n1\t2\n3\t4\n5\t6\n7\t8\n"
         "Intensity\t3\t48\t\n9\t9\n9\t9\n9\t9\n9\t9\n");
@@ -117,7 +117,7 @@ TEST(MatrixText, BlocksOfWykoAreChannels) {
     EXPECT_NEAR(std::get<HeightMap>(channels[0].read()).heights(3, 0), 8 * 600e-9, 1e-18);
 }
 
-TEST(MatrixText, ChannelsThatAreNoLengthsAreListedOnly) {
+TEST(MatrixText, ChannelsOfOtherQuantitiesAreListedOnly) {
     const auto channels = channels_of(
         "# Channel: Phase\n# Width: 4 um\n# Height: 2 um\n# Value units: deg\n1 2 3 4\n5 6 7 8\n"
         "# Channel: Height\n# Width: 2 um\n# Height: 2 um\n# Value units: nm\n1 2\n3 4\n");
@@ -129,7 +129,7 @@ TEST(MatrixText, ChannelsThatAreNoLengthsAreListedOnly) {
     EXPECT_DOUBLE_EQ(std::get<HeightMap>(channels[1].read()).heights(0, 1), 3e-9);
 }
 
-TEST(MatrixText, HeightsTakeTheHeadersConversion) {
+TEST(MatrixText, HeightsUseTheConversionOfTheHeader) {
     const auto map = map_of(
         "h=2 w=3\npixel size=3.69862e-007 m\ndata unit=rad\nheight conversion factor (-> m)=2.91818e-008\n1 2 3\n4 5 6\n");
     EXPECT_DOUBLE_EQ(map.heights(2, 1), 6 * 2.91818e-8);
@@ -137,7 +137,7 @@ TEST(MatrixText, HeightsTakeTheHeadersConversion) {
     EXPECT_EQ(map.metadata.attributes.at("data unit"), "rad");
 }
 
-TEST(MatrixText, FewerLinesThanTheHeaderAnnouncesAreRefusedWhenItIsOpened) {
+TEST(MatrixText, FewerLinesThanAnnouncedAreRefusedOnOpening) {
     EXPECT_THROW((void)channels_of("h=3 w=4\n1 2 3 4\n5 6 7 8\n"), FormatError);
     EXPECT_NE(
         refusal("h=3 w=4\npixel size=1 um\n1 2 3 4\n5 6 7 8\n").find("4 × 2 numbers, but its header announces 4 × 3"),
@@ -146,7 +146,7 @@ TEST(MatrixText, FewerLinesThanTheHeaderAnnouncesAreRefusedWhenItIsOpened) {
     EXPECT_THROW((void)channels_of("1 2 3 4\n5 6 7 8\n9 10", given), FormatError);
 }
 
-TEST(MatrixText, BrokenNumbersAreNamedByLine) {
+TEST(MatrixText, InvalidNumbersAreNamedByLine) {
     EXPECT_NE(refusal("# Width: 4 um\n# Height: 3 um\n# Value units: nm\n1 2 3 4\n5 6 x7 8\n9 1 2 3\n")
                   .find("m.txt:5: 'x7' in column 3"),
               std::string::npos);
@@ -154,7 +154,7 @@ TEST(MatrixText, BrokenNumbersAreNamedByLine) {
     EXPECT_NE(refusal("# Width: -4 um\n# Height: 3 um\n1 2 3 4\n").find("positive length"), std::string::npos);
 }
 
-TEST(MatrixText, OneRowOrColumnIsALineOfHeights) {
+TEST(MatrixText, OneRowOrColumnIsALineScan) {
     const ReadOptions line{{{9e-6}}, "um"};
     const auto column = std::get<LineScan>(channels_of("1\n2\n3\n4\n", line).at(0).read());
     EXPECT_EQ(column.heights.size(), 4);
@@ -163,21 +163,21 @@ TEST(MatrixText, OneRowOrColumnIsALineOfHeights) {
     EXPECT_EQ(std::get<LineScan>(channels_of("1 2 3 4\n", line).at(0).read()).heights.size(), 4);
 }
 
-TEST(MatrixText, TablesWithNamesAreNoMaps) {
+TEST(MatrixText, TablesWithNamesAreNotMaps) {
     const auto* loop = "force [mN];displacement [um];time [s];remark\n1;2;3;4\n2;3;4;5\n";
     EXPECT_NE(refusal(loop).find("`setae jkr fit`"), std::string::npos);
     EXPECT_EQ(channels_of(loop, given).at(0).info.shape, (std::vector<Index>{4, 2}))
         << "who gives a size says it is a map";
 }
 
-TEST(MatrixText, UnitOfTheFileWinsWithAnAlert) {
+TEST(MatrixText, UnitOfTheFileOverridesTheGivenOneWithAWarning) {
     const auto channel =
         channels_of("# Width: 4 um\n# Height: 2 um\n# Value units: nm\n1 2 3 4\n5 6 7 8\n", {{}, "um"}).at(0);
     EXPECT_EQ(channel.info.alerts.at(0).code, "UNIT_MISMATCH");
     EXPECT_DOUBLE_EQ(std::get<HeightMap>(channel.read()).heights(3, 1), 8e-9);
 }
 
-TEST(MatrixText, LongLinesAreFoundWhole) {
+TEST(MatrixText, LongLinesAreReadCompletely) {
     std::string text;
     for (int j = 0; j < 3; ++j)
         for (int i = 0; i < 40000; ++i) text += fmt::format("{}{}", 10 * j + i % 7, i < 39999 ? ' ' : '\n');

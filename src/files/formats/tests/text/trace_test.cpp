@@ -42,7 +42,7 @@ std::string refusal(const std::string& text, const ReadOptions& options = {}) {
     });
 }
 
-TEST(LastDigit, IsThatOfTheFileWhateverTheUnit) {
+TEST(LastDigit, IsTheLastDigitOfTheFileInAnyUnit) {
     const Array1D rounded = Array1D::LinSpaced(30, 0.0, 2.9);
     EXPECT_DOUBLE_EQ(last_digit(rounded), 0.1);
     EXPECT_NEAR(last_digit(1e-6 * rounded), 1e-7, 1e-20);
@@ -51,7 +51,7 @@ TEST(LastDigit, IsThatOfTheFileWhateverTheUnit) {
     EXPECT_EQ(last_digit(Array1D::Zero(3)), 0.0);
 }
 
-TEST(Trace, RoundedPositionsOfEqualStepsAreThoseOfALine) {
+TEST(Trace, RoundedPositionsOfEqualStepsGiveALineScan) {
     std::vector<double> x, h;
     for (Index i = 0; i < 300; ++i) {
         x.push_back(0.0533 * static_cast<double>(i));
@@ -95,7 +95,7 @@ TEST(Trace, MissingRowsAreGaps) {
     EXPECT_NE(scan.metadata.alerts[0].message.find("61 rows are missing in 2 gaps"), std::string::npos);
 }
 
-TEST(Trace, UnevenPositionsStayAsTraced) {
+TEST(Trace, UnevenPositionsGiveAProfile) {
     std::vector<double> x, h;
     for (Index i = 0; i < 100; ++i) {
         x.push_back(0.01 * static_cast<double>(i) * (1.0 + 0.01 * static_cast<double>(i)));
@@ -106,7 +106,7 @@ TEST(Trace, UnevenPositionsStayAsTraced) {
     EXPECT_TRUE(profile.metadata.alerts.empty());
 }
 
-TEST(Passes, ForthAndBackAreTwoChannels) {
+TEST(Passes, ForwardAndBackwardAreTwoChannels) {
     std::vector<double> x, h;
     for (Index i = 0; i < 50; ++i) {
         x.push_back(0.5 * static_cast<double>(i));
@@ -126,7 +126,7 @@ TEST(Passes, ForthAndBackAreTwoChannels) {
     for (Index i = 0; i < 50; ++i) EXPECT_NEAR(backward.heights[i] - forward.heights[i], 1e-6, 1e-15);
 }
 
-TEST(Passes, MayBeginAnewAtTheSameEnd) {
+TEST(Passes, MayAllStartAtTheSameEnd) {
     std::vector<double> x, h;
     for (int pass = 0; pass < 3; ++pass)
         for (Index i = 0; i < 40; ++i) {
@@ -139,7 +139,7 @@ TEST(Passes, MayBeginAnewAtTheSameEnd) {
     EXPECT_NEAR(std::get<LineScan>(channels[2].read()).heights[0], 2e-6, 1e-15);
 }
 
-TEST(Passes, ContoursThatTurnBackAreOne) {
+TEST(Passes, ReentrantContoursAreOnePass) {
     std::vector<double> x, h;
     for (Index i = 0; i < 100; ++i) {
         x.push_back(0.1 * static_cast<double>(i) - (i % 10 == 7 ? 0.15 : 0.0));
@@ -148,7 +148,7 @@ TEST(Passes, ContoursThatTurnBackAreOne) {
     EXPECT_EQ(channels_of(curve(x, h)).size(), 1u);
 }
 
-TEST(Positions, OfScatteredPointsAreNoProfile) {
+TEST(Positions, OfScatteredPointsAreNotAProfile) {
     std::vector<double> x, y;
     for (Index i = 0; i < 40; ++i) {
         x.push_back(static_cast<double>((i * 37) % 41));
@@ -179,13 +179,13 @@ TEST(ProfileTable, EachColumnIsAChannel) {
     EXPECT_EQ(channels_of(table("x [mm],left [um],right [um]", 2)).size(), 2u);
 }
 
-TEST(ProfileTable, IsNoMapWhateverSizeIsGiven) {
+TEST(ProfileTable, IsNotAMapForAnyGivenSize) {
     const auto channels = channels_of(table("x [mm],a [um],b [um],c [um]", 3), {.size = {{1e-3, 1e-3}}, .unit = "um"});
     ASSERT_EQ(channels.size(), 3u);
     EXPECT_EQ(channels[0].info.shape, std::vector<Index>{30});
 }
 
-TEST(ProfileTable, OtherQuantitiesAreListedWithTheReason) {
+TEST(ProfileTable, ListsOtherQuantitiesWithTheReason) {
     const auto channels = channels_of(table("x [mm],z [um],load [mN],rms [um]", 3));
     ASSERT_EQ(channels.size(), 3u);
     EXPECT_TRUE(channels[0].info.is_height);
@@ -193,12 +193,12 @@ TEST(ProfileTable, OtherQuantitiesAreListedWithTheReason) {
     EXPECT_EQ(channels[2].info.not_heights, "its name means rms");
 }
 
-TEST(ProfileTable, BeginsWithPositions) {
+TEST(ProfileTable, RequiresPositionsInTheFirstColumn) {
     EXPECT_NE(refusal(table("time [s],a [um],b [um],c [um]", 3)).find("not heights: 4 columns"), std::string::npos);
     EXPECT_NE(refusal(table("a,b,c,d", 3)).find("`layout` to matrix and give `size`"), std::string::npos);
 }
 
-TEST(TwoColumnsOfNames, OfOtherQuantitiesAreNotHeights) {
+TEST(TwoNamedColumns, OfOtherQuantitiesAreNotHeights) {
     const auto channels = channels_of(table("time,voltage", 1), {.unit = "um"});
     EXPECT_FALSE(channels.at(0).info.is_height);
     EXPECT_EQ(channels[0].info.not_heights, "the first column is named time, expected positions");
@@ -206,7 +206,7 @@ TEST(TwoColumnsOfNames, OfOtherQuantitiesAreNotHeights) {
         channels_of(table("time,voltage", 1), {.unit = "um", .layout = TextLayout::columns}).at(0).info.is_height);
 }
 
-TEST(NumbersOfRows, AreNotHeights) {
+TEST(RowNumbers, AreNotHeights) {
     std::string column, matrix;
     for (int i = 0; i < 100; ++i) {
         column += fmt::format("{}\n", i);
@@ -235,7 +235,7 @@ TEST(Tokens, OfMissingHeightsAreUndefinedInEveryDialect) {
         }
 }
 
-TEST(Tokens, ThatAreNoneNameRowAndColumn) {
+TEST(Tokens, WhenInvalidAreNamedByRowAndColumn) {
     std::string text;
     for (int j = 0; j < 5; ++j) text += fmt::format("{0}.5,{0}.25,xx,{0}.75\n", j);
     EXPECT_NE(refusal(text, {.size = {{1e-6, 1e-6}}, .unit = "um"}).find("t.csv:1: 'xx' in column 3 is not a number"),

@@ -53,12 +53,12 @@ TEST_F(SidePicture, GivesTheOutlineToAFractionOfAPixel) {
     EXPECT_NEAR(outline.edge_width / pixel, 1.2, 0.3);
 }
 
-TEST_F(SidePicture, NeedsAPixelSize) {
+TEST_F(SidePicture, RequiresAPixelSize) {
     draw();
     EXPECT_THROW((void)lens_outline(path_), UndefinedDataError);
 }
 
-TEST_F(SidePicture, IsToldFromATableByItsBytes) {
+TEST_F(SidePicture, IsDistinguishedFromATableByContent) {
     std::ofstream(path_) << "x [mm],z [um]\n0,1\n";
     EXPECT_FALSE(is_picture(path_));
 }

@@ -57,7 +57,7 @@ FramePixels picture_of(const Camera& camera) {
 
 const Estimate pitch{.value = 20e-6, .standard_error = 0.0};
 
-TEST(StageMicrometer, TellsThePixelSizeOfATurnedRuling) {
+TEST(StageMicrometer, MeasuresThePixelSizeOfARotatedRuling) {
     for (const double angle : {0.0, 0.02, -0.08}) {
         const auto scale = camera_scale(std::vector<FramePixels>{picture_of({.angle = angle})}, pitch);
         ASSERT_TRUE(scale.across_x);
@@ -70,7 +70,7 @@ TEST(StageMicrometer, TellsThePixelSizeOfATurnedRuling) {
     }
 }
 
-TEST(StageMicrometer, TellsTheAspectFromTwoPicturesAndFromAGrid) {
+TEST(StageMicrometer, MeasuresThePixelAspectFromTwoPicturesOrAGrid) {
     const Camera camera{.width = 1.8e-6, .height = 1.85e-6};
     auto lying = camera;
     lying.lying = true;
@@ -86,7 +86,7 @@ TEST(StageMicrometer, TellsTheAspectFromTwoPicturesAndFromAGrid) {
     }
 }
 
-TEST(StageMicrometer, TellsStretchedCorners) {
+TEST(StageMicrometer, MeasuresRadialDistortion) {
     for (const double distortion : {-0.01, 0.004}) {
         const auto scale = camera_scale(std::vector<FramePixels>{picture_of({.distortion = distortion})}, pitch);
         EXPECT_NEAR(scale.across_x->distortion.value, distortion, 5e-4);
@@ -95,7 +95,7 @@ TEST(StageMicrometer, TellsStretchedCorners) {
     }
 }
 
-TEST(StageMicrometer, ItsErrorsHoldTheTruthWhereTheRulingItselfIsUneven) {
+TEST(StageMicrometer, StandardErrorsCoverTrueValuesForUnevenRulings) {
     int size = 0, distortion = 0;
     constexpr int pictures = 60;
     for (int i = 0; i < pictures; ++i) {
@@ -114,7 +114,7 @@ TEST(StageMicrometer, ItsErrorsHoldTheTruthWhereTheRulingItselfIsUneven) {
     EXPECT_LE(size + distortion, 2 * pictures - 1);
 }
 
-TEST(StageMicrometer, TakesALeaningRulingForNoSecondOne) {
+TEST(StageMicrometer, ReportsOneRulingForInclinedLines) {
     // in projection, inclined lines have a larger distance
     for (const double angle : {0.03, 0.06, 0.12}) {
         const auto scale = camera_scale(std::vector<FramePixels>{picture_of({.angle = angle, .noise = 1.0})}, pitch);
@@ -123,7 +123,7 @@ TEST(StageMicrometer, TakesALeaningRulingForNoSecondOne) {
     }
 }
 
-TEST(StageMicrometer, CarriesTheRulingsOwnError) {
+TEST(StageMicrometer, PropagatesTheErrorOfTheRuling) {
     const auto scale =
         camera_scale(std::vector<FramePixels>{picture_of({})}, {.value = 20e-6, .standard_error = 0.1e-6});
     EXPECT_NEAR(scale.pixel_size.standard_error / scale.pixel_size.value, 0.005, 1e-4);

@@ -86,11 +86,11 @@ void expect_stated_errors(double noise_blur) {
     EXPECT_LT(errors.pull, 1.25);
 }
 
-TEST(ContactRadius, HasTheStandardErrorItStates) { expect_stated_errors(0.0); }
+TEST(ContactRadius, HasTheStatedStandardError) { expect_stated_errors(0.0); }
 
-TEST(ContactRadius, HasTheStandardErrorItStatesWhereNoiseIsBlurred) { expect_stated_errors(0.7); }
+TEST(ContactRadius, HasTheStatedStandardErrorForBlurredNoise) { expect_stated_errors(0.7); }
 
-TEST(ContactRadius, WithoutNoiseIsExactToAHundredthOfAPixel) {
+TEST(ContactRadius, IsExactToAHundredthOfAPixelWithoutNoise) {
     for (const double blur : {0.0, 0.8, 2.0})
         for (const double radius : {10.0, 27.3}) {
             const auto errors = errors_of(
@@ -107,7 +107,7 @@ TEST(ContactRadius, WithoutNoiseIsExactToAHundredthOfAPixel) {
         }
 }
 
-TEST(ContactRadius, OfBrightContactsIsTheSame) {
+TEST(ContactRadius, IsTheSameForBrightContacts) {
     auto contact = at_snr_5(3);
     contact.inside = 140;
     contact.contrast = -60;
@@ -118,7 +118,7 @@ TEST(ContactRadius, OfBrightContactsIsTheSame) {
     EXPECT_NE(measure_contact_frame(contact.make(), {.polarity = Polarity::dark}).state, FrameState::measured);
 }
 
-TEST(ContactRadius, DoesNotMindASlopeOfIlluminationAsStrongAsTheEdge) {
+TEST(ContactRadius, IsIndependentOfAStrongIlluminationGradient) {
     auto contact = at_snr_5(5);
     contact.slope_x = 0.7;
     contact.slope_y = 0.5;
@@ -126,7 +126,7 @@ TEST(ContactRadius, DoesNotMindASlopeOfIlluminationAsStrongAsTheEdge) {
     EXPECT_NEAR(measure_contact_frame(contact.make()).radius, contact.semi_major, 0.05);
 }
 
-TEST(ContactEllipse, HasItsAxesAngleAndRoundness) {
+TEST(ContactEllipse, RecoversAxesAngleAndRoundness) {
     double pulls = 0;
     constexpr int seeds = 12;
     for (unsigned seed = 1; seed <= seeds; ++seed) {
@@ -146,7 +146,7 @@ TEST(ContactEllipse, HasItsAxesAngleAndRoundness) {
     EXPECT_LT(std::sqrt(pulls / (2 * seeds)), 1.4);
 }
 
-TEST(ContactRadius, OfAPartialContactIsTheCircles) {
+TEST(ContactRadius, OfAPartlyVisibleContactIsThatOfTheCircle) {
     auto contact = at_snr_5(2, 30);
     contact.centre_x = 10;
     const auto found = measure_contact_frame(contact.make());
@@ -171,7 +171,7 @@ double interference(double d, double radius, double pixel_size, double pull) {
     return 0.5 * (1 - 0.9 * std::exp(-gap / coherence) * std::cos(4 * pi * gap / wavelength));
 }
 
-TEST(ContactRadius, WithFringesOfAJkrContactIsWithinHalfAPixel) {
+TEST(ContactRadius, IsWithinHalfAPixelForFringesOfAJkrContact) {
     // 50 mJ/m² on 1 MPa at 50 µm: δ1 = 4 µm; a stiffer, less sticky contact: 0.5 µm
     for (const auto& [pixel_size, pull] : {std::pair{3e-6, 4e-6}, std::pair{1e-6, 1.5e-6}, std::pair{1e-6, 0.5e-6}})
         for (unsigned seed = 1; seed <= 3; ++seed) {
@@ -199,7 +199,7 @@ TEST(ContactFrame, WithoutContactHasRadiusZero) {
     }
 }
 
-TEST(ContactFrame, WithSomethingThatIsNoDiscIsNotFound) {
+TEST(ContactFrame, WithOtherShapesThanADiscIsNotMeasured) {
     auto contact = at_snr_5(1);
     contact.contrast = 0;
     auto pixels = contact.make();
@@ -224,7 +224,7 @@ TEST(ContactFrame, ToleratesDustAndGlareOnTheEdge) {
     EXPECT_GT(found.confidence, 0.6);
 }
 
-TEST(ContactFrame, StatesContrastAndWidthOfTheEdge) {
+TEST(ContactFrame, ReportsContrastAndWidthOfTheEdge) {
     const auto found = measure_contact_frame(at_snr_5(7, 33).make());
     EXPECT_NEAR(found.contrast_to_noise, 5.0, 0.4);
     EXPECT_NEAR(found.edge_width, std::hypot(0.8, std::sqrt(1.0 / 12)), 0.15);  // the blur and the area of a pixel

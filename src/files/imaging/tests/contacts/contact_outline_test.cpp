@@ -44,7 +44,7 @@ Array1D errors_of(const ContactOutline& outline) {
     return error;
 }
 
-TEST(ContactOutline, FollowsAnEdgeThatIsNoEllipse) {
+TEST(ContactOutline, FollowsANonEllipticalEdge) {
     const auto error = errors_of(traced(rough_contact()));
     EXPECT_LT(std::abs(error.mean()), 0.03);  // the blur moves a convex edge inwards by w²/(2a)
     EXPECT_LT(std::sqrt(error.square().mean()), 0.1);
@@ -56,7 +56,7 @@ TEST(ContactOutline, FollowsAnEdgeThatIsNoEllipse) {
 }
 
 // the contribution of noise to the error agrees with the stated one, for three contrasts
-TEST(ContactOutline, StatesTheNoiseOfItsPlaces) {
+TEST(ContactOutline, ReportsTheNoiseOfItsPositions) {
     const auto clean = errors_of(traced(rough_contact()));
     for (const double noise : {3.0, 6.0, 12.0}) {
         double ratio = 0.0;
@@ -73,7 +73,7 @@ TEST(ContactOutline, StatesTheNoiseOfItsPlaces) {
     }
 }
 
-TEST(ContactOutline, FindsHolesInside) {
+TEST(ContactOutline, FindsVoidsInTheContact) {
     auto rendered = rough_contact();
     EXPECT_TRUE(traced(rendered).voids.empty());
     rendered.void_x = 120.0;
@@ -88,7 +88,7 @@ TEST(ContactOutline, FindsHolesInside) {
     EXPECT_LT(errors_of(outline).abs().maxCoeff(), 1.0);  // the edge does not jump to it
 }
 
-TEST(ContactOutline, RefusesWhatItCannotSee) {
+TEST(ContactOutline, RefusesRangesWithoutVisibleEdge) {
     const auto rendered = rough_contact();
     const auto pixels = rendered.make();
     auto contact = measure_contact_frame(pixels);
@@ -113,7 +113,7 @@ double deviation_from_ellipse(const Array1D& edge) {
 }
 
 /// A recording of an edge that shrinks from 60 px, with the waves of the first frame.
-TEST(RecordedLine, IsTheEdgeOfEveryFrameThatShowsItWhole) {
+TEST(RecordedLine, ContainsTheEdgeOfEveryCompleteFrame) {
     const tests::Folder folder;
     std::vector<FramePixels> frames;
     for (int k = 0; k < 4; ++k) {

@@ -59,7 +59,7 @@ TEST(ContactRadii, AreTheSameForAnyNumberOfThreads) {
               as_csv(measure_contact_radii(source, {.threads = {3}})));
 }
 
-TEST(ContactRadii, KeepRowsOfBadAndExcludedFramesWithTheirReasons) {
+TEST(ContactRadii, KeepBadAndExcludedFramesWithTheirReasons) {
     const Folder folder;
     auto frames = growing(7);
     frames[4].setConstant(50);
@@ -78,7 +78,7 @@ TEST(ContactRadii, KeepRowsOfBadAndExcludedFramesWithTheirReasons) {
     EXPECT_NE(as_csv(radii).find("# frame 4: excluded: glare, left\n"), std::string::npos);
 }
 
-TEST(ContactRadii, HaveThePolarityOfMostFrames) {
+TEST(ContactRadii, UseThePolarityOfTheMajorityOfFrames) {
     const Folder folder;
     std::vector<FramePixels> frames;
     for (int k = 0; k < 4; ++k) {
@@ -114,7 +114,7 @@ TEST(ContactRadii, ReportMissingFramesAndKeepTheirTime) {
     EXPECT_NE(radii.notes.back().find("missing from the sequence: 11;"), std::string::npos) << radii.notes.back();
 }
 
-TEST(ContactRadii, ReturnFromTheirFileAndJoinARecordOfForce) {
+TEST(ContactRadii, AreReadBackAndMergedWithAForceRecord) {
     const Folder folder;
     write_bytes(folder / "stack.tif", PlainTiff{}.bytes(growing(6)));
     const auto radii =
@@ -136,7 +136,7 @@ TEST(ContactRadii, ReturnFromTheirFileAndJoinARecordOfForce) {
     EXPECT_DOUBLE_EQ(merged.at("contact_radius")[30], radii.frames[3].radius);
 }
 
-TEST(ContactRadii, TakeTheRegionsPlaceBack) {
+TEST(ContactRadii, AreInCoordinatesOfTheWholePicture) {
     const Folder folder;
     write_bytes(folder / "stack.tif", PlainTiff{}.bytes(growing(6)));
     auto part = options();
@@ -147,7 +147,7 @@ TEST(ContactRadii, TakeTheRegionsPlaceBack) {
     EXPECT_NEAR(cut.frames[5].contact.ellipse.centre_y, whole.frames[5].contact.ellipse.centre_y, 0.01);
 }
 
-TEST(ContactRadii, NeedAPixelSizeAndReasons) {
+TEST(ContactRadii, RequireAPixelSizeAndReasonsForExclusion) {
     const Folder folder;
     write_bytes(folder / "stack.tif", PlainTiff{}.bytes(growing(3)));
     EXPECT_THROW((void)measure_contact_radii(FrameSource(folder / "stack.tif", {.frame_rate = 20})), InvalidArgument);
@@ -156,7 +156,7 @@ TEST(ContactRadii, NeedAPixelSizeAndReasons) {
     EXPECT_THROW((void)measure_contact_radii(source, {.excluded = {{12, "glare"}}}), InvalidArgument);
 }
 
-TEST(Overlay, DrawsWhatWasFoundInColour) {
+TEST(Overlay, DrawsTheContactInColour) {
     const Folder folder;
     write_bytes(folder / "stack.tif", PlainTiff{}.bytes(growing(5)));
     const FrameSource source(folder / "stack.tif", options());

@@ -46,7 +46,7 @@ bool has(const ContourTrace& trace, const std::string& code) {
     return std::any_of(trace.alerts.begin(), trace.alerts.end(), [&](const auto& alert) { return alert.code == code; });
 }
 
-TEST(ContourTrace, OfACleanPictureIsTheEdge) {
+TEST(ContourTrace, OfACleanPictureFollowsTheEdge) {
     const EdgePicture picture;
     const auto tilted = [](double x, double y) { return line(x, y) / std::hypot(1.0, 0.2); };
     const auto trace = trace_contour(rendered(picture, tilted));
@@ -59,7 +59,7 @@ TEST(ContourTrace, OfACleanPictureIsTheEdge) {
               trace.segments[0].x[trace.segments[0].x.size() - 1]);  // vacuum above: to the right
 }
 
-TEST(ContourTrace, AtTwiceTheNoiseKeepsWithinHalfAPixelAndSaysHowFar) {
+TEST(ContourTrace, AtTwiceTheNoiseIsWithinHalfAPixelAndItsErrorIsStated) {
     const Wave wave;
     double squares = 0, share = 0, density = 0;
     constexpr int seeds = 4;
@@ -79,7 +79,7 @@ TEST(ContourTrace, AtTwiceTheNoiseKeepsWithinHalfAPixelAndSaysHowFar) {
     EXPECT_GT(share, 0.88);  // of 95 % for normal errors; about 30 independent places per picture
 }
 
-TEST(ContourTrace, DarkVacuumIsToldByItsLackOfStructureOrByTheUser) {
+TEST(ContourTrace, DarkVacuumIsDetectedByLackOfStructureOrChosen) {
     const Wave wave;
     EdgePicture picture{.vacuum = 1000, .sample = 1100, .noise = 20};
     auto pixels = rendered(picture, wave);
@@ -107,7 +107,7 @@ TEST(ContourTrace, AFresnelFringeDoesNotMoveTheEdge) {
     EXPECT_LT(std::abs(found.mean), 0.03);
 }
 
-TEST(ContourTrace, AnEdgeWithoutContrastIsFoundByItsFringeAndStructure) {
+TEST(ContourTrace, FindsAnEdgeWithoutContrastByFringeAndTexture) {
     const Wave wave{.amplitude = 3};
     EdgePicture picture{.vacuum = 1000.001, .sample = 1000, .noise = 6};
     auto pixels = rendered(picture, wave);
@@ -144,14 +144,14 @@ TEST(ContourTrace, TwoEdgesAreBothTracedAndReported) {
     for (const auto& segment : trace.segments) EXPECT_LT(errors_of(segment, picture, strip).rms, 0.2);
 }
 
-TEST(ContourTrace, GivesTheSameBytesAgain) {
+TEST(ContourTrace, GivesTheSameBytesTwice) {
     const auto pixels = rendered({.noise = 50}, Wave{});
     const auto first = trace_contour(pixels), second = trace_contour(pixels);
     EXPECT_TRUE((first.segments[0].x == second.segments[0].x).all());
     EXPECT_TRUE((first.segments[0].standard_error == second.segments[0].standard_error).all());
 }
 
-TEST(ContourTrace, PassesAnchors) {
+TEST(ContourTrace, PassesThroughAnchors) {
     const Wave wave;
     const EdgePicture picture{.noise = 30};
     const std::vector<Anchor> anchors{{20, wave.height(20)}, {100, wave.height(100) + 1.2}, {200, wave.height(200)}};
@@ -184,7 +184,7 @@ TEST(ContourTrace, AnchorsInEitherOrderKeepVacuumOnTheLeft) {
     EXPECT_TRUE((forth.segments[0].x == back.segments[0].x).all());
 }
 
-TEST(ContourTrace, OneAnchorLeadsTheNearestEdgeThroughIt) {
+TEST(ContourTrace, PassesTheNearestEdgeThroughOneAnchor) {
     const Wave wave;
     const EdgePicture picture{.noise = 20};
     const auto trace = trace_contour(rendered(picture, wave), {.anchors = {{{130, wave.height(130) - 2}}}});
@@ -194,7 +194,7 @@ TEST(ContourTrace, OneAnchorLeadsTheNearestEdgeThroughIt) {
     EXPECT_GT(s.length, 250);  // the whole edge, not only the part near the anchor
 }
 
-TEST(ContourTrace, CrossesHiddenPartsSmoothly) {
+TEST(ContourTrace, CrossesHiddenRegionsSmoothly) {
     const EdgePicture picture{.noise = 20};
     auto pixels = rendered(picture, Wave{.amplitude = 0});
     pixels.block(90, 100, 25, 20) = 5000;
@@ -202,7 +202,7 @@ TEST(ContourTrace, CrossesHiddenPartsSmoothly) {
     EXPECT_LT(errors_of(trace.segments.at(0), picture, Wave{.amplitude = 0}).largest, 0.8);
 }
 
-TEST(ContourTrace, ReplacesSpikesAndLeavesOutUndefinedPixels) {
+TEST(ContourTrace, ReplacesSpikesAndIgnoresUndefinedPixels) {
     const Wave wave;
     const EdgePicture picture{.noise = 10};
     auto pixels = rendered(picture, wave);
@@ -214,7 +214,7 @@ TEST(ContourTrace, ReplacesSpikesAndLeavesOutUndefinedPixels) {
     EXPECT_LT(errors_of(trace.segments.at(0), picture, wave).rms, 0.15);
 }
 
-TEST(ContourTrace, DenoisingBroadensTheEdgeItReports) {
+TEST(ContourTrace, DenoisingIncreasesTheReportedEdgeWidth) {
     const EdgePicture picture{.noise = 10};
     const auto flat = [](double, double y) { return 100.3 - y; };
     const auto trace = trace_contour(rendered(picture, flat), {.denoise = 1.2});
@@ -239,7 +239,7 @@ TEST(ContourTrace, OfAPictureWithoutEdgeIsRefused) {
                  UndefinedDataError);
 }
 
-TEST(ContourTrace, RefusesWhatLiesOutsideItsDomain) {
+TEST(ContourTrace, RefusesOptionsOutsideTheirDomain) {
     const auto pixels = rendered({}, Wave{});
     EXPECT_THROW((void)trace_contour(FramePixels::Zero(20, 400)), InvalidArgument);
     EXPECT_THROW((void)trace_contour(pixels, {.anchors = {{{300, 20}, {10, 10}}}}), InvalidArgument);
@@ -284,7 +284,7 @@ TEST(ContourTrace, OfAnyMaskEnclosesItsPixelsExactly) {
     }
 }
 
-TEST(ContourTrace, OfAFaintEdgeSaysSo) {
+TEST(ContourTrace, OfAFaintEdgeGivesAWarning) {
     const Wave wave;
     EXPECT_FALSE(has(trace_contour(rendered({.noise = 50}, wave)), "LOW_CONTRAST"));
     const auto faint = trace_contour(rendered({.noise = 150}, wave));
@@ -292,7 +292,7 @@ TEST(ContourTrace, OfAFaintEdgeSaysSo) {
     EXPECT_LT(faint.segments.at(0).contrast_to_noise, 1.0);
 }
 
-TEST(ContourTrace, ThatStillMovesInItsLastRoundSaysSo) {
+TEST(ContourTrace, NotConvergedInItsLastRoundGivesAWarning) {
     const Wave wave;
     EXPECT_TRUE(has(trace_contour(rendered({.noise = 150, .seed = 2}, wave)), "NOT_CONVERGED"));
     EXPECT_FALSE(has(trace_contour(rendered({.noise = 50, .seed = 2}, wave)), "NOT_CONVERGED"));

@@ -49,12 +49,12 @@ TEST(PlaneCurve, KeepsItsEndsWhenSmoothedOrResampled) {
     EXPECT_NEAR(straight.y[25], 5 + 4.0 * 25 / 49, 1e-12);
 }
 
-TEST(PlaneCurve, HasNormalsToTheLeftAsThePictureIsSeen) {
+TEST(PlaneCurve, HasNormalsToTheLeftInThePicture) {
     const PlaneCurve right{Array1D::LinSpaced(3, 0, 2), Array1D::Zero(3), false};
     EXPECT_DOUBLE_EQ(normals(right).y[1], -1);  // up the screen
 }
 
-TEST(EdgeBand, GivesEachPixelItsOwnPlaceAndDistance) {
+TEST(EdgeBand, GivesPositionAndDistanceOfEachPixel) {
     const FramePixels pixels = FramePixels::Zero(40, 50);
     PixelMask hidden = PixelMask::Zero(40, 50);
     hidden(18, 20) = 1;
@@ -69,7 +69,7 @@ TEST(EdgeBand, GivesEachPixelItsOwnPlaceAndDistance) {
     EXPECT_EQ(band.near(line, 3.0).size(), found.size());
 }
 
-TEST(EdgeShape, IsFoundFromItsProfile) {
+TEST(EdgeShape, IsRecoveredFromTheEdgeProfile) {
     const tests::EdgePicture picture{.blur = 1.1, .noise = 10, .fringe = 0.3, .fringe_width = 4};
     const auto edge = [](double x, double y) { return 100.3 + 0.1 * x - y; };
     const auto pixels = tests::rendered(picture, [&](double x, double y) { return edge(x, y) / std::hypot(1, 0.1); });
@@ -85,13 +85,13 @@ TEST(EdgeShape, IsFoundFromItsProfile) {
     EXPECT_NEAR(shape.fringe_width, 4, 0.6);
 }
 
-TEST(EdgeShape, SlopeIsTheDerivativeOfItsValue) {
+TEST(EdgeShape, SlopeIsTheDerivativeOfTheValue) {
     const EdgeShape shape{.step = 3, .width = 1.3, .fringe = -0.8, .fringe_width = 2.4};
     for (const double d : {-3.0, -0.4, 0.0, 1.7})
         EXPECT_NEAR(shape.slope(d), (shape.value(d + 1e-5) - shape.value(d - 1e-5)) / 2e-5, 1e-8);
 }
 
-TEST(EdgeShape, AStepAloneHasNoFringe) {
+TEST(EdgeShape, OfAPlainStepHasNoFringe) {
     const auto pixels = tests::rendered({.noise = 20}, [](double, double y) { return 100.4 - y; });
     const PixelMask hidden = PixelMask::Zero(pixels.rows(), pixels.cols());
     EdgeBand band(pixels, hidden);
@@ -99,7 +99,7 @@ TEST(EdgeShape, AStepAloneHasNoFringe) {
     EXPECT_EQ(fitted_shape(edge_profile(band.near(line, 10.0), 10.0)).fringe, 0.0);
 }
 
-TEST(PhaseCut, IsTheDivisionOfLeastEnergy) {
+TEST(PhaseCut, IsTheDivisionOfMinimumEnergy) {
     // all 2^12 divisions of a 3 × 4 grid, by the same energy with the weights of sides π/8 · 2 and of diagonals π/(8√2)
     CellMap wish(3, 4);
     wish << 1, -2, 0.3, 1.5, -0.7, 0.9, -1.1, 0.2, 2, -0.4, -1.3, 0.6;
@@ -125,12 +125,12 @@ TEST(PhaseCut, IsTheDivisionOfLeastEnergy) {
     EXPECT_NEAR(energy(minimum_cut(wish, cost, PixelMask::Ones(3, 4), PixelMask::Zero(3, 4))), least, 1e-12);
 }
 
-TEST(PhaseCut, OfNothingFreeIsWhatItWas) {
+TEST(PhaseCut, WithoutFreePixelsIsUnchanged) {
     const PixelMask labels = PixelMask::Ones(4, 5);
     EXPECT_TRUE((minimum_cut(CellMap::Zero(4, 5), 1.0, PixelMask::Zero(4, 5), labels) == labels).all());
 }
 
-TEST(PhaseCut, LeavesFixedSquaresAlone) {
+TEST(PhaseCut, DoesNotChangeFixedPixels) {
     PixelMask labels = PixelMask::Zero(3, 9);
     labels.rightCols(4) = 1;
     PixelMask free = PixelMask::Zero(3, 9);

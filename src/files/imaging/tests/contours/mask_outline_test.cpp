@@ -29,7 +29,7 @@ TEST(MaskOutline, OfOnePixelIsASquareAroundItsCentre) {
     EXPECT_DOUBLE_EQ(found[0].length(), 4);
 }
 
-TEST(MaskOutline, PutsHolesTheOtherWayRound) {
+TEST(MaskOutline, RunsAroundHolesInTheOppositeDirection) {
     PixelMask mask = PixelMask::Zero(9, 9);
     mask.block(2, 2, 5, 5) = 1;
     mask(4, 4) = 0;
@@ -52,13 +52,13 @@ TEST(MaskOutline, RunsFromSideToSideWithVacuumOnTheLeft) {
     EXPECT_DOUBLE_EQ(outlines(mask)[0].x[0], 7.5);
 }
 
-TEST(MaskOutline, KeepsPartsApartThatTouchAtACorner) {
+TEST(MaskOutline, SeparatesPartsThatTouchAtACorner) {
     PixelMask mask = PixelMask::Zero(5, 5);
     mask(1, 1) = mask(2, 2) = 1;
     EXPECT_EQ(outlines(mask).size(), 2U);
 }
 
-TEST(MaskOutline, OfAnUndividedPictureIsNone) {
+TEST(MaskOutline, OfAUniformMaskIsEmpty) {
     EXPECT_TRUE(outlines(PixelMask::Zero(4, 4)).empty());
     EXPECT_TRUE(outlines(PixelMask::Ones(4, 4)).empty());
 }

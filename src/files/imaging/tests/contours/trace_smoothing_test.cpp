@@ -19,7 +19,7 @@ Array1D white(Index n, double deviation, unsigned seed) {
     return series;
 }
 
-TEST(TraceSmoothing, LeavesHalfOfAWaveAtItsLength) {
+TEST(TraceSmoothing, TransmitsHalfOfAWaveAtTheSmoothingLength) {
     EXPECT_DOUBLE_EQ(spline_transfer(1.0, 0.0), 1.0);
     EXPECT_NEAR(spline_transfer(1.0 / 20, 20), 0.5, 1e-3);                       // q ℓ = 1
     EXPECT_NEAR(mean_spline_transfer(10) * 10, 1 / (2 * std::sqrt(2.0)), 1e-3);  // ∫_0^∞ dx/(1 + x⁴) = π/(2√2)
@@ -36,7 +36,7 @@ TEST(TraceSmoothing, SpectrumOfWhiteNoiseIsItsVariance) {
     EXPECT_NEAR(width, pi - 0.08, 1e-12);
 }
 
-TEST(TraceSmoothing, SpectrumOfAWaveHasItsSquareAtItsPlace) {
+TEST(TraceSmoothing, SpectrumOfAWaveHasItsPeakAtTheWave) {
     Array1D wave(500);
     for (Index k = 0; k < wave.size(); ++k) wave[k] = 2 * std::sin(0.5 * static_cast<double>(k));
     const auto places = place_spectrum(wave);
@@ -46,14 +46,14 @@ TEST(TraceSmoothing, SpectrumOfAWaveHasItsSquareAtItsPlace) {
     EXPECT_NEAR(places.wavevector[most], 0.5, 0.6 * places.width[most]);  // the bin that holds it
 }
 
-TEST(TraceSmoothing, ExpectedErrorOfNoiseAloneIsWhatTheSplineLetsThrough) {
+TEST(TraceSmoothing, ExpectedErrorOfPureNoiseIsItsTransmittedPart) {
     const auto places = place_spectrum(Array1D::Zero(500));
     double through = 0.08;  // ∫ K² dq, longer waves unchanged
     for (double q = 0.08 + 5e-5; q < pi; q += 1e-4) through += 1e-4 * std::pow(spline_transfer(q, 2.0), 2);
     EXPECT_NEAR(expected_squares(places, 0.3, 2.0), 0.3 * through / pi, 0.01 * 0.3);
 }
 
-TEST(TraceSmoothing, IsLongForNoiseAloneAndShortWithoutAny) {
+TEST(TraceSmoothing, IsLongForPureNoiseAndShortWithoutNoise) {
     EXPECT_GT(best_smoothing(place_spectrum(white(2000, 0.5, 1)), 0.25), 4);
     EXPECT_DOUBLE_EQ(best_smoothing(place_spectrum(white(2000, 0.5, 1)), 0.0), 0.2);
 }

@@ -22,13 +22,13 @@ std::size_t chosen(const std::string& image) {
     return number;
 }
 
-TEST(ChooseImage, TakesTheFirstPictureNumbersAndTitles) {
+TEST(ChooseImage, AcceptsNumbersAndTitlesAndDefaultsToTheFirst) {
     EXPECT_EQ(chosen(""), 1u);
     EXPECT_EQ(chosen("2"), 2u);
     EXPECT_EQ(chosen("b"), 3u);
 }
 
-TEST(ChooseImage, RefusesWhatIsNotThereAndWhatIsAmbiguous) {
+TEST(ChooseImage, RefusesMissingAndAmbiguousChoices) {
     Micrograph micrograph;
     micrograph.file = "a.emd";
     EXPECT_THROW((void)choose_image(micrograph, images, {.image = "4"}), InvalidArgument);

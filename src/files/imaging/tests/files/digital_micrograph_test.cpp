@@ -49,7 +49,7 @@ TEST(DigitalMicrograph, ReadsRealNumbers) {
         }
 }
 
-TEST(DigitalMicrograph, ReadsMagnitudesOfComplexNumbersWithAnAlert) {
+TEST(DigitalMicrograph, ReadsMagnitudesOfComplexNumbersWithAWarning) {
     for (const int type : {3, 13}) {
         DmFile file{.data_type = type, .element = type == 3 ? 6 : 7, .pairs = true};
         for (int i = 1; i <= columns * rows; ++i)
@@ -83,7 +83,7 @@ TEST(DigitalMicrograph, GivesEachAxisItsOwnScaleAndUnit) {
     EXPECT_FALSE(has_alert(square, "PIXELS_NOT_SQUARE"));
 }
 
-TEST(DigitalMicrograph, StatesNoPixelSizeWhereTheUnitIsNoLength) {
+TEST(DigitalMicrograph, HasNoPixelSizeIfTheUnitIsNotALength) {
     auto file = dm_file();
     for (const auto& [unit, code] :
          {std::pair{"1/nm", "RECIPROCAL_UNITS"}, {"", ""}, {"pixels", ""}, {"mrad", "UNKNOWN_UNIT"}}) {
@@ -97,7 +97,7 @@ TEST(DigitalMicrograph, StatesNoPixelSizeWhereTheUnitIsNoLength) {
     EXPECT_TRUE(has_alert(read_bytes(file.bytes()), "BAD_CALIBRATION"));
 }
 
-TEST(DigitalMicrograph, TellsMicroscopeTimeAndVoltage) {
+TEST(DigitalMicrograph, ReadsMicroscopeTimeAndVoltage) {
     const auto micrograph = read_bytes(dm_file(4).bytes());
     EXPECT_EQ(micrograph.instrument, "JEM");
     EXPECT_EQ(micrograph.acquisition_time, "1/2/2020 3:04");
@@ -116,7 +116,7 @@ TEST(DigitalMicrograph, RefusesSpectra) {
     expect_refusal(file.bytes(), "a spectrum");
 }
 
-TEST(DigitalMicrograph, ReadsTheFirstPlaneOfAStackWithAnAlert) {
+TEST(DigitalMicrograph, ReadsTheFirstPlaneOfAStackWithAWarning) {
     auto file = dm_file();
     file.pixels += file.pixels;
     file.dimensions = {columns, rows, 2};
@@ -125,7 +125,7 @@ TEST(DigitalMicrograph, ReadsTheFirstPlaneOfAStackWithAnAlert) {
     EXPECT_TRUE(has_alert(micrograph, "STACK"));
 }
 
-TEST(DigitalMicrograph, RefusesWhatBreaksTheTreeOfTags) {
+TEST(DigitalMicrograph, RefusesADamagedTagTree) {
     const auto whole = dm_file().bytes();
     auto kind = whole;
     kind[18] = 99;  // of the first tag
@@ -149,7 +149,7 @@ TEST(DigitalMicrograph, RefusesWhatBreaksTheTreeOfTags) {
                    "deep");
 }
 
-TEST(DigitalMicrograph, HasNoOtherImages) {
+TEST(DigitalMicrograph, RefusesOtherImageNumbers) {
     EXPECT_THROW((void)read_bytes(dm_file().bytes(), {.image = "1"}), InvalidArgument);
 }
 

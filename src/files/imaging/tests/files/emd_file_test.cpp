@@ -6,7 +6,7 @@
 namespace setae::imaging::tests::emd_file_test {
 namespace {
 
-TEST(EmdFile, ReadsEveryTypeOfNumberOfNcemsLayout) {
+TEST(EmdFile, ReadsEveryNumberTypeInTheNcemLayout) {
     for (const hid_t type : {H5T_STD_I8LE, H5T_STD_U8LE, H5T_STD_I16BE, H5T_STD_U16LE, H5T_STD_I32LE, H5T_STD_U32BE,
                              H5T_STD_I64LE, H5T_STD_U64LE, H5T_IEEE_F32BE, H5T_IEEE_F64LE}) {
         const auto micrograph = read_bytes(EmdFile{.type = type}.bytes());
@@ -17,7 +17,7 @@ TEST(EmdFile, ReadsEveryTypeOfNumberOfNcemsLayout) {
     expect_common_picture(read_bytes(EmdFile{.packed = true}.bytes()));
 }
 
-TEST(EmdFile, ReadsVeloxLayout) {
+TEST(EmdFile, ReadsTheVeloxLayout) {
     const auto micrograph = read_bytes(EmdFile{.velox = true, .unit_x = "m", .step_x = 0.5, .step_y = 0.25}.bytes());
     expect_common_picture(micrograph);
     expect_pixel_size(micrograph, 0.5, 0.25);
@@ -26,7 +26,7 @@ TEST(EmdFile, ReadsVeloxLayout) {
     EXPECT_EQ(micrograph.attributes.at("voltage"), "300000 V");
 }
 
-TEST(EmdFile, OnDiskIsReadAsInMemory) {
+TEST(EmdFile, IsReadEquallyFromDiskAndMemory) {
     const Folder folder;
     write_bytes(folder / "image.emd", EmdFile{}.bytes());
     expect_common_picture(read_micrograph(folder / "image.emd"));

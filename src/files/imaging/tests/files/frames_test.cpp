@@ -70,7 +70,7 @@ TEST(FrameSource, ReadsCompressedSixteenBitAndFloatPages) {
     }
 }
 
-TEST(FrameSource, TakesPixelSizeAndFrameRateOfImageJ) {
+TEST(FrameSource, ReadsPixelSizeAndFrameRateOfImageJ) {
     const Folder folder;
     const PlainTiff tiff{.description = "ImageJ=1.53\nimages=3\nunit=micron\nfinterval=0.05\n",
                          .resolution = 1000000,
@@ -85,14 +85,14 @@ TEST(FrameSource, TakesPixelSizeAndFrameRateOfImageJ) {
         *FrameSource(folder / "stack.tif", {.pixel_size = 2e-6, .ignore_stated_pixel_size = true}).pixel_size(), 2e-6);
 }
 
-TEST(FrameSource, FindsPagesOfImageJBeyondTheOnlyDirectory) {
+TEST(FrameSource, FindsPagesOfImageJAfterItsSingleDirectory) {
     const Folder folder;
     write_bytes(folder / "large.tif",
                 PlainTiff{.description = "ImageJ=1.53\nimages=5\n", .first_directory_only = true}.bytes(patterns(5)));
     expect_frames(FrameSource(folder / "large.tif", at_20_per_second()), patterns(5));
 }
 
-TEST(FrameSource, PassesOverResolutionsMadeForPrint) {
+TEST(FrameSource, IgnoresPrintResolutions) {
     const Folder folder;
     write_bytes(folder / "print.tif", PlainTiff{.resolution = 300, .resolution_unit = 2}.bytes(patterns(1)));
     EXPECT_FALSE(FrameSource(folder / "print.tif", {.frame_rate = 20}).pixel_size());
@@ -121,7 +121,7 @@ TEST(FrameSource, ReadsMotionJpeg) {
     expect_frames(FrameSource(folder / "film.avi"), {smooth, smooth}, 3.0f);  // JPEG at quality 95
 }
 
-TEST(FrameSource, SaysHowToConvertOtherCodecs) {
+TEST(FrameSource, ExplainsHowToConvertOtherCodecs) {
     const Folder folder;
     write_bytes(folder / "film.avi", avi({"xxxx"}, 64, 48, 24, "H264", 20));
     const auto message = message_of([&] { FrameSource(folder / "film.avi"); });
@@ -142,7 +142,7 @@ TEST(FrameSource, TakesPicturesInNaturalOrderAndReportsMissingNumbers) {
     EXPECT_LE((source.read(1).pixels - pattern(2)).abs().maxCoeff(), 0.0f);
 }
 
-TEST(FrameSource, CountsPicturesWhoseNamesDifferByMoreThanANumber) {
+TEST(FrameSource, NumbersPicturesWithUnrelatedNames) {
     const Folder folder;
     write_bytes(folder / "a1.bmp", encoded(pattern(1), ".bmp"));
     write_bytes(folder / "b7.bmp", encoded(pattern(2), ".bmp"));
@@ -151,7 +151,7 @@ TEST(FrameSource, CountsPicturesWhoseNamesDifferByMoreThanANumber) {
     EXPECT_TRUE(source.missing().empty());
 }
 
-TEST(FrameSource, GivesOnlyTheRegionAndFramesAskedFor) {
+TEST(FrameSource, GivesOnlyTheRequestedRegionAndFrames) {
     const Folder folder;
     write_bytes(folder / "stack.tif", PlainTiff{}.bytes(patterns(6)));
     auto options = at_20_per_second();
@@ -184,7 +184,7 @@ TEST(FrameSource, FlagsBadFramesAndReadsTheRest) {
     expect_holds(source.read(4).fault, "truncated: 551 of 851 bytes");
 }
 
-TEST(FrameSource, FlagsACutDirectoryAndCutPictures) {
+TEST(FrameSource, FlagsTruncatedDirectoriesAndPictures) {
     const Folder folder;
     std::vector<cv::Mat> pages;
     for (const auto& frame : patterns(3)) pages.push_back(as_bytes(frame));
@@ -231,7 +231,7 @@ void read_all(const std::string& path) {
     }
 }
 
-TEST(FrameSource, SurvivesDamagedFiles) {
+TEST(FrameSource, HandlesDamagedFiles) {
     const Folder folder;
     std::vector<cv::Mat> pages;
     for (const auto& frame : patterns(2)) pages.push_back(as_bytes(frame));
@@ -255,7 +255,7 @@ TEST(FrameSource, SurvivesDamagedFiles) {
         }
 }
 
-TEST(FrameSource, NamesWhatIsWrongWithItsFiles) {
+TEST(FrameSource, NamesTheProblemOfItsFiles) {
     const Folder folder;
     write_bytes(folder / "text.tif", "no picture at all");
     expect_holds(message_of([&] { FrameSource(folder / "text.tif", at_20_per_second()); }),

@@ -8,7 +8,7 @@
 namespace setae::imaging::tests::micrograph_test {
 namespace {
 
-TEST(Micrograph, TellsFormatsByContent) {
+TEST(Micrograph, DetectsFormatsByContent) {
     const Folder folder;
     for (const auto& [format, bytes] : micrograph_samples()) {
         SCOPED_TRACE(format);
@@ -44,7 +44,7 @@ TEST(Micrograph, RefusesPicturesTooLargeBeforeTheirPixelsAreRead) {
     }
 }
 
-TEST(Micrograph, NamesFilesThatAreMissingOrNoPictures) {
+TEST(Micrograph, NamesFilesThatAreMissingOrNotPictures) {
     const Folder folder;
     EXPECT_THROW((void)read_micrograph(folder / "missing.tif"), FileError);
     EXPECT_THROW((void)read_micrograph(folder.path()), FileError);
@@ -52,7 +52,7 @@ TEST(Micrograph, NamesFilesThatAreMissingOrNoPictures) {
     expect_refusal("", "expected DM3");
 }
 
-TEST(Micrograph, RefusesPixelsWithoutANumber) {
+TEST(Micrograph, RefusesPixelsThatAreNotFinite) {
     DmFile file;
     for (int i = 0; i < columns * rows; ++i) file.pixels += file.order().real32(i == 4 ? NAN : 1.0f);
     EXPECT_NE(refusal(file.bytes()).find("pixels that are not numbers: 1"), std::string::npos);
@@ -68,7 +68,7 @@ TEST(MicrographsIn, ListsPicturesOfAFolderInNaturalOrder) {
     EXPECT_THROW((void)micrographs_in(folder / "missing"), FileError);
 }
 
-TEST(PlainPicture, TakesPixelSizesOfPngFinerThanPrint) {
+TEST(PlainPicture, UsesPngResolutionsFinerThanPrint) {
     expect_pixel_size(read_bytes(with_pixels_per_metre(png_picture(), 2'000'000'000, 4'000'000'000)), 0.5e-9, 0.25e-9);
     EXPECT_FALSE(read_bytes(with_pixels_per_metre(png_picture(), 11811, 11811)).pixel_size);  // 300 dpi
     EXPECT_FALSE(read_bytes(png_picture()).pixel_size);

@@ -46,7 +46,7 @@ TEST(MrcFile, ReadsSignedBytesAndSmallHalves) {
     EXPECT_FLOAT_EQ(pixels(1, 2), 0.0f);
 }
 
-TEST(MrcFile, StepsOverExtendedHeadersAndReadsTheSectionAskedFor) {
+TEST(MrcFile, SkipsExtendedHeadersAndReadsTheRequestedSection) {
     auto file = mrc_file();
     file.extended = std::string(77, 'x');
     for (int i = 11; i <= 16; ++i) file.pixels += Bytes{}.real32(static_cast<float>(i));
@@ -58,7 +58,7 @@ TEST(MrcFile, StepsOverExtendedHeadersAndReadsTheSectionAskedFor) {
     EXPECT_THROW((void)read_bytes(file.bytes(), {.image = "2"}), InvalidArgument);
 }
 
-TEST(MrcFile, TakesThePixelSizeOfFeisExtendedHeaderWhereItIsSensible) {
+TEST(MrcFile, UsesAPlausiblePixelSizeOfTheFeiHeader) {
     auto file = mrc_file();
     file.extended_kind = "FEI1";
     const auto entry = [&](double size) {
@@ -76,7 +76,7 @@ TEST(MrcFile, TakesThePixelSizeOfFeisExtendedHeaderWhereItIsSensible) {
     expect_pixel_size(read_bytes(file.bytes()), 0.5e-10, 0.25e-10);
 }
 
-TEST(MrcFile, StatesNoPixelSizeWithoutACellOfPositiveLengths) {
+TEST(MrcFile, HasNoPixelSizeWithoutAPositiveCell) {
     for (const float x : {0.0f, -1.5f, std::nanf(""), std::numeric_limits<float>::infinity()}) {
         auto file = mrc_file();
         file.cell_x = x;
@@ -86,7 +86,7 @@ TEST(MrcFile, StatesNoPixelSizeWithoutACellOfPositiveLengths) {
     }
 }
 
-TEST(MrcFile, DoubtsAPixelOfOneAngstrom) {
+TEST(MrcFile, WarnsOfAPixelSizeOfOneAngstrom) {
     auto file = mrc_file();
     file.cell_x = columns;
     file.cell_y = rows;

@@ -15,7 +15,7 @@ std::vector<FramePixels> frames_of(std::size_t n) {
     return std::vector<FramePixels>(n, ramp);
 }
 
-TEST(PictureContent, TellsSizeScaleAndFrames) {
+TEST(PictureContent, ReportsSizeScaleAndFrames) {
     const Folder folder;
     write_bytes(folder / "fine.tif", PlainTiff{.resolution = 5000, .resolution_unit = 3}.bytes(frames_of(1)));
     const auto picture = picture_content(folder / "fine.tif").value();
@@ -30,7 +30,7 @@ TEST(PictureContent, TellsSizeScaleAndFrames) {
     EXPECT_FALSE(stack.pixel_size.has_value());
 }
 
-TEST(PictureContent, TellsAVideo) {
+TEST(PictureContent, ReportsAVideo) {
     const Folder folder;
     std::vector<std::string> chunks;
     for (const auto& frame : frames_of(3)) chunks.push_back(bitmap_rows(frame, 3));
@@ -41,7 +41,7 @@ TEST(PictureContent, TellsAVideo) {
     EXPECT_DOUBLE_EQ(video.frame_rate.value(), 20.0);
 }
 
-TEST(PictureContent, IsNothingOfOtherFilesAndRefusesDamagedPictures) {
+TEST(PictureContent, IsEmptyForOtherFilesAndRefusesDamagedPictures) {
     const Folder folder;
     write_bytes(folder / "text.txt", "x [um],h [nm]\n0,1\n");
     EXPECT_FALSE(picture_content(folder / "text.txt").has_value());

@@ -50,7 +50,7 @@ TEST(Bitmap, ReadsRunLengths) {
     EXPECT_NE(decoded_picture(bitmap(2, 1, 8, 1, grey_palette(), std::string("\3\7\0\1", 4))).fault, "");
 }
 
-TEST(Jpeg, TakesTheUsualTablesWhereAFilmLeavesThemOut) {
+TEST(Jpeg, UsesStandardTablesIfAVideoOmitsThem) {
     const auto whole = encoded(FramePixels::Constant(16, 16, 90), ".jpg");
     auto bare = whole;
     for (auto at = bare.find("\xFF\xC4"); at != std::string::npos; at = bare.find("\xFF\xC4"))
@@ -60,7 +60,7 @@ TEST(Jpeg, TakesTheUsualTablesWhereAFilmLeavesThemOut) {
     EXPECT_TRUE((frame.pixels == decoded_picture(whole).pixels).all());
 }
 
-TEST(Jpeg, RefusesWhatTheDecoderWouldFill) {
+TEST(Jpeg, RefusesTruncatedData) {
     FramePixels pixels(64, 64);
     for (long i = 0; i < pixels.size(); ++i) pixels.data()[i] = static_cast<float>((i * 37) % 251);
     auto file = encoded(pixels, ".jpg");
@@ -69,7 +69,7 @@ TEST(Jpeg, RefusesWhatTheDecoderWouldFill) {
     EXPECT_NE(decoded_picture(file + "\xFF\xD9").fault.find("cannot be decoded"), std::string::npos);
 }
 
-TEST(Png, ReadsPalettesInPasses) {
+TEST(Png, ReadsInterlacedPalettes) {
     std::string file;
     auto* png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
     auto* info = png_create_info_struct(png);

@@ -6,7 +6,7 @@
 namespace setae::imaging::tests::ser_file_test {
 namespace {
 
-TEST(SerFile, ReadsEveryTypeOfNumberInEitherVersion) {
+TEST(SerFile, ReadsEveryNumberTypeInEitherVersion) {
     const Bytes little;
     for (const int version : {0x0210, 0x0220})
         for (const int type : {1, 2, 3, 4, 5, 6, 7, 8, 9, 10}) {
@@ -31,7 +31,7 @@ TEST(SerFile, ReadsEveryTypeOfNumberInEitherVersion) {
         }
 }
 
-TEST(SerFile, ReadsTheImageAskedFor) {
+TEST(SerFile, ReadsTheRequestedImage) {
     auto file = ser_file(0x0220);
     file.images = 3;
     EXPECT_TRUE(has_alert(read_bytes(file.bytes()), "SEVERAL_IMAGES"));
@@ -48,7 +48,7 @@ TEST(SerFile, RefusesSpectraAndUnknownTypes) {
     expect_refusal(file.bytes(), "type 11");
 }
 
-TEST(SerFile, TakesMicroscopeAndTimeOfTheEmiBesideIt) {
+TEST(SerFile, ReadsMicroscopeAndTimeFromTheEmiFile) {
     const Folder folder;
     write_bytes(folder / "foil_1.ser", ser_file().bytes());
     EXPECT_EQ(read_micrograph(folder / "foil_1.ser").instrument, "");

@@ -18,7 +18,7 @@ std::string olympus_block(std::uint64_t at) {
     return head + list + general;
 }
 
-TEST(TiffMicrograph, ReadsEveryTypeOfNumberInEitherOrderAndBigTiff) {
+TEST(TiffMicrograph, ReadsEveryNumberTypeByteOrderAndBigTiff) {
     struct Type {
         std::uint64_t bits, format;
     };
@@ -42,7 +42,7 @@ TEST(TiffMicrograph, ReadsEveryTypeOfNumberInEitherOrderAndBigTiff) {
             }
 }
 
-TEST(TiffMicrograph, TakesThePixelSizeOfFeiFromScanBeforeOtherSections) {
+TEST(TiffMicrograph, ReadsThePixelSizeOfFeiFromTheScanSectionFirst) {
     const std::string text =
         "[User]\r\nDate=06/13/2016\r\nTime=05:06\r\n[System]\r\nSystemType=Helios\r\n[EScan]\r\nPixelWidth=9e-9\r\nPixelHeight=9e-9\r\n[Scan]\r\nPixelWidth=3e-9\r\nPixelHeight=2e-9\r\n[Beam]\r\nHV=oops\r\n";
     for (const int tag : {34680, 34682}) {
@@ -62,7 +62,7 @@ TEST(TiffMicrograph, TakesThePixelSizeOfFeiFromScanBeforeOtherSections) {
     EXPECT_FALSE(read_with({TiffFile{}.text(34682, "[Scan]\nPixelWidth=notafloat\nPixelHeight=1e-9\n")}).pixel_size);
 }
 
-TEST(TiffMicrograph, TakesThePixelSizeOfOlympus) {
+TEST(TiffMicrograph, ReadsThePixelSizeOfOlympus) {
     const TiffFile tiff;
     const auto plain = tiff.bytes({{tiff.longs(33560, 0)}});
     const auto micrograph = read_bytes(tiff.bytes({{tiff.longs(33560, plain.size())}}) + olympus_block(plain.size()));
@@ -72,7 +72,7 @@ TEST(TiffMicrograph, TakesThePixelSizeOfOlympus) {
     EXPECT_TRUE(has_alert(read_bytes(tiff.bytes({{tiff.longs(33560, 9)}})), "BAD_CALIBRATION"));
 }
 
-TEST(TiffMicrograph, PassesOverThumbnails) {
+TEST(TiffMicrograph, IgnoresThumbnails) {
     const TiffFile tiff;
     const auto first_wide = tiff.bytes({{tiff.longs(254, 1)}, {}});
     EXPECT_FALSE(has_alert(read_bytes(first_wide), "SEVERAL_IMAGES"));
@@ -87,7 +87,7 @@ TEST(TiffMicrograph, PassesOverThumbnails) {
     EXPECT_THROW((void)read_bytes(stack, {.image = "2"}), InvalidArgument);
 }
 
-TEST(TiffMicrograph, TakesThePixelSizeOfDigitalMicrograph) {
+TEST(TiffMicrograph, ReadsThePixelSizeOfDigitalMicrograph) {
     const TiffFile tiff;
     const auto micrograph =
         read_with({tiff.text(65003, "\xB5m"), tiff.text(65004, "nm"), tiff.real(65009, 0.5), tiff.real(65010, 250)});
@@ -97,7 +97,7 @@ TEST(TiffMicrograph, TakesThePixelSizeOfDigitalMicrograph) {
         read_with({tiff.text(65003, ""), tiff.text(65004, ""), tiff.real(65009, 1), tiff.real(65010, 1)}).pixel_size);
 }
 
-TEST(TiffMicrograph, TakesThePixelSizeOfImageJForEachAxis) {
+TEST(TiffMicrograph, ReadsThePixelSizeOfImageJPerAxis) {
     const TiffFile tiff;
     for (const std::string unit : {"micron", "\\u00B5m", "um"})
         expect_pixel_size(read_with({tiff.text(270, "ImageJ=1.53\nunit=" + unit + "\n"), tiff.ratio(282, 4, 1),
@@ -108,14 +108,14 @@ TEST(TiffMicrograph, TakesThePixelSizeOfImageJForEachAxis) {
     EXPECT_FALSE(read_with({tiff.text(270, "ImageJ=1.53\nunit=pixel\n"), tiff.ratio(282, 4, 1)}).pixel_size);
 }
 
-TEST(TiffMicrograph, TakesResolutionsFinerThanPrint) {
+TEST(TiffMicrograph, UsesResolutionsFinerThanPrint) {
     const TiffFile tiff;
     EXPECT_FALSE(read_with({tiff.ratio(282, 300, 1), tiff.ratio(283, 300, 1), tiff.shorts(296, 2)}).pixel_size);
     expect_pixel_size(read_with({tiff.ratio(282, 10000000, 1), tiff.ratio(283, 20000000, 1), tiff.shorts(296, 3)}),
                       1e-9, 5e-10);
 }
 
-TEST(TiffMicrograph, TakesThePixelSizeOfOmeXml) {
+TEST(TiffMicrograph, ReadsThePixelSizeOfOmeXml) {
     const TiffFile tiff;
     expect_pixel_size(
         read_with({tiff.text(
@@ -146,7 +146,7 @@ TEST(TiffMicrograph, MarksInstrumentsUntestedOnRealFiles) {
 }
 
 /// Found by fuzzing: memory for a strip was allocated before its size was compared with the file.
-TEST(TiffMicrograph, TakesNoMemoryForAStripThatTheFileCannotHold) {
+TEST(TiffMicrograph, AllocatesNoMemoryForAnImpossibleStrip) {
     const TiffFile tiff{.big_tiff = true};
     expect_refusal(tiff.bytes({{TiffField{279, 16, 1, Bytes{}.whole(std::uint64_t{1} << 60, 8)}, tiff.shorts(259, 5)}}),
                    "truncated");

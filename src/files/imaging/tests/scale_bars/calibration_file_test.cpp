@@ -35,7 +35,7 @@ KeptCalibration example() {
     return kept;
 }
 
-TEST(CalibrationFile, KeepsEveryNumberToTheLastBit) {
+TEST(CalibrationFile, PreservesEveryNumberToTheLastBit) {
     const Folder folder;
     const auto path = folder / "calibration.json";
     const auto kept = example();
@@ -66,7 +66,7 @@ TEST(CalibrationFile, KeepsEveryNumberToTheLastBit) {
     EXPECT_EQ(bytes::read_file(path), bytes);
 }
 
-TEST(CalibrationFile, NeedsNoScaleBar) {
+TEST(CalibrationFile, DoesNotRequireAScaleBar) {
     const Folder folder;
     auto kept = example();
     kept.calibration.scale_bar.reset();
@@ -78,7 +78,7 @@ TEST(CalibrationFile, NeedsNoScaleBar) {
     EXPECT_FALSE(read_calibration(folder / "c.json").calibration.scale_bar->labelled_length);
 }
 
-TEST(CalibrationFile, NamesThePictureItCameFrom) {
+TEST(CalibrationFile, NamesItsPicture) {
     const Folder folder;
     write_bytes(folder / "soot.tif", "bytes");
     const auto kept = kept_calibration(example().calibration, folder / "soot.tif");

@@ -59,7 +59,7 @@ std::string codes(const Calibration& calibration) {
     return all;
 }
 
-TEST(Calibration, TakesWhatIsGivenFirst) {
+TEST(Calibration, PrefersTheGivenPixelSize) {
     const auto calibration =
         calibrate(stating(with_bar(), 1.004 * by_bar), {.pixel_size = PixelSize{by_bar, 1.001 * by_bar}});
     EXPECT_EQ(calibration.source, "given");
@@ -71,7 +71,7 @@ TEST(Calibration, TakesWhatIsGivenFirst) {
     EXPECT_DOUBLE_EQ(calibration.scale_bar->length, 120);
 }
 
-TEST(Calibration, TakesTheFilesThenThatOfTheBar) {
+TEST(Calibration, PrefersTheFileToTheScaleBar) {
     const auto stated = calibrate(stating(with_bar(), 1.002 * by_bar, 1.5 * by_bar));  // bars give no information on y
     EXPECT_EQ(stated.source, "file: DM4 calibration");
     EXPECT_DOUBLE_EQ(stated.pixel_size.y, 1.5 * by_bar);
@@ -85,7 +85,7 @@ TEST(Calibration, TakesTheFilesThenThatOfTheBar) {
     EXPECT_EQ(codes(given), "");
 }
 
-TEST(Calibration, ByALabelAloneAsksForConfirmation) {
+TEST(Calibration, ByTheLabelOnlyRequiresConfirmation) {
     const auto read = calibrate(with_bar());
     EXPECT_EQ(read.source, "scale bar 20 nm = 120.0 px");
     EXPECT_DOUBLE_EQ(read.pixel_size.x, by_bar);
@@ -95,7 +95,7 @@ TEST(Calibration, ByALabelAloneAsksForConfirmation) {
     EXPECT_EQ(codes(calibrate(with_bar(), {.scale_bar_length = 20e-9})), "");
 }
 
-TEST(Calibration, OfAFileWithoutBarIsTheFiles) {
+TEST(Calibration, WithoutScaleBarUsesTheFile) {
     const auto calibration = calibrate(stating(without_bar(), 1e-10));
     EXPECT_DOUBLE_EQ(calibration.pixel_size.x, 1e-10);
     EXPECT_FALSE(calibration.scale_bar);
@@ -124,7 +124,7 @@ TEST(Calibration, AllowsThreeStandardErrorsOfAShortBar) {
     expect_holds(message_of(stating(made, 1.032 * 30e-9 / 30), {.scale_bar_length = 30e-9}), "scale bar of 30.0 px");
 }
 
-TEST(Calibration, GoesByOptionOrBarWhereTheFileIsToBeIgnored) {
+TEST(Calibration, UsesOptionOrScaleBarIfTheFileIsIgnored) {
     const auto by_option = calibrate(stating(without_bar(), 1e-10),
                                      {.pixel_size = PixelSize{2e-10, 2e-10}, .ignore_stated_pixel_size = true});
     EXPECT_DOUBLE_EQ(by_option.pixel_size.x, 2e-10);
@@ -136,7 +136,7 @@ TEST(Calibration, GoesByOptionOrBarWhereTheFileIsToBeIgnored) {
     EXPECT_DOUBLE_EQ(by_file.pixel_size.x, 1e-10);
 }
 
-TEST(Calibration, SaysWhatIsMissing) {
+TEST(Calibration, ReportsMissingInput) {
     expect_holds(message_of(without_bar()), "the file states none, and no scale bar was found; give `pixel`");
     expect_holds(message_of(without_label()),
                  "the label of the scale bar of 120.0 px at x 60, y 442 gives none (no letters next to the bar)");
@@ -151,7 +151,7 @@ TEST(Calibration, RefusesSizesThatAreNotPositive) {
     expect_holds(message_of(stating(without_bar(), -1e-10)), "the file states a pixel size of");
 }
 
-TEST(Calibration, NamesBarsThatAreAsGood) {
+TEST(Calibration, NamesEquallyGoodScaleBars) {
     auto picture = RenderedGround{}.make();
     RenderedBar{.label = U""}.draw(picture);
     RenderedBar{.begin_x = 300.5, .length = 90, .label = U""}.draw(picture);
@@ -162,7 +162,7 @@ TEST(Calibration, NamesBarsThatAreAsGood) {
     expect_holds(calibration.alerts.front().message, "120.0 px");
 }
 
-TEST(Calibration, ServesPicturesOfTheSameMagnificationAlone) {
+TEST(Calibration, AppliesOnlyToPicturesOfTheSameMagnification) {
     const auto calibration = calibrate(with_bar(), {.scale_bar_length = 20e-9});
     EXPECT_NO_THROW(check_same_magnification(calibration, with_bar()));
     EXPECT_NO_THROW(check_same_magnification(calibration, without_bar()));

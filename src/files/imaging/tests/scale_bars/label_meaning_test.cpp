@@ -21,7 +21,7 @@ TEST(LabelMeaning, IsALengthInTheUnitsOfMicroscopes) {
     EXPECT_EQ(meaning_of_label("5A").text, "5 Å");
 }
 
-TEST(LabelMeaning, IsNoneWhereNumbersAreUnusualOrMalformed) {
+TEST(LabelMeaning, IsEmptyForUnusualOrMalformedNumbers) {
     for (const auto* text : {"3nm", "51nm", "05um", "101nm", "0nm", ".5um", "5.0.1nm", "-5nm", "5", "nm", "5 kV", "5n",
                              "", "1e5nm", "5 nmnm"}) {
         const auto meaning = meaning_of_label(text);
@@ -30,7 +30,7 @@ TEST(LabelMeaning, IsNoneWhereNumbersAreUnusualOrMalformed) {
     }
 }
 
-TEST(LabelMeaning, OfReciprocalLengthsIsSaidToBeADiffractionPattern) {
+TEST(LabelMeaning, OfReciprocalLengthsIsReportedAsDiffractionPattern) {
     for (const auto* text : {"5 1/nm", "51/nm", "10/nm", "2nm-1"}) {
         const auto meaning = meaning_of_label(text);
         EXPECT_FALSE(meaning.length) << text;

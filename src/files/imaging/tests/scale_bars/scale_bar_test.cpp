@@ -54,9 +54,9 @@ FramePixels rendered(const Style& style, const RenderedGround& ground) {
     return style.jpeg > 0 ? through_jpeg(picture, style.jpeg) : eight_bits(picture);
 }
 
-class BarsOfAllStyles : public testing::TestWithParam<std::tuple<std::size_t, double>> {};
+class ScaleBarsOfAllStyles : public testing::TestWithParam<std::tuple<std::size_t, double>> {};
 
-TEST_P(BarsOfAllStyles, AreFoundToHalfAPixel) {
+TEST_P(ScaleBarsOfAllStyles, AreFoundToHalfAPixel) {
     const auto [index, noise] = GetParam();
     auto style = styles()[index];
     style.bar.label.clear();  // the reader is tested elsewhere
@@ -73,10 +73,10 @@ TEST_P(BarsOfAllStyles, AreFoundToHalfAPixel) {
         EXPECT_FALSE(bar.labelled_length) << style.name;
     }
 }
-INSTANTIATE_TEST_SUITE_P(Noise, BarsOfAllStyles,
+INSTANTIATE_TEST_SUITE_P(Noise, ScaleBarsOfAllStyles,
                          testing::Combine(testing::Range<std::size_t>(0, 16), testing::Values(0.0, 10.0, 25.0)));
 
-TEST(ScaleBars, AreFoundUnderNoiseThatCoversThem) {
+TEST(ScaleBars, AreFoundInStrongNoise) {
     for (unsigned seed = 1; seed <= 4; ++seed) {
         auto picture = RenderedGround{.noise = 0, .seed = seed}.make();
         RenderedBar{.level = seed % 2 == 0 ? 0.0 : 255.0, .label = U""}.draw(picture);
@@ -101,7 +101,7 @@ TEST(ScaleBars, OfWholePixelsAreExact) {
     }
 }
 
-TEST(ScaleBars, EndWithinPixelsWhereTheGroundIsEven) {
+TEST(ScaleBars, HaveSubpixelEndsOnUniformBackground) {
     // without texture the covered share of the last pixel is determined to a grey level in 150: 0.01 px, and the steps
     // of 0.05 px
     for (const double begin : {60.1, 60.25, 60.8}) {
@@ -156,9 +156,9 @@ const std::vector<Barless>& barless() {
     return all;
 }
 
-class PicturesWithoutBar : public testing::TestWithParam<std::size_t> {};
+class PicturesWithoutScaleBar : public testing::TestWithParam<std::size_t> {};
 
-TEST_P(PicturesWithoutBar, HaveNone) {
+TEST_P(PicturesWithoutScaleBar, HaveNone) {
     constexpr long size = 256;
     const auto& picture = barless()[GetParam()];
     for (int k = 1; k <= 20; ++k) {
@@ -172,9 +172,9 @@ TEST_P(PicturesWithoutBar, HaveNone) {
         EXPECT_TRUE(find_scale_bars(pixels).empty()) << picture.name << ' ' << k;
     }
 }
-INSTANTIATE_TEST_SUITE_P(Kinds, PicturesWithoutBar, testing::Range<std::size_t>(0, 7));
+INSTANTIATE_TEST_SUITE_P(Kinds, PicturesWithoutScaleBar, testing::Range<std::size_t>(0, 7));
 
-TEST(ScaleBars, AreNotSeenInSamples) {
+TEST(ScaleBars, AreNotFoundInSamples) {
     for (unsigned seed = 1; seed <= 20; ++seed)
         EXPECT_TRUE(
             find_scale_bars(
@@ -183,7 +183,7 @@ TEST(ScaleBars, AreNotSeenInSamples) {
             << seed;
 }
 
-TEST(ScaleBars, AreNotSeenInStreaks) {
+TEST(ScaleBars, AreNotFoundInStreaks) {
     for (unsigned seed = 1; seed <= 10; ++seed) {
         std::mt19937_64 generator(seed);
         std::normal_distribution<float> normal;
@@ -203,9 +203,9 @@ struct Labelled {
     double length;
 };
 
-class LabelsOfBars : public testing::TestWithParam<Labelled> {};
+class LabelsOfScaleBars : public testing::TestWithParam<Labelled> {};
 
-TEST_P(LabelsOfBars, AreRead) {
+TEST_P(LabelsOfScaleBars, AreRead) {
     const auto& expected = GetParam();
     const auto bars = find_scale_bars(picture_with_bar({}, {.label = expected.label}));
     ASSERT_EQ(bars.size(), 1U);
@@ -213,13 +213,13 @@ TEST_P(LabelsOfBars, AreRead) {
     ASSERT_TRUE(bars.front().labelled_length) << expected.text;
     EXPECT_DOUBLE_EQ(*bars.front().labelled_length, expected.length);
 }
-INSTANTIATE_TEST_SUITE_P(Units, LabelsOfBars,
+INSTANTIATE_TEST_SUITE_P(Units, LabelsOfScaleBars,
                          testing::Values(Labelled{U"5 nm", "5 nm", 5e-9}, Labelled{U"200nm", "200 nm", 200e-9},
                                          Labelled{U"0.5 \u00b5m", "0.5 µm", 0.5e-6}, Labelled{U"2 um", "2 µm", 2e-6},
                                          Labelled{U"5 \u00c5", "5 Å", 5e-10}, Labelled{U"500 pm", "500 pm", 500e-12},
                                          Labelled{U"1 mm", "1 mm", 1e-3}, Labelled{U"2.5 nm", "2.5 nm", 2.5e-9}));
 
-TEST(ScaleBars, FindLabelsAboveBelowAndBeside) {
+TEST(ScaleBars, HaveLabelsAboveBelowOrNextToThem) {
     for (const auto& [x, y] : std::vector<std::pair<int, int>>{{70, 408}, {70, 450}, {200, 432}}) {
         const auto bars = find_scale_bars(picture_with_bar({}, {.label = U"20 nm", .label_x = x, .label_y = y}));
         ASSERT_EQ(bars.size(), 1U);
@@ -233,7 +233,7 @@ TEST(ScaleBars, FindLabelsAboveBelowAndBeside) {
     }
 }
 
-TEST(ScaleBars, GiveNoLengthForLabelsThatAreNone) {
+TEST(ScaleBars, GiveNoLengthForInvalidLabels) {
     for (const std::u32string label : {U"5 1/nm", U"3 nm", U"52", U"nm"}) {
         const auto bars = find_scale_bars(picture_with_bar({}, {.label = label}));
         ASSERT_EQ(bars.size(), 1U);
@@ -241,7 +241,7 @@ TEST(ScaleBars, GiveNoLengthForLabelsThatAreNone) {
     }
 }
 
-TEST(ScaleBars, NeverReadAnotherLengthThroughNoise) {
+TEST(ScaleBars, AreNeverReadWithAWrongLengthInNoise) {
     for (unsigned seed = 1; seed <= 3; ++seed) {
         const auto bars = find_scale_bars(picture_with_bar({.noise = 30, .seed = seed}, {.label = U"0.5 \u00b5m"}));
         ASSERT_EQ(bars.size(), 1U);
@@ -249,7 +249,7 @@ TEST(ScaleBars, NeverReadAnotherLengthThroughNoise) {
     }
 }
 
-TEST(ScaleBars, StandWithoutLabelWhereTheReaderHasNoData) {
+TEST(ScaleBars, HaveNoLabelWithoutTesseractData) {
     const char* before = std::getenv("TESSDATA_PREFIX");
     const std::string kept = before ? before : "";
     setenv("TESSDATA_PREFIX", "/nonexistent", 1);
@@ -264,7 +264,7 @@ TEST(ScaleBars, StandWithoutLabelWhereTheReaderHasNoData) {
     EXPECT_DOUBLE_EQ(bars.front().length, 120);
 }
 
-TEST(ScaleBars, JoinHalvesWithTheLabelBetween) {
+TEST(ScaleBars, JoinTwoHalvesAroundTheLabel) {
     auto picture = RenderedGround{}.make();
     RenderedBar left{.begin_x = 200.5,
                      .length = 60,
@@ -291,7 +291,7 @@ TEST(ScaleBars, JoinHalvesWithTheLabelBetween) {
     EXPECT_DOUBLE_EQ(*bars.front().labelled_length, 200e-9);
 }
 
-TEST(ScaleBars, AreTheSameEveryTime) {
+TEST(ScaleBars, AreReproducible) {
     const auto pixels = picture_with_bar({.noise = 25}, {});
     const auto first = find_scale_bars(pixels), second = find_scale_bars(pixels);
     ASSERT_EQ(first.size(), 1U);
@@ -309,7 +309,7 @@ bool holds(const std::vector<PictureRegion>& regions, const PictureRegion& part)
     return false;
 }
 
-TEST(Annotations, HoldBarsLabelsAndDataBars) {
+TEST(Annotations, ContainScaleBarsLabelsAndDataBars) {
     EXPECT_TRUE(holds(annotations(picture_with_bar({}, {})), {61, 412, 120, 34}));
     const auto on_data_bar =
         annotations(picture_with_bar({}, {.top = 480, .label_x = 200, .label_y = 472, .data_bar = 50}));
@@ -317,7 +317,7 @@ TEST(Annotations, HoldBarsLabelsAndDataBars) {
     EXPECT_FALSE(holds(on_data_bar, {0, 455, 512, 50}));
 }
 
-TEST(Annotations, HoldTextThatIsDrawn) {
+TEST(Annotations, ContainDrawnText) {
     auto picture = RenderedGround{}.make();
     RenderedBar::write(picture, U"20 nm 512 AA", 300, 20, 1.0, 255);
     const auto regions = annotations(eight_bits(picture));
@@ -326,7 +326,7 @@ TEST(Annotations, HoldTextThatIsDrawn) {
     EXPECT_LT(regions.front().height, 40);
 }
 
-TEST(Annotations, AreNoneOfVacuumsMasksAndFoils) {
+TEST(Annotations, AreEmptyForVacuumMasksAndFoils) {
     EXPECT_TRUE(annotations(eight_bits(RenderedGround{}.make())).empty());
     EXPECT_TRUE(annotations(eight_bits(RenderedGround{.noise = 0}.make())).empty());
     FramePixels foil = FramePixels::Constant(300, 300, 200.0f);

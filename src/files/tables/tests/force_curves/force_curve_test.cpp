@@ -17,7 +17,7 @@ Table curve(const std::string& content, const ForceCurveOptions& options = {}) {
     return read_force_curve(bytes::memory_source("f", content), options);
 }
 
-TEST(JpkForce, FollowsTheConversionsOfTheFile) {
+TEST(JpkForce, UsesTheConversionsOfTheFile) {
     for (const bool shared : {false, true}) {
         SCOPED_TRACE(shared);
         const auto table = curve(jpk_force_file(shared));
@@ -39,7 +39,7 @@ TEST(JpkForce, FollowsTheConversionsOfTheFile) {
     }
 }
 
-TEST(JpkForce, ConstantsGivenOverruleTheFile) {
+TEST(JpkForce, GivenConstantsOverrideTheFile) {
     const auto table = curve(jpk_force_file(), {.spring_constant = 0.4, .sensitivity = 100e-9});
     EXPECT_NEAR(table.at("force")[2], 0.4 * 100e-9 * 0.45, 1e-22);
     EXPECT_EQ(table.metadata.at("spring_constant"), "0.4 N/m");
@@ -85,7 +85,7 @@ TEST(AfmWorkshop, ReadsBothBranches) {
     EXPECT_EQ(table.find("time"), nullptr);
 }
 
-TEST(AfmWorkshop, SaysWhichConstantIsMissing) {
+TEST(AfmWorkshop, NamesTheMissingConstant) {
     auto text = afm_workshop_file();
     text.replace(text.find("\t2.5\r"), 4, "\t1");
     const auto table = curve(text);
@@ -98,7 +98,7 @@ TEST(AfmWorkshop, SaysWhichConstantIsMissing) {
                       "channels of different length: row 3 of the retract branch has only a height"));
 }
 
-TEST(NtMdt, ReversesApproachAndCutsPadding) {
+TEST(NtMdt, ReversesApproachAndRemovesPadding) {
     const auto table = curve(nt_mdt_file(), {.spring_constant = 0.5, .sensitivity = 20.0});
     ASSERT_EQ(table.rows(), 9);  // one constant reading ahead of the approach is left out
     EXPECT_DOUBLE_EQ(table.at("height")[0], 0.5e-9);
@@ -110,7 +110,7 @@ TEST(NtMdt, ReversesApproachAndCutsPadding) {
     EXPECT_EQ(curve(nt_mdt_file()).find("force"), nullptr);
 }
 
-TEST(ForceCurves, FormatsAreToldApart) {
+TEST(ForceCurves, FormatsAreDistinguished) {
     EXPECT_EQ(force_curve_format(bytes::memory_source("f", jpk_force_file())), "jpk-force");
     EXPECT_EQ(force_curve_format(bytes::memory_source("f", afm_workshop_file())), "afm-workshop");
     EXPECT_EQ(force_curve_format(bytes::memory_source("f", nt_mdt_file())), "nt-mdt");
@@ -138,7 +138,7 @@ TEST(IgorForce, ReadsChannelsByTheirLabels) {
     }
 }
 
-TEST(IgorForce, SplitsAtTheTurnWithoutANote) {
+TEST(IgorForce, SplitsAtTheTurningPointWithoutANote) {
     const auto table = curve(igor_force_file(""));
     EXPECT_EQ(table.metadata.at("segments"), "extend, retract");
     EXPECT_EQ(table.at("segment")[2], 0.0);
@@ -149,7 +149,7 @@ TEST(IgorForce, SplitsAtTheTurnWithoutANote) {
 
 // ---- Nanoscope ------------------------------------------------------------------------------------------------------
 
-TEST(NanoscopeForce, ReadsRampAndDeflectionFromTheDeepestPointOutwards) {
+TEST(NanoscopeForce, OrdersRampAndDeflectionFromTheDeepestPoint) {
     for (const int value_bytes : {2, 4}) {
         const auto table = curve(nanoscope_force_file(1, false, value_bytes));
         ASSERT_EQ(table.rows(), 7);
@@ -169,14 +169,14 @@ TEST(NanoscopeForce, ReadsRampAndDeflectionFromTheDeepestPointOutwards) {
     }
 }
 
-TEST(NanoscopeForce, TakesTheHeightSensorBeforeTheRamp) {
+TEST(NanoscopeForce, PrefersTheHeightSensorToTheRamp) {
     const auto table = curve(nanoscope_force_file(1, true));
     EXPECT_NEAR(table.at("height")[3], 40e-9, 1e-20);
     EXPECT_NEAR(table.at("height")[0], 10e-9, 1e-20);
     EXPECT_EQ(table.metadata.at("height_channel"), "Height Sensor");
 }
 
-TEST(NanoscopeForce, ReadsTheCurvesOfAVolumeOnTheirGrid) {
+TEST(NanoscopeForce, ReadsCurvesOfAForceVolumeOnTheirGrid) {
     const auto curves = open_force_curves(bytes::memory_source("f", nanoscope_force_file(6)));
     ASSERT_EQ(curves.numbers.size(), 6u);
     ASSERT_TRUE(curves.grid);
@@ -189,13 +189,13 @@ TEST(NanoscopeForce, ReadsTheCurvesOfAVolumeOnTheirGrid) {
     EXPECT_EQ(curves.grid->pixel(first.x, first.y), (std::array<Index, 2>{0, 2}));
 }
 
-TEST(NanoscopeForce, LeavesOutSamplesThatWereNotMeasured) {
+TEST(NanoscopeForce, OmitsUnmeasuredSamples) {
     auto content = nanoscope_force_file();
     content.replace(4096 + 2 * 3, 2, std::string("\x00\x80", 2));  // the farthest of the approach
     EXPECT_EQ(curve(content).rows(), 6);
 }
 
-TEST(NanoscopeForce, SaysWhatIsMissingOrDamaged) {
+TEST(NanoscopeForce, NamesMissingAndDamagedEntries) {
     const auto changed = [](const std::string& from, const std::string& to) {
         auto content = nanoscope_force_file();
         content.replace(content.find(from), from.size(), to);
@@ -233,7 +233,7 @@ TEST(JpkText, ReadsSeveralCurvesByTheirIndex) {
     EXPECT_NEAR(last.x, 2e-6, 1e-18);
 }
 
-TEST(JpkText, SaysWhichColumnIsMissingAndWhereTheTextBreaksOff) {
+TEST(JpkText, NamesTheMissingColumnAndTheTruncationLine) {
     auto text = jpk_text_file();
     const auto message = [](const std::string& content) { return message_of([&] { (void)curve(content); }); };
     const auto cut = text.substr(0, text.rfind("0.75") - 20);
@@ -244,7 +244,7 @@ TEST(JpkText, SaysWhichColumnIsMissingAndWhereTheTextBreaksOff) {
     EXPECT_TRUE(holds(message(text), "no column of height")) << message(text);
 }
 
-TEST(ForceCurves, ThoseThatSayWhatTheyAreAreTold) {
+TEST(ForceCurves, AreDetectedByTheirContent) {
     const auto stated = [](const std::string& content) {
         return stated_force_curve_format(bytes::memory_source("f", content)).value_or("");
     };

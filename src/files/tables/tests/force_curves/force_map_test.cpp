@@ -19,7 +19,7 @@ ForceCurves opened(const std::string& content, const ForceCurveOptions& options 
 
 const std::vector<JpkMapCurve> two_curves{{.number = 3, .x = 0.0, .y = -1e-6}, {.number = 12, .x = 2e-6, .y = -0.6e-6}};
 
-TEST(JpkForceOf2015, IsToldByItsTypeAndReadsWhatStandsByReference) {
+TEST(JpkForceOf2015, IsDetectedByTypeAndReadWithItsSharedHeader) {
     const auto source = bytes::memory_source("f", jpk_force_file_of_2015());
     EXPECT_EQ(force_curve_format(source), "jpk-force");
     const auto table = read_force_curve(source);
@@ -30,7 +30,7 @@ TEST(JpkForceOf2015, IsToldByItsTypeAndReadsWhatStandsByReference) {
     EXPECT_EQ(table.metadata.at("position_y"), "-2e-6 m");
 }
 
-TEST(JpkMap, HoldsItsCurvesByNumberWithTheirPlaces) {
+TEST(JpkMap, GivesCurvesByNumberWithTheirPositions) {
     for (const bool qi : {false, true}) {
         SCOPED_TRACE(qi);
         const auto content = jpk_map_file(two_curves, jpk_map_header(2, 1, 0.0, qi));
@@ -47,18 +47,18 @@ TEST(JpkMap, HoldsItsCurvesByNumberWithTheirPlaces) {
     }
 }
 
-TEST(JpkMap, ConstantsGivenOverruleTheFile) {
+TEST(JpkMap, GivenConstantsOverrideTheFile) {
     EXPECT_NEAR(opened(jpk_map_file(two_curves), {.spring_constant = 0.4}).read(3).table.at("force")[2],
                 0.4 * 50e-9 * 0.45, 1e-22);
 }
 
-TEST(JpkMap, IsNoSingleCurve) {
+TEST(JpkMap, IsNotASingleCurve) {
     EXPECT_TRUE(
         holds(message_of([] { (void)read_force_curve(bytes::memory_source("f", jpk_map_file(two_curves))); }),
               "2 force curves, expected one; `setae jkr fit` fits all of them, `curve_number` selects one of 3 to 12"));
 }
 
-TEST(JpkMap, DamageIsOfOneCurveOrOfTheGrid) {
+TEST(JpkMap, DamageAffectsOneCurveOrTheGrid) {
     auto damaged = two_curves;
     damaged[1].readings[0] = {1, 2};
     const auto curves = opened(jpk_map_file(damaged));
@@ -87,7 +87,7 @@ TEST(MapGrid, FindsPixelsFromTheTopLeft) {
     EXPECT_EQ(turned.pixel(9.5, 18.5), (std::array<Index, 2>{0, 0}));
 }
 
-TEST(NanosurfForce, ReadsALineACurve) {
+TEST(NanosurfForce, ReadsOneCurvePerLine) {
     const auto content = nanosurf_force_file();
     EXPECT_EQ(force_curve_format(bytes::memory_source("f", content)), "nanosurf-force");
     const auto curves = opened(content);
@@ -108,7 +108,7 @@ TEST(NanosurfForce, ReadsALineACurve) {
     EXPECT_EQ(table.metadata.count("missing"), 0u);
 }
 
-TEST(NanosurfForce, VoltsBecomeForceByTheCalibration) {
+TEST(NanosurfForce, ConvertsVoltsToForceByTheCalibration) {
     const auto table = opened(nanosurf_force_file("V")).read(0).table;
     EXPECT_NEAR(table.at("reading")[2], 20e-4, 1e-15);
     EXPECT_NEAR(table.at("force")[2], 48.0 * 30e-9 * 20e-4, 1e-20);

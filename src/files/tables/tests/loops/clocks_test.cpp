@@ -27,7 +27,7 @@ Table camera_record(const Array1D& time, const Array1D& radius) {
     return table;
 }
 
-TEST(MergedByTime, PutsFramesOnTheNearestSampleAndInventsNothing) {
+TEST(MergedByTime, AssignsFramesToTheNearestSampleOnly) {
     const auto table = merged_by_time(
         force_record(), camera_record(Array1D{{10.02, 10.38, 10.71}}, Array1D{{1e-5, 2e-5, 3e-5}}), -10.0);
     const auto& radius = table.at("contact_radius");
@@ -43,7 +43,7 @@ TEST(MergedByTime, PutsFramesOnTheNearestSampleAndInventsNothing) {
     EXPECT_TRUE((table.at("force") == force_record().at("force")).all());
 }
 
-TEST(MergedByTime, KeepsTheClosestOfCrowdedFramesAndCountsThoseOutside) {
+TEST(MergedByTime, KeepsTheNearestFramePerSampleAndCountsFramesOutside) {
     const auto table = merged_by_time(
         force_record(),
         camera_record(Array1D{{-0.2, -0.04, 0.18, 0.21, 0.24, 0.94, 0.97}}, Array1D{{9., 1., 2., 3., 4., 5., 9.}}),
@@ -56,7 +56,7 @@ TEST(MergedByTime, KeepsTheClosestOfCrowdedFramesAndCountsThoseOutside) {
     EXPECT_EQ(table.metadata.at("frames_outside"), "2");
 }
 
-TEST(MergedByTime, BadClocksAreNamed) {
+TEST(MergedByTime, InvalidClocksAreNamed) {
     const auto camera = camera_record(Array1D{{0.1, 0.2}}, Array1D{{1.0, 2.0}});
     const auto message = [](const Table& force, const Table& frames, double offset = 0.0) {
         return message_of([&] { (void)merged_by_time(force, frames, offset); });

@@ -32,7 +32,7 @@ std::vector<int> found(const std::string& names) {
 
 using Columns = std::vector<int>;
 
-TEST(ColumnGuess, KnowsTheWordsOfTheField) {
+TEST(ColumnGuess, RecognisesTermsOfTheField) {
     EXPECT_EQ(found("Time (s);Load (mN);Indentation (um);Contact radius (um)"), (Columns{2, 3, 4, 1}));
     EXPECT_EQ(found("t [s];F [uN];d [nm];a [um]"), (Columns{2, 3, 4, 1}));
     EXPECT_EQ(found("Normal Force [N];Stage [mm];Temperature [K]"), (Columns{1, 2, 0, 0}));
@@ -41,7 +41,7 @@ TEST(ColumnGuess, KnowsTheWordsOfTheField) {
     EXPECT_EQ(found("Kraft [mN];Weg [um];Zeit [s]"), (Columns{1, 2, 0, 3}));
 }
 
-TEST(ColumnGuess, KnowsTheWordsOfOtherLanguagesWithAndWithoutAccents) {
+TEST(ColumnGuess, RecognisesOtherLanguagesWithAndWithoutAccents) {
     EXPECT_EQ(found("Force (mN);Déplacement (µm);Rayon de contact (µm);Temps (s)"), (Columns{1, 2, 3, 4}));
     EXPECT_EQ(found("FORCE (mN);DEPLACEMENT (um);TEMPS (s)"), (Columns{1, 2, 0, 3}));
     EXPECT_EQ(found("Fuerza [mN];Desplazamiento [um];Radio de contacto [um];Tiempo [s]"), (Columns{1, 2, 3, 4}));
@@ -53,7 +53,7 @@ TEST(ColumnGuess, KnowsTheWordsOfOtherLanguagesWithAndWithoutAccents) {
               (Columns{1, 0, 0, 0}));
 }
 
-TEST(ColumnGuess, AGapIsADisplacementWithTheOtherSign) {
+TEST(ColumnGuess, GapIsADisplacementWithOppositeSign) {
     for (const char* gap : {"gap", "Gap", "Tip-sample separation", "Abstand", "Écart", "separación"}) {
         const auto mapping = mapping_from(guess_of(fmt::format("Force [mN];{} [um]\n1;60\n3;4\n", gap)));
         EXPECT_EQ(mapping.results[1].expression, "-1 * gap") << gap;
@@ -65,7 +65,7 @@ TEST(ColumnGuess, AGapIsADisplacementWithTheOtherSign) {
     EXPECT_EQ(loop.channels.at("displacement").expression, "-1 * gap");
 }
 
-TEST(ColumnGuess, UnitsAreStatedWhereTheHeaderHasNone) {
+TEST(ColumnGuess, GivenUnitsAreUsedIfTheHeaderHasNone) {
     const TemporaryFolder folder;
     const auto path = folder.write("t.csv", "Zeit,Kraft,Weg\n0,1,60\n1,3,4\n");
     const auto message = message_of([&] { (void)mapping_from(guess_columns(path)); });
@@ -91,7 +91,7 @@ TEST(ColumnGuess, UnitsAreStatedWhereTheHeaderHasNone) {
                       "the expression does not have the unit N"));
 }
 
-TEST(ColumnGuess, AMassIsNamedAndItsWeightOffered) {
+TEST(ColumnGuess, MassIsReportedAndItsWeightSuggested) {
     const TemporaryFolder folder;
     for (const auto& [unit, weight, newton] :
          {std::tuple("g", "gf", 9.80665e-3), std::tuple("kg", "kgf", 9.80665), std::tuple("mg", "mgf", 9.80665e-6),
@@ -105,7 +105,7 @@ TEST(ColumnGuess, AMassIsNamedAndItsWeightOffered) {
     }
 }
 
-TEST(ColumnGuess, ChosenColumnsOfALoopInSiAreComputed) {
+TEST(ColumnGuess, ComputesChosenColumnsOfALoopInSi) {
     Table table{
         .columns = {{"force", "N", Array1D::Constant(2, 3.0)}, {"displacement", "m", Array1D::Constant(2, 1.0)}}};
     const auto channels = choose_columns(table, "t", {{"force", "-1 * force"}});
@@ -114,7 +114,7 @@ TEST(ColumnGuess, ChosenColumnsOfALoopInSiAreComputed) {
     EXPECT_EQ(channels.at("displacement").expression, "displacement");
 }
 
-TEST(MappingTemplate, AsksForWhatTheFileDoesNotSay) {
+TEST(MappingTemplate, MarksUnknownUnitsWithAQuestionMark) {
     const TemporaryFolder folder;
     const auto path = folder.write("t.csv", "Zeit,Kraft,Weg\n0,1,60\n1,3,4\n");
     const auto text = mapping_template(guess_columns(path), {});
@@ -132,7 +132,7 @@ TEST(MappingTemplate, AsksForWhatTheFileDoesNotSay) {
     EXPECT_TRUE(holds(mapping_template(guess_columns(without), {}), "header = \"?\""));
 }
 
-TEST(ColumnGuess, LeavesOtherQuantitiesAside) {
+TEST(ColumnGuess, IgnoresOtherQuantities) {
     EXPECT_EQ(
         found(
             "Force [mN];Force std [mN];Lateral force [mN];Displacement [um];Sphere radius [mm];Approach speed [um/s]"),
@@ -140,14 +140,14 @@ TEST(ColumnGuess, LeavesOtherQuantitiesAside) {
     EXPECT_EQ(found("Force [mN];Displacement [um];X position [mm];Y position [mm]"), (Columns{1, 2, 0, 0}));
 }
 
-TEST(ColumnGuess, TakesTheUnitWhereNoWordHelps) {
+TEST(ColumnGuess, UsesTheUnitIfNoTermMatches) {
     const auto guess = guess_of("channel 1 [mN];depth [um]\n1;2\n3;4\n");
     ASSERT_EQ(guess.roles[0].candidates.size(), 1u);
     EXPECT_DOUBLE_EQ(guess.roles[0].candidates[0].confidence, 0.5);
     EXPECT_TRUE(holds(guess.roles[0].candidates[0].reason, "no other column has one"));
 }
 
-TEST(ColumnGuess, RadiusFromAreaComesWithANote) {
+TEST(ColumnGuess, RadiusFromAreaGivesANote) {
     const auto guess = guess_of("Force [mN];Contact area [um2]\n1;314.159265358979\n3;4\n");
     EXPECT_TRUE(holds(describe(guess), "the radius of the circle with that area"));
     const TemporaryFolder folder;
@@ -174,7 +174,7 @@ TEST(ColumnGuess, TwoCandidatesAreBothNamedAndRefused) {
     EXPECT_TRUE(holds(message_of([&] { (void)mapping_from(guess, {{"depth", "2"}}); }), "chosen for 'depth'"));
 }
 
-TEST(ColumnGuess, ShowsWhatItSawAndWhy) {
+TEST(ColumnGuess, DescribesItsChoicesWithReasons) {
     const auto text = describe(guess_of("Force [mN];depth [um];state\n1,5;2;ok\n3,5;4;ok\n"));
     EXPECT_TRUE(holds(text, "3 columns between semicolons, decimal comma")) << text;
     EXPECT_TRUE(holds(text, "column 1 'Force' [mN]: 1.5, 3.5")) << text;
@@ -231,7 +231,7 @@ TEST(MappingTemplate, GuessesAreWrittenAndAppliedToOtherFiles) {
     EXPECT_DOUBLE_EQ(table.at("time")[1], 10.0);
 }
 
-TEST(MappingTemplate, EveryPartSurvivesTheRoundTrip) {
+TEST(MappingTemplate, EveryPartIsUnchangedAfterWritingAndReading) {
     const TemporaryFolder folder;
     const Mapping mapping{
         .path = {},
@@ -280,7 +280,7 @@ TEST(MappedTable, TextAndEmptyColumnsAreRefused) {
 
 const char* const sensor_table = "Piezo position [um];MEMS displ. [nm];Time [s]\n1;100;0\n2;300;1\n";
 
-TEST(ExpressionForARole, NamesColumnsByTheirHeadersAndTakesQuantities) {
+TEST(ExpressionForARole, UsesColumnHeadersAndQuantities) {
     const TemporaryFolder folder;
     const auto path = folder.write("t.csv", sensor_table);
     for (const char* force :
@@ -316,7 +316,7 @@ TEST(ExpressionForARole, MistakesAreNamed) {
               "more than one column 'a'"));
 }
 
-TEST(ExpressionForARole, ReplacesThatOfAMapping) {
+TEST(ExpressionForARole, OverridesTheExpressionOfAMapping) {
     const TemporaryFolder folder;
     const auto path = folder.write("t.csv", sensor_table);
     const auto mapping = read_mapping(

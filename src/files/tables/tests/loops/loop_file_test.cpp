@@ -33,7 +33,7 @@ TEST(LoopFile, IsWrittenAsDocumented) {
         "time [s],force [N],displacement [m],contact_radius [m]\n0,0.001,0,\n0.1,-0.6666666666666666,1e-06,1e-05\n");
 }
 
-TEST(LoopFile, ComesBackWithQuantitiesInSi) {
+TEST(LoopFile, IsReadBackWithQuantitiesInSi) {
     const TemporaryFolder folder;
     write_loop(folder.path("l.csv"), small_loop(), {{"sphere_radius", "1.25 mm"}, {"surface", "UNCD: polished"}});
     const auto loop = read_loop(folder.path("l.csv"));
@@ -47,7 +47,7 @@ TEST(LoopFile, ComesBackWithQuantitiesInSi) {
     EXPECT_NO_THROW((void)read_loop_table(folder.path("l.csv")));  // any reader of tables reads it
 }
 
-TEST(LoopFile, SaysWhatIsKnownWithAnError) {
+TEST(LoopFile, ReadsQuantitiesWithStandardErrors) {
     const TemporaryFolder folder;
     const auto with = [&](const std::string& entry) {
         return folder.write("l.csv",
@@ -96,7 +96,7 @@ TEST(LoopFile, MistakesAreNamedByLine) {
     EXPECT_TRUE(holds(message(head + "force [N],x [m]\n1,2\n"), "no column 'displacement' or 'contact_radius'"));
 }
 
-TEST(LoopFile, WhatWouldNotComeBackIsNotWritten) {
+TEST(LoopFile, RefusesToWriteWhatCannotBeReadBack) {
     const auto loop = small_loop();
     for (const auto& [key, value] : {std::pair<std::string, std::string>{"Surface", "a"},
                                      {"surface", "two\nlines"},
@@ -123,7 +123,7 @@ TEST(LoopFile, WhatWouldNotComeBackIsNotWritten) {
     EXPECT_THROW((void)as_loop_file(no_force, {}), InvalidArgument);
 }
 
-TEST(LoopFile, KeysStandInTheDocument) {
+TEST(LoopFile, EveryKeyIsInTheDocumentation) {
     std::ifstream document("docs/reference/loop-format.md");
     const std::string text{std::istreambuf_iterator<char>(document), {}};
     for (const auto& key : loop_keys()) EXPECT_TRUE(holds(text, fmt::format("| {} |", key.name))) << key.name;

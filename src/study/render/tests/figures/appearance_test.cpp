@@ -67,7 +67,7 @@ double distance(int a, int b, const Matrix& eye) {
                      std::pow(first[2] - second[2], 2));
 }
 
-TEST(InstrumentLook, IsOneForEachKindOfInstrument) {
+TEST(InstrumentStyle, IsUniquePerKindOfInstrument) {
     EXPECT_EQ(instrument_look("afm").colour, instrument_look("AFM").colour);
     EXPECT_EQ(instrument_look("confocal").colour, instrument_look("optical").colour);
     EXPECT_EQ(instrument_look("unknown instrument").colour, instrument_look("scanner").colour);
@@ -83,7 +83,7 @@ TEST(InstrumentLook, IsOneForEachKindOfInstrument) {
     EXPECT_LT(*colours.rbegin(), static_cast<int>(palette.size()));
 }
 
-TEST(InstrumentLook, IsToldApartByTheColourBlind) {
+TEST(InstrumentStyle, IsDistinguishableWithColourBlindness) {
     // CIE 1976: 2.3 is just noticeable; Okabe and Ito's own closest pair is 16 apart
     constexpr double least = 16.0;
     for (std::size_t eye = 0; eye < eyes.size(); ++eye)
@@ -92,14 +92,14 @@ TEST(InstrumentLook, IsToldApartByTheColourBlind) {
                 EXPECT_GT(distance(a, b, eyes[eye]), least) << eye << ": " << a << " and " << b;
 }
 
-TEST(LinearTicks, OfAShortAxisAreStillThree) {
+TEST(LinearTicks, OfAShortAxisAreAtLeastThree) {
     // residuals from -3.9 to 5 along 17 mm: steps of 5 would leave 0 and 5 at the frame
     const auto ticks = linear_ticks({-3.9, 4.9}, 17.0, Direction::along_y);
     EXPECT_DOUBLE_EQ(ticks.step, 2.0);
     EXPECT_EQ(ticks.labels, (std::vector<std::string>{"-2", "0", "2", "4"}));
 }
 
-TEST(LinearTicks, KnowTheLettersOfTheirNumbers) {
+TEST(LinearTicks, CountTheLettersOfTheirLabels) {
     // steps of 0.5 between two whole numbers: four letters, "37.5"
     EXPECT_EQ(linear_ticks({33.7, 40.3}, 90.0, Direction::along_y).letters, 4u);
     EXPECT_EQ(linear_ticks({0.0, 80.0}, 90.0, Direction::along_y).letters, 2u);
@@ -114,7 +114,7 @@ Figure up_to(double value, bool logarithmic) {
     return {.panels = {panel}};
 }
 
-TEST(GnuplotScript, WritesNoNumberWithAnE) {
+TEST(GnuplotScript, WritesPowersOfTenInsteadOfE) {
     const auto script = gnuplot_script(up_to(4e9, false), "svg", "a.svg");
     EXPECT_NE(script.find("'2·10⁹' 2e+09"), std::string::npos) << script;
     EXPECT_NE(gnuplot_script(up_to(4e9, true), "svg", "a.svg").find("set format x '%.0t·10^{%T}'"), std::string::npos);
@@ -128,7 +128,7 @@ TEST(GnuplotScript, ShortensTitlesThatAreLongerThanTheirAxis) {
     EXPECT_NE(gnuplot_script(figure, "svg", "a.svg").find("'{/:Italic W}_{app} (mJ m^{−2})'"), std::string::npos);
 }
 
-TEST(Headings, AreALetterAndWhatThePanelShows) {
+TEST(Headings, ContainALetterAndTheContentOfThePanel) {
     Figure figure{
         .panels = {{.title = "A", .shows = "force"}, {.title = "rough"}, {}, {.title = "smooth", .shows = "all"}}};
     EXPECT_EQ(heading_of(figure, 0).letter + "|" + heading_of(figure, 0).words, "A|force");
@@ -144,7 +144,7 @@ TEST(Headings, AreALetterAndWhatThePanelShows) {
     EXPECT_NE(script.find("'{/:Bold B}'"), std::string::npos);
 }
 
-TEST(PutLegendAbove, MovesPanelsBelowIt) {
+TEST(PutLegendAbove, MovesPanelsBelowTheLegend) {
     Figure figure{.columns = 2, .width_mm = 85.0, .height_mm = 60.0};
     Panel panel;
     for (const char* name : {"one", "two", "three"})

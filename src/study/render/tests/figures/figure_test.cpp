@@ -84,7 +84,7 @@ TEST(GnuplotScript, SetsQuantitiesItalicAndUnitsUpright) {
     EXPECT_NE(script_of(figure).find("(N m^{−1} µm^{2} kg^{−1})"), std::string::npos) << script_of(figure);
 }
 
-TEST(GnuplotScript, ShowsLabelsLetterByLetter) {
+TEST(GnuplotScript, EscapesLabels) {
     auto series = rising("it's {1}_2^3 @ & ~ \\ \"q\" α\nset output 'gone'\x01\xff\xc3");
     const auto script = script_of(figure_of(series));
     EXPECT_NE(script.find("title 'it''s \\{1\\}\\_2\\^3 \\@ \\& \\~ \\\\ \"q\" α set output ''gone''   '"),
@@ -99,7 +99,7 @@ TEST(GnuplotScript, ShowsLabelsLetterByLetter) {
     EXPECT_NE(gnuplot_script(figure, "svg", "it's.svg").find("set output 'it''s.svg'"), std::string::npos);
 }
 
-TEST(GnuplotScript, InterruptsALineWhereThereIsNoNumber) {
+TEST(GnuplotScript, InterruptsALineAtUndefinedValues) {
     Series series{
         .label = "a", .x = Array1D{{1.0, 2.0, 3.0, 4.0, 5.0}}, .y = Array1D{{1.0, undefined, undefined, 4.0, -5.0}}};
     EXPECT_NE(script_of(figure_of(series)).find("<< END_OF_DATA\n1 1 1 1 1 1\n\n4 4 4 4 4 4\n\nEND_OF_DATA"),
@@ -111,7 +111,7 @@ TEST(GnuplotScript, InterruptsALineWhereThereIsNoNumber) {
     EXPECT_NE(script_of({.panels = {{}}}).find("plot NaN notitle"), std::string::npos);
 }
 
-TEST(GnuplotScript, EndsErrorBarsThatReachBelowALogarithmicAxisAtIt) {
+TEST(GnuplotScript, ClipsErrorBarsAtALogarithmicAxis) {
     auto series = rising("a");
     series.lower = Array1D{{-1.0, 2.0, undefined}};
     series.upper = Array1D{{2.0, 4.0, 12.0}};
@@ -121,7 +121,7 @@ TEST(GnuplotScript, EndsErrorBarsThatReachBelowALogarithmicAxisAtIt) {
         << script_of(figure);
 }
 
-TEST(GnuplotScript, HoldsBandsInsideThePanel) {
+TEST(GnuplotScript, ClipsBandsAtThePanel) {
     // x from 0 to 4, upper from 1e-3 by five decades to 100: the panel shows x from 1 to 3 and y up to 1
     Series band{.label = "band",
                 .x = Array1D{{0.0, 4.0}},
@@ -157,7 +157,7 @@ TEST(GnuplotScript, LeavesAMarginAroundTheData) {
     EXPECT_NE(script_of(figure).find("first 0.1 to graph 1"), std::string::npos);
 }
 
-TEST(GnuplotScript, PutsTheLegendWhereTheLeastDataAre) {
+TEST(GnuplotScript, PutsTheLegendWhereDataAreFewest) {
     EXPECT_NE(script_of(figure_of(rising("a"))).find("set key inside top left"), std::string::npos);
     auto falling = rising("a");
     falling.y.reverseInPlace();
@@ -169,7 +169,7 @@ TEST(GnuplotScript, PutsTheLegendWhereTheLeastDataAre) {
     EXPECT_NE(script_of(figure).find("unset key"), std::string::npos);
 }
 
-TEST(GnuplotScript, TellsSeriesApartByColourSymbolAndDash) {
+TEST(GnuplotScript, DistinguishesSeriesByColourSymbolAndDash) {
     auto figure = figure_of(rising("a"));
     figure.panels[0].series = {rising("a"), rising("b"), rising("c")};
     figure.panels[0].series[0].mark = figure.panels[0].series[1].mark = Mark::line;
@@ -247,7 +247,7 @@ TEST(Draw, MakesTheSameFileEachTime) {
     EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path), {}), 3);
 }
 
-TEST(Draw, ShowsItsData) {
+TEST(Draw, DrawsItsData) {
     if (!there_is_gnuplot()) GTEST_SKIP() << "no gnuplot";
     const Folder folder;
     draw(everything(), folder / "full.svg");
@@ -272,7 +272,7 @@ TEST(Draw, ShowsItsData) {
     EXPECT_GT(image.size(), content_of(folder / "empty.png").size() + 5000);
 }
 
-TEST(Draw, SaysWhatToInstallWhereThereIsNoGnuplot) {
+TEST(Draw, NamesThePackageToInstallWithoutGnuplot) {
     const Folder folder;
     const SearchPath nowhere(folder.path.string());
     try {
@@ -284,7 +284,7 @@ TEST(Draw, SaysWhatToInstallWhereThereIsNoGnuplot) {
     EXPECT_TRUE(std::filesystem::is_empty(folder.path));
 }
 
-TEST(Draw, RepeatsWhatAFailingGnuplotSays) {
+TEST(Draw, ReportsTheMessageOfAFailingGnuplot) {
     const Folder folder;
     std::filesystem::create_directory(folder / "bin");
     std::ofstream(folder / "bin/gnuplot") << "#!/bin/sh\necho 'line 7: undefined terminal' >&2\nexit 1\n";
@@ -301,7 +301,7 @@ TEST(Draw, RepeatsWhatAFailingGnuplotSays) {
     EXPECT_FALSE(std::filesystem::exists(folder / "a.svg"));
 }
 
-TEST(Draw, RefusesFoldersAndEndingsThereAreNot) {
+TEST(Draw, RefusesMissingFoldersAndUnknownEndings) {
     if (!there_is_gnuplot()) GTEST_SKIP() << "no gnuplot";
     const Folder folder;
     EXPECT_THROW(draw(everything(), folder / "none/a.svg"), FileError);
@@ -309,7 +309,7 @@ TEST(Draw, RefusesFoldersAndEndingsThereAreNot) {
     EXPECT_THROW(draw(everything(), folder / "a.jpg"), InvalidArgument);
 }
 
-TEST(GnuplotScript, DrawsWhatStandsInTheLegendAlone) {
+TEST(GnuplotScript, DrawsSeriesThatAreInTheLegendOnly) {
     auto figure = figure_of(rising("data"));
     figure.panels[0].series[0].in_legend = false;
     figure.panels[0].series.push_back({.label = "meaning", .mark = Mark::points, .colour = 4, .legend_only = true});
@@ -321,7 +321,7 @@ TEST(GnuplotScript, DrawsWhatStandsInTheLegendAlone) {
     EXPECT_NE(script_of(figure).find("plot NaN notitle, \\\n     keyentry"), std::string::npos) << script_of(figure);
 }
 
-TEST(GnuplotScript, TellsDashesFromSymbolsAndPalesWhatIsPale) {
+TEST(GnuplotScript, UsesDashAndOpacityOfASeries) {
     auto series = rising("a");
     series.mark = Mark::line;
     series.colour = 1;
@@ -333,7 +333,7 @@ TEST(GnuplotScript, TellsDashesFromSymbolsAndPalesWhatIsPale) {
         << script_of(figure_of(series));
 }
 
-TEST(GnuplotScript, FillsTheAreaWithinALoop) {
+TEST(GnuplotScript, FillsTheAreaInsideALoop) {
     auto series = rising("loop");
     series.mark = Mark::area;
     EXPECT_NE(
@@ -344,21 +344,21 @@ TEST(GnuplotScript, FillsTheAreaWithinALoop) {
         << script_of(figure_of(series));
 }
 
-TEST(GnuplotScript, PutsNotesBesideTheirPlaces) {
+TEST(GnuplotScript, PutsNotesNextToTheirPositions) {
     auto figure = figure_of(rising("a"));
     figure.panels[0].notes = {{.text = "it's 5 %", .x = 10.0, .y = 3.0, .side = Note::Side::right}};
     EXPECT_NE(script_of(figure).find("set label 'it''s 5 %' at first 10,3 left offset 0.6,0"), std::string::npos)
         << script_of(figure);
 }
 
-TEST(GnuplotScript, LeavesOutNumbersOfBareAxes) {
+TEST(GnuplotScript, OmitsNumbersOfBareAxes) {
     auto figure = figure_of(rising("a"));
     figure.panels[0].x.bare = true;
     EXPECT_NE(script_of(figure).find("set format x ''\n"), std::string::npos);
     EXPECT_EQ(script_of(figure).find("wavevector"), std::string::npos);
 }
 
-TEST(GnuplotScript, GivesNumbersAtLinearAxesRoom) {
+TEST(GnuplotScript, ReservesSpaceForNumbersAtLinearAxes) {
     auto figure = figure_of(rising("a"));
     figure.panels[0].x = {.quantity = "x", .from = 0.0, .to = 0.08};
     // a number such as 0.02 wants 8.3 mm: eight of them do not fit along 66 mm
@@ -391,7 +391,7 @@ TEST(GnuplotScript, DrawsMapsInOneScaleAlongBothAxes) {
     EXPECT_THROW((void)script_of(figure), InvalidArgument);
 }
 
-TEST(GnuplotScript, PutsPanelsWhereTheyAreTold) {
+TEST(GnuplotScript, PutsPanelsAtGivenPositions) {
     auto figure = figure_of(rising("a"));
     figure.panels[0].place = Place{0.5, 0.25, 0.5, 0.75};
     const auto script = script_of(figure);
@@ -403,7 +403,7 @@ TEST(GnuplotScript, PutsPanelsWhereTheyAreTold) {
     EXPECT_GT(margin("t"), 0.68);
 }
 
-TEST(GnuplotScript, MakesRoomForALegendBesideTheAxes) {
+TEST(GnuplotScript, ReservesSpaceForALegendNextToTheAxes) {
     auto figure = figure_of(rising("a label of some length"));
     const auto right = [&] {
         return std::stod(script_of(figure).substr(script_of(figure).find("set rmargin at screen ") + 22));
@@ -414,7 +414,7 @@ TEST(GnuplotScript, MakesRoomForALegendBesideTheAxes) {
     EXPECT_NE(script_of(figure).find("set key at screen "), std::string::npos);
 }
 
-TEST(Draw, HoldsNoNameThatEndsASectionOfXml) {
+TEST(Draw, EscapesTheEndOfXmlSections) {
     if (!there_is_gnuplot()) GTEST_SKIP() << "no gnuplot";
     auto figure = figure_of(rising("a]]>b"));
     figure.panels[0].title = "c]]>d";
@@ -423,7 +423,7 @@ TEST(Draw, HoldsNoNameThatEndsASectionOfXml) {
     EXPECT_NE(content.find("]]&gt;"), std::string::npos);
 }
 
-TEST(Draw, HoldsMapsWithinTheFile) {
+TEST(Draw, EmbedsMapsInTheFile) {
     if (!there_is_gnuplot()) GTEST_SKIP() << "no gnuplot";
     const auto content = drawn(map_figure(), "svg");
     EXPECT_NE(content.find("xlink:href='data:image/png;base64,"), std::string::npos);
@@ -433,7 +433,7 @@ TEST(Draw, HoldsMapsWithinTheFile) {
     EXPECT_EQ(drawn(map_figure(), "svg"), content);
 }
 
-TEST(Draw, IsByTheGnuplotOnThePath) {
+TEST(Draw, UsesTheGnuplotOnThePath) {
     if (!there_is_gnuplot()) GTEST_SKIP() << "no gnuplot";
     EXPECT_NE(drawing_program().find("gnuplot"), std::string::npos);
     const Folder folder;
@@ -441,7 +441,7 @@ TEST(Draw, IsByTheGnuplotOnThePath) {
     EXPECT_EQ(drawing_program(), "");
 }
 
-TEST(FigureData, AreARowAPoint) {
+TEST(FigureData, HaveOneRowPerPoint) {
     const Folder folder;
     auto series = rising("say \"a, b\"");
     series.lower = Array1D{{0.5, undefined, 8.0}};
@@ -465,7 +465,7 @@ TEST(FigureData, AreARowAPoint) {
     EXPECT_EQ(count(text, "\n"), 7u);
 }
 
-TEST(FigureData, HoldTheCellsOfMaps) {
+TEST(FigureData, ContainTheCellsOfMaps) {
     const auto text = data_text(map_figure());
     EXPECT_EQ(
         text.substr(0, text.find('\n')),
@@ -475,7 +475,7 @@ TEST(FigureData, HoldTheCellsOfMaps) {
     EXPECT_EQ(count(text, "\n"), 9u);
 }
 
-TEST(FigureData, NeedANameForEachPointOrNone) {
+TEST(FigureData, RequireANamePerPointOrNone) {
     auto series = rising("a");
     series.names = {"one"};
     EXPECT_THROW((void)data_text(figure_of(series)), InvalidArgument);

@@ -24,7 +24,7 @@ std::string shown_unit(std::string_view unit) {
     return text;
 }
 
-TEST(SpansOf, ItalicLoweredAndRaisedTextStandApart) {
+TEST(SpansOf, SeparatesItalicSubscriptAndSuperscript) {
     EXPECT_EQ(shown("rms slope *h*'_{rms}"), "[rms slope ][/h]['][_rms]");
     EXPECT_EQ(shown("*C*_1D"), "[/C][_1D]");
     EXPECT_EQ(shown("*q^2*"), "[/q][/^2]");
@@ -32,7 +32,7 @@ TEST(SpansOf, ItalicLoweredAndRaisedTextStandApart) {
     EXPECT_EQ(shown(""), "");
 }
 
-TEST(SpansOf, BackslashTakesTheNextLetterAsItIs) {
+TEST(SpansOf, BackslashEscapesTheNextLetter) {
     EXPECT_EQ(shown("a\\_b"), "[a_b]");
     EXPECT_EQ(shown("a\\"), "[a\\]");
 }
@@ -43,22 +43,22 @@ TEST(PlainText, HasNoMarkup) {
     EXPECT_EQ(plain_text("*q^2*"), "q^2");
 }
 
-TEST(SymbolOf, LeavesOutTheWordsBeforeIt) {
+TEST(SymbolOf, RemovesTheWordsBeforeTheSymbol) {
     EXPECT_EQ(symbol_of("work of adhesion *W*_app"), "*W*_app");
     EXPECT_EQ(symbol_of("residual Δ*W*"), "Δ*W*");
     EXPECT_EQ(symbol_of("*P*/*E*"), "*P*/*E*");
     EXPECT_EQ(symbol_of("no symbol at all"), "no symbol at all");
 }
 
-TEST(NumberText, WritesPowersOfTenAsPapersDo) {
+TEST(NumberText, WritesPowersOfTenAsInPapers) {
     EXPECT_EQ(number_text(0.5), "0.5");
     EXPECT_EQ(number_text(-2e6), "-2·10⁶");
     EXPECT_EQ(number_text(1.26e-7, 2), "1.3·10⁻⁷");
 }
 
-TEST(SpansOf, AnOpenGroupEndsWithTheText) { EXPECT_EQ(shown("W_{app"), "[W][_app]"); }
+TEST(SpansOf, AnUnclosedGroupEndsWithTheText) { EXPECT_EQ(shown("W_{app"), "[W][_app]"); }
 
-TEST(FactorsOf, WhatStandsBelowTheStrokeHasNegativePowers) {
+TEST(FactorsOf, FactorsBelowTheSlashHaveNegativePowers) {
     EXPECT_EQ(shown_unit("mJ/m2"), "[mJ|][m|-2]");
     EXPECT_EQ(shown_unit("1/m"), "[m|-1]");
     EXPECT_EQ(shown_unit("N/m^1.5"), "[N|][m|-1.5]");

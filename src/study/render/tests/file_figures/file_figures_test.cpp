@@ -53,7 +53,7 @@ Table table_of(const study::SurfaceResult& surface) {
             {}};
 }
 
-TEST(SpectrumFigure, ShowsWhatIsKeptAndWhatIsCut) {
+TEST(SpectrumFigure, ShowsWhichWavesAreKeptAndExcluded) {
     const auto surface = power_law();
     const auto drawn = spectrum_figure(surface, table_of(surface), {});
     ASSERT_TRUE(drawn.drawable()) << drawn.reason;
@@ -68,7 +68,7 @@ TEST(SpectrumFigure, ShowsWhatIsKeptAndWhatIsCut) {
     EXPECT_NEAR(errors.upper[7] / errors.lower[7], 1.1 / 0.9, 1e-9);
 }
 
-TEST(SpectrumFigure, DrawsTheFitWithinAndBeyondItsRange) {
+TEST(SpectrumFigure, DrawsTheFitInsideAndOutsideItsRange) {
     const auto surface = power_law();
     auto table = table_of(surface);
     const Array1D q = table.at("wavevector");
@@ -83,7 +83,7 @@ TEST(SpectrumFigure, DrawsTheFitWithinAndBeyondItsRange) {
     }
 }
 
-TEST(SpectrumFigure, HasCIsoInAPanelOfItsOwnBesideInTwoColumns) {
+TEST(SpectrumFigure, HasASeparatePanelForCIso) {
     const auto surface = power_law();
     auto table = table_of(surface);
     table.columns.push_back({"C_iso", "m4", table.at("C1D") / table.at("wavevector")});
@@ -95,7 +95,7 @@ TEST(SpectrumFigure, HasCIsoInAPanelOfItsOwnBesideInTwoColumns) {
     EXPECT_EQ(spectrum_figure(surface, table, {.width = FigureWidth::double_column}).figure.columns, 2);
 }
 
-TEST(SpectrumFigure, OfATableHasItsStandardErrors) {
+TEST(SpectrumFigure, OfATableShowsItsStandardErrors) {
     auto surface = power_law();
     const auto table = table_of(surface);
     surface.measurements.clear();
@@ -117,7 +117,7 @@ scales::FunctionOfScale linear(const std::string& file, double reliable_from) {
     return f;
 }
 
-TEST(ScaleFigure, TellsWhatIsReliable) {
+TEST(ScaleFigure, DistinguishesReliableValues) {
     const auto drawn = scale_figure({linear("folder/a.csv", 1e-7)}, nullptr, {});
     const auto& panel = drawn.figure.panels[0];
     EXPECT_EQ(panel.x.unit, "µm");
@@ -128,7 +128,7 @@ TEST(ScaleFigure, TellsWhatIsReliable) {
     EXPECT_NEAR(series_of(panel, "a.csv").y[0], 0.4, 0.01);
 }
 
-TEST(ScaleFigure, OfSeveralHasTheirMeanWithItsError) {
+TEST(ScaleFigure, OfSeveralShowsTheirMeanWithItsError) {
     auto second = linear("b.csv", 0.0);
     second.value *= 3.0;
     const std::vector<scales::FunctionOfScale> functions{linear("a.csv", 0.0), second};
@@ -145,7 +145,7 @@ TEST(ScaleFigure, OfValuesBelowZeroIsNotLogarithmic) {
     EXPECT_FALSE(scale_figure({f}, nullptr, {}).figure.panels[0].y.logarithmic);
 }
 
-TEST(LevelFigure, ShowsMapsFromTheirMeanAndWhatIsUndefined) {
+TEST(LevelFigure, ShowsMapsFromTheirMeanAndUndefinedPoints) {
     topography::HeightMap map{.heights = Array2D::Constant(8, 8, 5e-6), .size = {8e-6, 8e-6}};
     map.heights(3, 4) = undefined;
     map.heights(0, 0) += 64e-9;
@@ -169,7 +169,7 @@ TEST(LevelFigure, ShowsLinesOverTheirLength) {
     EXPECT_FALSE(drawn.figure.panels[0].map);
 }
 
-TEST(ContactMapFigure, ShowsPressureBesideGapOfEveryState) {
+TEST(ContactMapFigure, ShowsPressureAndGapOfEveryState) {
     Array2D pressures = Array2D::Zero(300, 200), gaps = Array2D::Constant(300, 200, 5e-9);
     pressures.topRows(30) = 2e6;
     pressures(200, 100) = 1e9;  // one point does not set the colours
@@ -198,7 +198,7 @@ TEST(ContactMapFigure, OfALineIsDrawnAlongIt) {
     EXPECT_NEAR(drawn.figure.panels[0].series.at(0).x[49], 4.9, 1e-12);
 }
 
-TEST(ParameterFigure, SlopeIsCarriedByShorterWavesThanHeight) {
+TEST(ParameterFigure, ShowsThatSlopeDependsOnShorterWavesThanHeight) {
     const auto drawn = parameter_figure(power_law(), {});
     const auto& panel = drawn.figure.panels[0];
     const auto &height = series_of(panel, "mean square height"), &slope = series_of(panel, "mean square slope");
@@ -210,6 +210,28 @@ TEST(ParameterFigure, SlopeIsCarriedByShorterWavesThanHeight) {
     const Index middle = last / 2;
     EXPECT_GT(height.y[middle], 95.0);
     EXPECT_LT(slope.y[middle], 70.0);
+}
+
+TEST(ParameterFigure, DrawsTheSharesBetweenTwoRowsOfATable) {
+    auto few = power_law();
+    Array1D q(2), density(2);
+    q << 1e5, 1e8;
+    density << 1e-6 * std::pow(1e5, -3.0), 1e-6 * std::pow(1e8, -3.0);
+    few.average.curve = {q, density, {1e5, 1e8}, spectra::Density::C1D};
+    const auto many_rows = parameter_figure(power_law(), {}), two_rows = parameter_figure(few, {});
+    const auto &many = series_of(many_rows.figure.panels[0], "mean square slope"),
+               &two = series_of(two_rows.figure.panels[0], "mean square slope");
+    ASSERT_GT(two.x.size(), 100);
+    const auto share_near = [](const figures::Series& series, double wavelength) {
+        Index nearest = 0;
+        (series.x - wavelength).abs().minCoeff(&nearest);
+        return series.y[nearest];
+    };
+    for (Index i = 10; i < two.x.size(); i += 20) EXPECT_NEAR(two.y[i], share_near(many, two.x[i]), 2.0);
+}
+
+TEST(ParameterFigure, HasItsLegendAboveTheCurves) {
+    EXPECT_TRUE(parameter_figure(power_law(), {}).figure.panels[0].legend_place);
 }
 
 TEST(ContourFigure, ShadesNinetyFivePercentOfHeights) {
@@ -227,14 +249,14 @@ TEST(ContourFigure, ShadesNinetyFivePercentOfHeights) {
     EXPECT_EQ(drawn.figure.panels[0].x.unit, "nm");
 }
 
-TEST(FigurePath, IsToldByItsEnding) {
+TEST(FigurePath, IsRecognisedByItsEnding) {
     EXPECT_TRUE(is_figure_path("a.b/c.svg"));
     EXPECT_TRUE(is_figure_path("c.png"));
     EXPECT_FALSE(is_figure_path("c.svg.csv"));
     EXPECT_FALSE(is_figure_path("svg"));
 }
 
-TEST(WriteFigure, SaysWhyThereIsNone) {
+TEST(WriteFigure, GivesTheReasonForAMissingFigure) {
     StudyFigure none;
     none.reason = "it has no data";
     try {
@@ -246,7 +268,7 @@ TEST(WriteFigure, SaysWhyThereIsNone) {
     EXPECT_THROW(write_figure({}, "a.eps"), InvalidArgument);
 }
 
-TEST(PerssonFigure, IsDrawnAgainstWhatItsTableRunsOver) {
+TEST(PerssonFigure, UsesTheVariableOfItsTableAsAbscissa) {
     Table load;
     load.columns = {{"pressure", "Pa", Array1D{{1e5, 1e6, 1e7}}},
                     {"area_fraction", "1", Array1D{{0.01, 0.1, 0.7}}},
@@ -271,7 +293,7 @@ TEST(PerssonFigure, IsDrawnAgainstWhatItsTableRunsOver) {
     EXPECT_EQ(persson_figure(scales, "s.csv", {}).title, "Contact of s.csv against the included waves");
 }
 
-TEST(ComparisonFigure, ShowsSolutionsWithTheirErrorsAndTheTheoryBeside) {
+TEST(ComparisonFigure, ShowsSolutionsWithErrorsAndTheory) {
     Table load;
     load.columns.push_back({"pressure", "Pa", Array1D{{1e6, 1e7, 1e8}}});
     for (const auto& [name, unit] : {std::pair{"area_fraction", "1"},
@@ -313,7 +335,7 @@ TEST(PredictedLoopFigure, HasItsPanelsOrAReason) {
     EXPECT_EQ(predicted_loop_figure(unknown, result, {}).reason, unknown.loop.reason);
 }
 
-TEST(PredictedLoopFigure, ExplainsItsRecordsOnce) {
+TEST(PredictedLoopFigure, LabelsItsRecordsOnce) {
     auto result = study::run_study(study::read_study("examples/nanodiamond/published.toml"));
     const auto& pair = result.hysteresis->pairs.front();
     study::ExperimentResult record;
@@ -331,7 +353,7 @@ TEST(PredictedLoopFigure, ExplainsItsRecordsOnce) {
 }
 
 // the force is then that of the measured contact area
-TEST(PredictedLoopFigure, OfAStudyWithoutPreload) {
+TEST(PredictedLoopFigure, WithoutPreloadUsesTheForceOfTheMeasuredContact) {
     auto result = study::run_study(study::read_study("examples/nanodiamond/published.toml"));
     for (auto& elastomer : result.elastomers) elastomer.input.preload.reset();
     result.pairs.front().contact_area = 1e-7;

@@ -81,7 +81,7 @@ std::size_t json_size(const study::StudyResult& result) {
 
 using Many = study::StudyResult (*)(std::size_t);
 
-TEST(ReportOfMany, IsBoundedAndCostsInProportion) {
+TEST(LargeReport, IsBoundedWithMemoryInProportion) {
     for (const Many of : {of_measurements, of_surfaces, of_missing_loops}) {
         double before = 0.0;
         for (const std::size_t n : {10u, 100u, 1000u}) {
@@ -98,7 +98,7 @@ TEST(ReportOfMany, IsBoundedAndCostsInProportion) {
     }
 }
 
-TEST(JsonOfMany, IsWrittenInProportionAndNeverHeldAsAWhole) {
+TEST(LargeJson, IsWrittenInPiecesWithBoundedMemory) {
     for (const Many of : {of_measurements, of_surfaces, of_missing_loops}) {
         double before = 0.0;
         for (const std::size_t n : {100u, 1000u}) {
@@ -115,7 +115,7 @@ TEST(JsonOfMany, IsWrittenInProportionAndNeverHeldAsAWhole) {
     }
 }
 
-TEST(JsonOfMany, IsThatOfTheDocumentAsAWhole) {
+TEST(LargeJson, EqualsTheWholeDocument) {
     for (const Many of : {of_measurements, of_surfaces, of_missing_loops}) {
         const auto result = of(70);
         std::string text;
@@ -124,7 +124,7 @@ TEST(JsonOfMany, IsThatOfTheDocumentAsAWhole) {
     }
 }
 
-TEST(ReportOfMany, SaysWhatItLeavesOutAndWhereThatIs) {
+TEST(LargeReport, StatesOmittedRowsAndTheirFile) {
     const auto page = page_of(of_measurements(1000));
     EXPECT_NE(page.find(fmt::format(
                   "The table shows the first {} of 1000 rows. The file measurements.csv contains all rows.", max_rows)),

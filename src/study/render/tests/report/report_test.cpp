@@ -84,7 +84,7 @@ std::size_t numbers_that_agree(const std::string& page, const Json& study) {
     return count;
 }
 
-TEST(Report, NumbersOfThePublishedStudyAreThoseOfItsJson) {
+TEST(Report, NumbersOfThePublishedStudyMatchTheJson) {
     const auto result = study::run_study(study::read_study("examples/nanodiamond/published.toml"));
     const auto page = visible(as_html(result, {}, run));
     // 4 surfaces of 5 quantities with ± and interval alone are 80
@@ -99,7 +99,7 @@ TEST(Report, NumbersOfThePublishedStudyAreThoseOfItsJson) {
               std::string::npos);
 }
 
-TEST(Report, BeginsWithTheTerminalsVerdictAndTheFiguresThatCarryIt) {
+TEST(Report, StartsWithTheVerdictAndItsFigures) {
     const auto result = study::run_study(study::read_study("examples/nanodiamond/published.toml"));
     const auto figures = study_figures::study_figures(result);
     const auto page = as_html(result, figures, run);
@@ -118,7 +118,7 @@ TEST(Report, BeginsWithTheTerminalsVerdictAndTheFiguresThatCarryIt) {
     EXPECT_EQ(visible(page).find("<details open"), std::string::npos);
 }
 
-TEST(Report, OfThePublishedStudySaysAllThatLimitsIt) {
+TEST(Report, OfThePublishedStudyStatesEveryLimitation) {
     const auto limits = limits_of(study::run_study(study::read_study("examples/nanodiamond/published.toml")));
     for (const char* sentence :
          {"The pairs support the full-contact balance (Eq. 7) more than the small-slope balance (Eq. 2) and the "
@@ -141,7 +141,7 @@ std::vector<std::string> found_in(const std::string& page, const char* pattern) 
     return found;
 }
 
-TEST(Report, EveryIdentifierIsThereOnceAndEveryLinkWithinHasATarget) {
+TEST(Report, IdentifiersAreUniqueAndLinksHaveTargets) {
     const Folder folder("links");
     folder.write_scan("a.csv", 20e-9);
     auto measured = folder.run(
@@ -161,7 +161,7 @@ TEST(Report, EveryIdentifierIsThereOnceAndEveryLinkWithinHasATarget) {
     }
 }
 
-TEST(Report, FoldsManyFiguresOfOneFamilyTogether) {
+TEST(Report, FoldsManyFiguresOfOneFamily) {
     std::vector<study_figures::StudyFigure> figures;
     const auto page_of = [&](int n) {
         figures.clear();
@@ -182,7 +182,7 @@ TEST(Report, FoldsManyFiguresOfOneFamilyTogether) {
     EXPECT_GT(many.find("id=\"figure-loop_same_1\""), family);
 }
 
-TEST(Report, ExplainsDeviationsBesideTheTestOfAllPairs) {
+TEST(Report, ExplainsDeviationsNextToTheTestOfAllPairs) {
     const auto result = study::run_study(study::read_study("examples/nanodiamond/published.toml"));
     const auto page = visible(as_html(result, study_figures::study_figures(result), run));
     const auto note = prose(output::deviation_note(*result.prediction_test));
@@ -193,7 +193,7 @@ TEST(Report, ExplainsDeviationsBesideTheTestOfAllPairs) {
     EXPECT_NE(note.find("only the errors of this pair"), std::string::npos);
 }
 
-TEST(Report, ShowsReplicatesWithTheirVariancesAndWhatWasExcluded) {
+TEST(Report, ShowsReplicatesWithVariancesAndExcludedData) {
     auto result = study::run_study(study::read_study("examples/nanodiamond/published.toml"));
     const auto before = numbers_that_agree(visible(as_html(result, {}, run)), output::to_json(result));
     result.replicates.push_back(tests::sample_replicates("PUNCD", hostile_name));
@@ -213,7 +213,7 @@ TEST(Report, ShowsReplicatesWithTheirVariancesAndWhatWasExcluded) {
     EXPECT_NE(text.find("Measured against predicted, with the errors of both"), std::string::npos);
 }
 
-TEST(Report, EveryColumnOfNumbersSaysItsUnit) {
+TEST(Report, EveryNumericColumnStatesItsUnit) {
     const auto result = study::run_study(study::read_study("examples/nanodiamond/published.toml"));
     const auto page = visible(as_html(result, {}, run));
     EXPECT_NE(
@@ -229,7 +229,7 @@ TEST(Report, EveryColumnOfNumbersSaysItsUnit) {
     EXPECT_NEAR(std::stod(found[2]) * 1e-3, std::stod(found[1]), 0.5e-4);
 }
 
-TEST(Report, HostileNamesAreTextAndNothingElse) {
+TEST(Report, HostileNamesAreShownAsText) {
     const Folder folder("hostile");
     folder.write_scan("a.csv", 20e-9);
     study::StudyResult result =
@@ -248,7 +248,7 @@ TEST(Report, HostileNamesAreTextAndNothingElse) {
     EXPECT_GT(numbers_that_agree(visible(page), output::to_json(result)), 20u);
 }
 
-TEST(Report, JsonInThePageIsTheStudyWithoutItsCurves) {
+TEST(Report, JsonInThePageIsTheStudyWithoutCurves) {
     const Folder folder("json");
     folder.write_scan("a.csv", 20e-9);
     const auto result = folder.run(
@@ -261,7 +261,7 @@ TEST(Report, JsonInThePageIsTheStudyWithoutItsCurves) {
               output::to_json(result).at("surfaces").at("</script>").at("rms_height"));
 }
 
-TEST(Report, SaysWhatFailedAndWhy) {
+TEST(Report, StatesFailuresWithReasons) {
     const Folder folder("failed");
     folder.write_scan("a.csv", 20e-9);
     const auto result = folder.run(
@@ -277,7 +277,7 @@ TEST(Report, SaysWhatFailedAndWhy) {
     EXPECT_NE(words(failed).find(result.surfaces[0].measurements[1].error), std::string::npos);
 }
 
-TEST(Report, OfAnEmptyStudyNothingIsConcluded) {
+TEST(Report, OfAnEmptyStudyConcludesNothing) {
     study::StudyResult result;
     result.work_of_adhesion = decltype(result.work_of_adhesion)::missing("no pair");
     EXPECT_NE(limits_of(result).find("The study names no surface and no experiment. Nothing can be concluded"),
@@ -329,14 +329,14 @@ std::string published(const std::vector<std::string>& surfaces, const std::vecto
     return toml;
 }
 
-TEST(Report, OfOneSurfaceSaysThatRoughnessIsNotTested) {
+TEST(Report, OfOneSurfaceStatesThatRoughnessIsNotTested) {
     const auto limits = limits_of(Folder("one_surface").run(published({"A"}, {"soft", "hard", "other"})));
     EXPECT_NE(limits.find("All 3 pairs are on one surface, A. The data do not test how adhesion depends on roughness."),
               std::string::npos)
         << limits;
 }
 
-TEST(Report, OfOneElastomerSaysThatModulusIsNotTested) {
+TEST(Report, OfOneElastomerStatesThatModulusIsNotTested) {
     const auto limits = limits_of(Folder("one_elastomer").run(published({"A", "B"}, {"soft"})));
     EXPECT_NE(limits.find(
                   "All 2 pairs are on one elastomer, soft. The data do not test that the stored energy grows with the "
@@ -345,14 +345,14 @@ TEST(Report, OfOneElastomerSaysThatModulusIsNotTested) {
         << limits;
 }
 
-TEST(Report, OfOnePairSaysThatItTestsNothing) {
+TEST(Report, OfOnePairStatesThatNothingIsTested) {
     const auto limits = limits_of(Folder("one_pair").run(published({"A"}, {"soft"})));
     EXPECT_NE(limits.find("Only one pair is measured. One value of Wint always matches one pair"), std::string::npos)
         << limits;
     EXPECT_NE(limits.find("Wapp is not predicted: "), std::string::npos) << limits;
 }
 
-TEST(Report, OfOneExperimentSaysThatScatterIsUnknown) {
+TEST(Report, OfOneExperimentStatesThatScatterIsUnknown) {
     const auto limits =
         limits_of(Folder("one_experiment")
                       .run(published({"A"}, {"soft"}) +
@@ -362,7 +362,7 @@ TEST(Report, OfOneExperimentSaysThatScatterIsUnknown) {
         << limits;
 }
 
-TEST(Report, AsksNoNetworkForAnything) {
+TEST(Report, MakesNoNetworkRequest) {
     const auto page = as_html(study::StudyResult{}, tests::sample_figures(), run);
     EXPECT_NE(
         page.find(
@@ -371,7 +371,7 @@ TEST(Report, AsksNoNetworkForAnything) {
     EXPECT_FALSE(std::regex_search(visible(page), std::regex("(src|href)=\"(https?:)?//")));
 }
 
-TEST(Report, FiguresCarryTheirNumbersCommandAndReason) {
+TEST(Report, FiguresIncludeNumbersCommandAndReason) {
     const auto page = visible(as_html(study::StudyResult{}, tests::sample_figures(), run));
     EXPECT_NE(page.find("Not drawn: no experiment has a contact radius."), std::string::npos);
     EXPECT_NE(words(page).find("setae plot '' --figure 'spectra:it'\\''s'"), std::string::npos);
@@ -387,7 +387,7 @@ TEST(Report, FiguresCarryTheirNumbersCommandAndReason) {
 }
 
 // Ends, peaks and valleys of 10 000 points stay, and of hundreds of loops the page holds a part.
-TEST(Report, StaysSmallWhereThereIsMuchToShow) {
+TEST(Report, IsSmallForLargeStudies) {
     constexpr Index points = 10000;
     study_figures::StudyFigure figure{.identifier = "loop:a", .name = "loop_a", .title = "a loop"};
     figures::Series series{.label = "force"};
@@ -428,7 +428,7 @@ TEST(Report, HeadingsAreInOrder) {
     EXPECT_EQ(before, 3);
 }
 
-TEST(Numbers, ShowTwoDigitsOfTheirErrorOrFourOfTheirOwn) {
+TEST(Numbers, ShowTwoDigitsOfTheErrorOrFourOfTheValue) {
     EXPECT_EQ(shown(37.0912, decimals_of(37.0912, 2.1)), "37.1");
     EXPECT_EQ(shown(0.9331761, decimals_of(0.9331761, 0.00015)), "0.93318");
     EXPECT_EQ(shown(2.44123, decimals_of(2.44123, 0.0)), "2.441");
@@ -440,7 +440,7 @@ TEST(Numbers, ShowTwoDigitsOfTheirErrorOrFourOfTheirOwn) {
     EXPECT_EQ(shown(0.0, decimals_of(0.0, 0.0)), "0.0");
 }
 
-TEST(Numbers, TakeTheUnitThatPutsTheLargestBelowAThousand) {
+TEST(Numbers, UseTheUnitThatPutsTheLargestBelowAThousand) {
     EXPECT_EQ(display_unit("m", 126.6e-9).name, "nm");
     EXPECT_EQ(display_unit("J/m2", 0.06).name, "mJ/m2");
     EXPECT_EQ(display_unit("1/m", 3.4e9).name, "1/nm");
@@ -449,7 +449,7 @@ TEST(Numbers, TakeTheUnitThatPutsTheLargestBelowAThousand) {
     EXPECT_EQ(display_unit("m", 1e-9).name, "nm") << "not 1000 pm";
 }
 
-TEST(Markup, SetsNumbersAndSymbolsOfSentencesAndLeavesNamesAlone) {
+TEST(Markup, FormatsNumbersAndSymbolsButNotNames) {
     EXPECT_EQ(prose("the tip of 5e-06 m hides wavelengths below 1.038e-06 m"),
               "the tip of 5×10⁻⁶ m hides wavelengths below 1.038×10⁻⁶ m");
     EXPECT_EQ(prose("between 1e8 and 1e+09 1/m"), "between 10⁸ and 10⁹ 1/m");
@@ -457,14 +457,14 @@ TEST(Markup, SetsNumbersAndSymbolsOfSentencesAndLeavesNamesAlone) {
     EXPECT_EQ(prose("scans/1e5.csv, run_2e3, 3e4_b"), "scans/1e5.csv, run_2e3, 3e4_b");
 }
 
-TEST(Page, HasTheColoursOfTheFiles) {
+TEST(Page, HasTheColoursOfTheFigureFiles) {
     std::string colours;
     for (const auto* colour : figures::palette)
         colours += fmt::format("{}\"#{}\"", colours.empty() ? "" : ", ", colour);
     EXPECT_NE(assets::program.find("const palette = [" + colours + "]"), std::string_view::npos);
 }
 
-TEST(Markup, SetsUnitsAndQuantities) {
+TEST(Markup, FormatsUnitsAndQuantities) {
     EXPECT_EQ(typeset_unit("mJ/m2"), "mJ m⁻²");
     EXPECT_EQ(typeset_unit("1/um"), "µm⁻¹");
     EXPECT_EQ(typeset_unit("N/m^1.5"), "N m⁻¹.⁵");

@@ -63,7 +63,7 @@ std::vector<StudyFigure> drawn_figures(FigureWidth width) {
     return drawn;
 }
 
-TEST(Appearance, OfAColumnIsAtMost120MillimetresHighUnderOneLegend) {
+TEST(Appearance, OfOneColumnIsAtMost120MillimetresHighWithOneLegend) {
     std::set<std::string> seen;
     for (const auto& drawn : drawn_figures(FigureWidth::single_column)) {
         seen.insert(drawn.identifier);
@@ -83,7 +83,7 @@ TEST(Appearance, OfAColumnIsAtMost120MillimetresHighUnderOneLegend) {
         EXPECT_TRUE(seen.contains(wanted)) << wanted;
 }
 
-TEST(Appearance, OfAnInstrumentIsOneColourInEveryFigure) {
+TEST(Appearance, HasOneColourPerInstrumentInEveryFigure) {
     std::map<std::string, std::set<int>> colours;
     for (const auto& drawn : drawn_figures(FigureWidth::double_column))
         for (const auto& panel : drawn.figure.panels)
@@ -115,7 +115,7 @@ TEST(Appearance, HasNoMarkupInFilesOfNumbers) {
     }
 }
 
-TEST(Appearance, HasNoNumberWithAnE) {
+TEST(Appearance, HasPowersOfTenInsteadOfE) {
     const std::regex number(R"([0-9]e[-+]?[0-9])");
     const auto look = [&](const std::string& where, const std::string& text) {
         EXPECT_FALSE(std::regex_search(text, number)) << where << ": " << text;
@@ -160,13 +160,13 @@ TEST(Appearance, NamesEveryPanelOfSeveral) {
         }
 }
 
-TEST(Appearance, OfTitlesHasRoundedModuli) {
+TEST(Appearance, TitlesHaveRoundedModuli) {
     const auto drawn = study_figure(whole_study(), "S5");
     ASSERT_EQ(drawn.figure.panels.size(), 4u);
     EXPECT_EQ(drawn.figure.panels[2].title, "third, 3 MPa");
 }
 
-TEST(Appearance, OfSpectraEndsBeforeTheEndOfWhatTheyAreMadeOf) {
+TEST(Appearance, SpectraEndBeforeTheEndOfTheirData) {
     StudyResult result;
     auto surface = given_surface("published");
     const Array1D q = Array1D::LinSpaced(200, std::log(1e5), std::log(1e9)).exp();

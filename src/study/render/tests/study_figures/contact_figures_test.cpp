@@ -27,7 +27,7 @@ double at(const figures::Series& curve, double x) {
     return undefined;
 }
 
-TEST(Figure2, IsOfTheElastomerNearestToThePapers) {
+TEST(Figure2, ShowsTheElastomerClosestToThatOfThePaper) {
     const auto drawn = study_figure(study_of_loops(), "2");
     ASSERT_EQ(drawn.figure.panels.size(), 2u);
     EXPECT_NE(drawn.caption.find("Contact on hard"), std::string::npos) << drawn.caption;
@@ -41,7 +41,7 @@ TEST(Figure2, IsOfTheElastomerNearestToThePapers) {
     EXPECT_GT(unloading.y[unloading.y.size() / 2], at(loading, unloading.x[unloading.x.size() / 2]));
 }
 
-TEST(Figure2, FitsPassThroughTheLoadingTheyWereMadeOf) {
+TEST(Figure2, FitsPassThroughTheFittedLoading) {
     const auto drawn = study_figure(study_of_loops(), "2");
     const auto& fit = series_of(drawn.figure.panels[0], "rough, JKR of loading");
     EXPECT_EQ(fit.dash, 1);
@@ -54,7 +54,7 @@ TEST(Figure2, FitsPassThroughTheLoadingTheyWereMadeOf) {
     for (Index i = 1; i + 1 < loading.x.size(); ++i) EXPECT_NEAR(at(fit, loading.x[i]), loading.y[i], 0.05) << i;
 }
 
-TEST(Figure2, ShadesTheLoopThatLosesMost) {
+TEST(Figure2, ShadesTheLoopWithTheMaximumLoss) {
     auto result = study_of_loops();
     auto energetic = *result.experiments[2].analysis->loop;
     energetic.energy = 3e-9;
@@ -67,7 +67,7 @@ TEST(Figure2, ShadesTheLoopThatLosesMost) {
     EXPECT_NE(drawn.caption.find("loses 3.000 nJ"), std::string::npos) << drawn.caption;
 }
 
-TEST(Figure2, NeedsAContactRadius) {
+TEST(Figure2, RequiresAContactRadius) {
     auto result = study_of_loops();
     for (auto& e : result.experiments) e.analysis->corrected.contact_radius.resize(0);
     EXPECT_EQ(study_figure(result, "2").reason, "no loop on a rough surface has a contact radius");
@@ -75,7 +75,7 @@ TEST(Figure2, NeedsAContactRadius) {
     EXPECT_EQ(study_figure(result, "S5").reason, "every loop on a rough surface failed");
 }
 
-TEST(Figure2, OfFramesFewerThanSamplesShowsTheFrames) {
+TEST(Figure2, ShowsFramesIfFewerThanSamples) {
     auto result = study_of_loops();
     for (auto& e : result.experiments)
         for (Index i = 0; i < e.analysis->corrected.contact_radius.size(); ++i)
@@ -114,7 +114,7 @@ TEST(FigureS6, ShowsReferencesByStage) {
     EXPECT_NO_THROW((void)series_of(drawn.figure.panels[1], "after, JKR of loading"));
 }
 
-TEST(ContactFigures, LeaveOutFitsWithoutAdhesion) {
+TEST(ContactFigures, OmitFitsWithoutAdhesion) {
     auto result = study_of_loops();
     auto fit = *result.experiments[2].analysis->loading.radius_force;
     fit.work_of_adhesion.value = -0.01;

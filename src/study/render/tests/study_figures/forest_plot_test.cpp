@@ -40,7 +40,7 @@ TEST(ForestPlot, ShowsEveryRowWithItsInterval) {
     EXPECT_EQ(rows.y[0], static_cast<double>(labels.size() - 2));
 }
 
-TEST(ForestPlot, ADiamondIsAsWideAsTheMeansInterval) {
+TEST(ForestPlot, DiamondHasTheWidthOfTheInterval) {
     const auto data = simulated({.surfaces = 1, .lenses = 4, .spots = 3, .repeats = 2, .fit_error = 1.0});
     const auto model = mixed_model(data);
     const auto figure = forest_plot(data, model);
@@ -50,7 +50,7 @@ TEST(ForestPlot, ADiamondIsAsWideAsTheMeansInterval) {
     EXPECT_EQ(series_named(figure, "S0, mean, prediction").x[1], model.surfaces[0].prediction->upper);
 }
 
-TEST(ForestPlot, ExcludedRowsAreHollowWithTheirReason) {
+TEST(ForestPlot, ShowsExcludedRowsHollowWithTheirReason) {
     auto data = simulated({.surfaces = 1, .lenses = 3, .spots = 2, .repeats = 1, .fit_error = 1.0});
     data.exclusions = {{1, "dust on the lens"}};
     const auto figure = forest_plot(data, mixed_model(data));
@@ -65,7 +65,7 @@ TEST(ForestPlot, ExcludedRowsAreHollowWithTheirReason) {
     EXPECT_NO_THROW((void)series_named(figure, "S0, mean with excluded"));
 }
 
-TEST(ForestPlot, GrowsWithItsRowsWithinBounds) {
+TEST(ForestPlot, HeightIncreasesWithRowsWithinBounds) {
     const auto height = [](int spots) {
         const auto data = simulated({.surfaces = 1, .lenses = 2, .spots = spots, .repeats = 1});
         return forest_plot(data, mixed_model(data, {.influence = false})).height_mm;
@@ -75,7 +75,7 @@ TEST(ForestPlot, GrowsWithItsRowsWithinBounds) {
     EXPECT_LE(height(100), 500.0);
 }
 
-TEST(ForestPlot, KeepsRowsLegibleBesideAVeryWideInterval) {
+TEST(ForestPlot, KeepsRowsLegibleNextToAVeryWideInterval) {
     // two lenses: Student's t of one degree of freedom
     const auto data = simulated({.surfaces = 1, .lenses = 2, .spots = 2, .repeats = 1, .fit_error = 1.0});
     const auto model = mixed_model(data);

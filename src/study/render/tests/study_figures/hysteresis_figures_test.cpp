@@ -27,13 +27,13 @@ TEST(HysteresisFigures, ShowPairsAndBars) {
     EXPECT_EQ(bars.figure.panels[0].y.tick_labels.back(), "PUNCD E0.7");
 }
 
-TEST(HysteresisFigures, OfNothingMeasuredSayWhy) {
+TEST(HysteresisFigures, WithoutMeasurementsGiveTheReason) {
     const study::Hysteresis none;
     EXPECT_EQ(hysteresis_figure(none, FigureWidth::single_column).reason, "no pair has a measured W_ret at pull-off");
     EXPECT_FALSE(loss_shares_figure(none, FigureWidth::single_column).drawable());
 }
 
-TEST(HysteresisFigures, OfAStudyWithoutThemSayWhy) {
+TEST(HysteresisFigures, OfAStudyWithoutHysteresisGiveTheReason) {
     study::StudyResult result;
     result.hysteresis = study::Outcome<study::Hysteresis>::missing("too many pairs");
     EXPECT_EQ(study_figure(result, "hysteresis").reason, "too many pairs");

@@ -33,7 +33,7 @@ StudyResult measured_study() {
     return result;
 }
 
-TEST(Figure1, ShowsTheAverageWithItsUncertaintyWhereItHasOne) {
+TEST(Figure1, ShowsTheAverageWithItsUncertaintyIfKnown) {
     const auto drawn = study_figure(measured_study(), "1");
     const auto& panel = drawn.figure.panels[0];
     const auto& curve = series_of(panel, "rough");
@@ -87,7 +87,7 @@ TEST(Figure1, ShowsFittedSpectraWithTheirLogarithmicError) {
                 1e-6);
 }
 
-TEST(FigureS3, ConvertsAveragesAsTheStudySays) {
+TEST(FigureS3, ConvertsAveragesByTheConversionOfTheStudy) {
     auto result = study_of_pairs();
     result.study.analysis.conversion = roughness::Conversion::eq11;
     const auto by_11 = series_of(study_figure(result, "S3").figure.panels[0], "rough");
@@ -126,7 +126,7 @@ TEST(FigureS1, ShowsTheLongestScanWithItsPeaks) {
     EXPECT_TRUE((scan.x.tail(scan.x.size() - 1) >= scan.x.head(scan.x.size() - 1)).all());
 }
 
-TEST(MeasuredSpectra, ShowEveryMeasurementAndWhatWasCut) {
+TEST(MeasuredSpectra, ShowEveryMeasurementAndExcludedWaves) {
     auto result = measured_study();
     study::MeasurementResult failed{.name = "gone", .error = "unreadable"};
     result.surfaces[0].measurements.push_back(failed);

@@ -16,7 +16,7 @@ std::string reason_of(const StudyResult& result, const std::string& identifier) 
     return study_figure(result, identifier).reason;
 }
 
-TEST(StudyFigures, OfAnEmptyStudySayWhatIsMissing) {
+TEST(StudyFigures, OfAnEmptyStudyReportMissingData) {
     const StudyResult empty;
     std::set<std::string> names;
     for (const auto& figure : study_figures(empty)) {
@@ -33,7 +33,7 @@ TEST(StudyFigures, OfAnEmptyStudySayWhatIsMissing) {
     EXPECT_EQ(reason_of(empty, "hysteresis"), "no W_int is known");
 }
 
-TEST(StudyFigures, OfPublishedSurfacesNeedNoMeasurement) {
+TEST(StudyFigures, OfPublishedSurfacesRequireNoMeasurement) {
     auto result = study_of_pairs();
     EXPECT_TRUE(study_figure(result, "1").drawable());
     EXPECT_TRUE(study_figure(result, "S3").drawable());
@@ -43,7 +43,7 @@ TEST(StudyFigures, OfPublishedSurfacesNeedNoMeasurement) {
     EXPECT_EQ(reason_of(result, "1"), "every surface failed");
 }
 
-TEST(StudyFigures, OfOneSurfaceAloneShowItsSpectrum) {
+TEST(StudyFigures, OfOneSurfaceShowItsSpectrum) {
     StudyResult result;
     result.surfaces = {given_surface("only")};
     EXPECT_TRUE(study_figure(result, "1").drawable());
@@ -51,7 +51,7 @@ TEST(StudyFigures, OfOneSurfaceAloneShowItsSpectrum) {
     EXPECT_FALSE(study_figure(result, "scales").drawable());
 }
 
-TEST(StudyFigures, AreFoundByIdentifierOrTheNearestIsNamed) {
+TEST(StudyFigures, AreFoundByIdentifierOrTheNearestIsSuggested) {
     const auto result = study_of_pairs();
     EXPECT_EQ(study_figure(result, "4").name, "figure_4");
     try {
@@ -63,7 +63,7 @@ TEST(StudyFigures, AreFoundByIdentifierOrTheNearestIsNamed) {
     }
 }
 
-TEST(StudyFigures, NameFilesOfSurfacesApart) {
+TEST(StudyFigures, HaveUniqueFileNamesPerSurface) {
     StudyResult result;
     result.surfaces = {given_surface("a b"), given_surface("a/b"), given_surface("ü")};
     const auto q = Array1D{{1e5, 1e6}};
@@ -128,7 +128,7 @@ TEST(Figure4, ShowsLossAgainstTrueAreaOnALineThroughTheOrigin) {
     EXPECT_EQ(line.label.substr(0, 8), "slope 40");
 }
 
-TEST(Figure4, SaysWhatAReconstructionThatIsFlooredMeans) {
+TEST(Figure4, ExplainsAFlooredReconstruction) {
     auto result = study_of_pairs();
     result.surfaces[1].reconstructed = true;
     result.pairs[2].area_ratio = 1.5;
@@ -142,7 +142,7 @@ TEST(Figure4, SaysWhatAReconstructionThatIsFlooredMeans) {
     EXPECT_EQ(caption.find("smooth on"), std::string::npos);
 }
 
-TEST(FigureS8, UsesTheFitOfItsOwnBalance) {
+TEST(FigureS8, UsesTheFitOfItsBalance) {
     auto result = study_of_pairs();
     std::vector<adhesion::PairPoint> points;
     for (const auto& pair : result.pairs)
@@ -158,7 +158,7 @@ TEST(FigureS8, UsesTheFitOfItsOwnBalance) {
     EXPECT_NEAR(series_of(drawn.figure.panels[1], "smooth on soft").y[0], 33.0 - expected, 1e-9);
 }
 
-TEST(Scales, AreSharesThatEndAtTheWhole) {
+TEST(Scales, AreSharesThatEndAtOne) {
     auto result = study_of_pairs();
     for (auto& pair : result.pairs) {
         adhesion::ScaleBalance scales;
@@ -195,7 +195,7 @@ TEST(Agreement, IsDrawnByInstrumentInTheMiddleOfEachDecade) {
     EXPECT_DOUBLE_EQ(series_of(drawn.figure.panels[0], "TEM").y[0], 0.9);
 }
 
-TEST(PredictionFigure, ShowsMeasuredValuesBesideTheCurveOfTheirSurface) {
+TEST(PredictionFigure, ShowsMeasuredValuesAndTheCurveOfTheirSurface) {
     auto result = study_of_pairs();
     std::vector<adhesion::PredictionResidual> residuals;
     for (const auto& pair : result.pairs)
@@ -222,7 +222,7 @@ TEST(PredictionFigure, ShowsMeasuredValuesBesideTheCurveOfTheirSurface) {
     EXPECT_NE(drawn.caption.find("χ² = "), std::string::npos);
 }
 
-TEST(PredictionFigure, ShowsPredictionsThatNobodyMeasuredHollow) {
+TEST(PredictionFigure, ShowsUnmeasuredPredictionsHollow) {
     auto result = study_of_pairs();
     auto& pair = result.pairs.back();
     pair.approach.reset();
@@ -258,7 +258,7 @@ TEST(ReplicatesFigure, HasAPanelForEachElastomerWithItsExcludedLoops) {
     EXPECT_NE(drawn.caption.find("6 loops"), std::string::npos);
 }
 
-TEST(StudyFigures, FitTheColumnAskedFor) {
+TEST(StudyFigures, FitTheRequestedColumn) {
     const auto single = study_figures(study_of_pairs(), {.width = FigureWidth::single_column}),
                whole = study_figures(study_of_pairs());
     for (std::size_t i = 0; i < single.size(); ++i) {

@@ -60,7 +60,7 @@ TEST(WriteFigures, GivesTheSameBytesForAnyNumberOfThreadsAndFromTheStore) {
     EXPECT_EQ(one[0].error, "");
 }
 
-TEST(WriteFigures, OneThatFailsDoesNotLoseTheOthers) {
+TEST(WriteFigures, OneFailureDoesNotAffectOthers) {
     const Folder folder;
     auto figures = two_figures();
     figures[0].figure.panels[0].series[0].y = Array1D::Ones(1);
@@ -92,13 +92,13 @@ TEST(WriteFigures, WithoutGnuplotWriteTheNumbers) {
     EXPECT_EQ(written[0].error.find("gnuplot-nox"), written[0].error.rfind("gnuplot-nox"));
 }
 
-TEST(WriteFigures, RefuseAFolderThatCannotBe) {
+TEST(WriteFigures, RefuseAnImpossibleFolder) {
     const Folder folder;
     std::ofstream(folder / "file") << "x";
     EXPECT_THROW((void)write_figures(two_figures(), {.folder = folder / "file/below", .study = "a.toml"}), FileError);
 }
 
-TEST(FigureNumbers, SayHowTheyAreMadeAgain) {
+TEST(FigureNumbers, ContainTheCommandToReproduceThem) {
     const auto figure = study_figure(study_of_pairs(), "4");
     const auto text = data_of(figure, "my study.toml", FigureWidth::single_column);
     EXPECT_EQ(

@@ -43,14 +43,14 @@ protected:
     const std::string key = KeyBuilder("test").add("file", "abc").key();
 };
 
-TEST(KeyBuilderTest, SeparatesPartsThatReadAlike) {
+TEST(KeyBuilderTest, SeparatesPartsThatConcatenateEqually) {
     EXPECT_NE(KeyBuilder("a").add("b", "c").key(), KeyBuilder("a").add("bc", "").key());
     EXPECT_NE(KeyBuilder("a").add("b", "c 1 d 1 e").key(), KeyBuilder("a").add("b", "c").add("d", "e").key());
     EXPECT_NE(KeyBuilder("a").key(), KeyBuilder("b").key());
     EXPECT_EQ(KeyBuilder("a").add("b", "c").key(), KeyBuilder("a").add("b", "c").key());
 }
 
-TEST_F(StoreTest, GivesBackWhatWasKept) {
+TEST_F(StoreTest, ReturnsWhatWasKept) {
     const Store store(folder, "1");
     EXPECT_FALSE(store.find(key));
     const std::string content("two\nlines and \0 bytes", 20);
@@ -68,7 +68,7 @@ TEST_F(StoreTest, KeepsEmptyContent) {
     EXPECT_EQ(store.find(key), "");
 }
 
-TEST_F(StoreTest, RefusesADamagedEntryAndSaysSo) {
+TEST_F(StoreTest, RefusesADamagedEntryAndCountsIt) {
     const Store store(folder, "1");
     store.keep(key, "content");
     const auto whole = bytes(key);
@@ -101,7 +101,7 @@ TEST_F(StoreTest, RefusesTheEntryOfAnotherKey) {
     EXPECT_EQ(store.find(other), "of another");
 }
 
-TEST_F(StoreTest, ComputesAgainWhatIsNoFile) {
+TEST_F(StoreTest, RecomputesAnEntryThatIsNotAFile) {
     const Store store(folder, "1");
     store.keep(key, "content");
     const auto replaced_by = [&](const std::function<void(const fs::path&)>& make) {
@@ -123,7 +123,7 @@ TEST_F(StoreTest, ComputesAgainWhatIsNoFile) {
     EXPECT_EQ(store.traffic().not_kept, 1);
 }
 
-TEST_F(StoreTest, ReadsNoMoreThanAnEntryAnnounces) {
+TEST_F(StoreTest, ReadsOnlyTheAnnouncedSizeOfAnEntry) {
     const Store store(folder, "1");
     store.keep(key, "content");
     fs::resize_file(entry(key), std::uintmax_t{1} << 36);  // a hole of 64 GiB behind it
@@ -134,7 +134,7 @@ TEST_F(StoreTest, ReadsNoMoreThanAnEntryAnnounces) {
     EXPECT_FALSE(store.find(key));
 }
 
-TEST_F(StoreTest, LeavesFilesOfLikeNamesAlone) {
+TEST_F(StoreTest, KeepsForeignFilesWithSimilarNames) {
     const Store store(folder, "1");
     store.keep(key, "content");
     const auto group = entry(key).parent_path();
@@ -157,7 +157,7 @@ TEST_F(StoreTest, RefusesAnEntryOfAnotherVersion) {
     EXPECT_EQ(store.content().entries, 1);
 }
 
-TEST_F(StoreTest, RemovesItsOwnFilesAlone) {
+TEST_F(StoreTest, RemovesItsOwnFilesOnly) {
     const Store store(folder, "1");
     store.keep(key, "content");
     const auto left_by_a_writer = entry(key).string() + ".99.0.part",
@@ -172,7 +172,7 @@ TEST_F(StoreTest, RemovesItsOwnFilesAlone) {
     EXPECT_TRUE(fs::exists(foreign));
 }
 
-TEST_F(StoreTest, WithoutFolderKeepsNothing) {
+TEST_F(StoreTest, WithoutFolderStoresNothing) {
     const Store store;
     store.keep(key, "content");
     EXPECT_FALSE(store.find(key));
@@ -180,7 +180,7 @@ TEST_F(StoreTest, WithoutFolderKeepsNothing) {
     EXPECT_EQ(store.content().entries, 0);
 }
 
-TEST_F(StoreTest, GoesOnWhereItCannotWrite) {
+TEST_F(StoreTest, ContinuesWhenItCannotWrite) {
     std::ofstream(folder) << "a file stands where the folder should be";
     const Store store(folder, "1");
     store.keep(key, "content");
@@ -205,7 +205,7 @@ TEST_F(StoreTest, ServesManyThreadsAtOnce) {
     EXPECT_EQ(store.content().entries, 1);
 }
 
-TEST(DefaultFolder, FollowsTheVariables) {
+TEST(DefaultFolder, FollowsTheEnvironmentVariables) {
     const auto set = [](const char* name, const char* value) { value ? setenv(name, value, 1) : unsetenv(name); };
     set("SETAE_CACHE", "/here");
     EXPECT_EQ(default_folder(), "/here");

@@ -11,7 +11,7 @@ using tables::ChannelNames, tables::ChosenColumns;
 
 const ChannelNames plain{{"force", {"load", "mN", "load"}}, {"displacement", {"extension", "um", "extension"}}};
 
-TEST(ChannelRemedy, TurnsTheSignOfTheColumnsOfTheFile) {
+TEST(ChannelRemedy, InvertsTheSignOfColumns) {
     EXPECT_EQ(columns_that_undo(ChannelFault::force_reversed, plain), (ChosenColumns{{"force", "-1 * load"}}));
     EXPECT_EQ(columns_that_undo(ChannelFault::displacement_reversed, plain),
               (ChosenColumns{{"displacement", "-1 * extension"}}));
@@ -19,7 +19,7 @@ TEST(ChannelRemedy, TurnsTheSignOfTheColumnsOfTheFile) {
               (ChosenColumns{{"force", "-1 * load"}, {"displacement", "-1 * extension"}}));
 }
 
-TEST(ChannelRemedy, TurnsBackWhatWasTurnedAndKeepsUnits) {
+TEST(ChannelRemedy, RemovesAnInversionAndKeepsUnits) {
     const ChannelNames turned{{"force", {"kraft", "uN", "-1 * kraft[uN]"}},
                               {"displacement", {"gap", "um", "-1 * gap"}}};
     EXPECT_EQ(columns_that_undo(ChannelFault::both_reversed, turned),
@@ -29,14 +29,14 @@ TEST(ChannelRemedy, TurnsBackWhatWasTurnedAndKeepsUnits) {
               (ChosenColumns{{"force", "-1 * (3 N/m * mems)"}}));
 }
 
-TEST(ChannelRemedy, SwapsColumnsAndLeavesTheUnitsToTheirRoles) {
+TEST(ChannelRemedy, SwapsColumnsAndKeepsUnitsOfTheirRoles) {
     EXPECT_EQ(columns_that_undo(ChannelFault::swapped, plain),
               (ChosenColumns{{"force", "extension[mN]"}, {"displacement", "load[um]"}}));
     EXPECT_EQ(channel_remedy(ChannelFault::swapped, {{"force", {"", "", "a - b"}}, {"displacement", {"c", "m", "c"}}}),
               "check which column is the force and which the displacement");
 }
 
-TEST(ChannelRemedy, IsTypedAsItStands) {
+TEST(ChannelRemedy, CanBeTypedAsPrinted) {
     EXPECT_EQ(channel_remedy(ChannelFault::force_reversed, plain),
               "use --column force=\"-1 * load\" (in a study columns = { force = \"-1 * load\" })");
 }

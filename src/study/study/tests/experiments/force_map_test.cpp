@@ -34,7 +34,7 @@ protected:
     TemporaryFolder folder_;
 };
 
-TEST_F(FittedForceMap, SaysModulusOfEachCurveAndWhyNot) {
+TEST_F(FittedForceMap, GivesModulusOrReasonForEachCurve) {
     const auto map = fit_force_map(file(), {}, sphere(), {}, {1});
     ASSERT_EQ(map.curves.size(), 4U);
     const double planted[] = {20.0, 25.0, 30.0};
@@ -50,7 +50,7 @@ TEST_F(FittedForceMap, SaysModulusOfEachCurveAndWhyNot) {
     EXPECT_TRUE(holds(output::answer(map), "1 curve without E*"));
 }
 
-TEST_F(FittedForceMap, QuantitiesStandOnTheGrid) {
+TEST_F(FittedForceMap, QuantitiesAreOnTheGrid) {
     const auto quantities = quantities_on_grid(fit_force_map(file(), {}, sphere(), {}, {2}));
     ASSERT_EQ(quantities.size(), 5U);
     EXPECT_EQ(quantities[0].name, "contact_modulus");
@@ -70,7 +70,7 @@ TEST_F(FittedForceMap, IsTheSameForAnyNumberOfThreads) {
     EXPECT_EQ(tables::as_csv(one), tables::as_csv(four));
 }
 
-TEST_F(FittedForceMap, WrongCallsAreErrorsOfTheWhole) {
+TEST_F(FittedForceMap, InvalidOptionsAreErrorsOfTheWholeMap) {
     const auto path = file();
     EXPECT_THROW((void)fit_force_map(path, {}, {}, {}, {1}), InvalidArgument);  // no radius
     EXPECT_TRUE(holds(message_of([&] { (void)open_force_curve(path, 5, {}); }), "no force curve 5; the file has 4"));
@@ -81,7 +81,7 @@ TEST_F(FittedForceMap, WrongCallsAreErrorsOfTheWhole) {
     EXPECT_TRUE(holds(message_of([&] { (void)quantities_on_grid(map); }), "states no grid"));
 }
 
-TEST_F(FittedForceMap, OfNothingButDamageIsRefused) {
+TEST_F(FittedForceMap, WithDamagedCurvesOnlyIsRefused) {
     auto curve = jpk_contact(3, 0.0, 0.0, 20.0);
     curve.readings[0].pop_back();
     const auto path = folder_.write("map.jpk-force-map", jpk_map_file({curve}));

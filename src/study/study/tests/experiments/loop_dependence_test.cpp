@@ -26,7 +26,7 @@ double part(const Components& components, const std::string& input) {
     return found == components.end() ? 0.0 : found->second.directions[0];
 }
 
-class LoopsOfAStudy : public testing::Test {
+class StudyLoops : public testing::Test {
 protected:
     void SetUp() override {
         std::filesystem::create_directories(folder_);
@@ -78,7 +78,7 @@ protected:
 
 constexpr const char* lens = "sphere_radius = \"1.00 ± 0.01 mm\"\n";
 
-TEST_F(LoopsOfAStudy, CarryTheRadiusOfTheirLens) {
+TEST_F(StudyLoops, DependOnTheRadiusOfTheirLens) {
     const auto result = run(lens, experiment(0, "A") + experiment(1, "B"));
     const std::string name = "elastomers.soft.sphere_radius";
     for (const auto& p : result.pairs) {
@@ -103,7 +103,7 @@ TEST_F(LoopsOfAStudy, CarryTheRadiusOfTheirLens) {
     EXPECT_LT(covariance(a, soft.traced_contact_modulus), 0.0);
 }
 
-TEST_F(LoopsOfAStudy, ShareALensByItsName) {
+TEST_F(StudyLoops, ShareALensByItsName) {
     const auto result =
         run("", experiment(0, "A", "sphere_radius = \"lens_3\"\n") + experiment(1, "B", "sphere_radius = \"lens_3\"\n"),
             "[inputs]\nlens_3 = \"1.00 ± 0.01 mm\"\n");
@@ -118,7 +118,7 @@ TEST_F(LoopsOfAStudy, ShareALensByItsName) {
 }
 
 // A pair of one loop: what its inputs make of it is what the whole study finds with one of them a little off.
-TEST_F(LoopsOfAStudy, MoveWithTheirInputsAsTheirDependenceSays) {
+TEST_F(StudyLoops, ChangeWithTheirInputsByTheirDerivatives) {
     struct Input {
         const char* key;
         bool of_loops;
@@ -164,7 +164,7 @@ TEST_F(LoopsOfAStudy, MoveWithTheirInputsAsTheirDependenceSays) {
     }
 }
 
-TEST_F(LoopsOfAStudy, ShareTheNoiseOfTheirFitsWithTheModulus) {
+TEST_F(StudyLoops, ShareTheNoiseOfTheirFitsWithTheModulus) {
     const auto result = run("sphere_radius = \"1 mm\"\n",
                             experiment(0, "A") + experiment(1, "A") + experiment(2, "B") + experiment(3, "B"));
     for (const auto& p : result.pairs) {
@@ -189,7 +189,7 @@ TEST_F(LoopsOfAStudy, ShareTheNoiseOfTheirFitsWithTheModulus) {
     EXPECT_GT(std::abs(fit.correlation), 0.3);
 }
 
-TEST_F(LoopsOfAStudy, OfAGivenModulusShareNoneOfTheirNoise) {
+TEST_F(StudyLoops, OfAGivenModulusDoNotShareNoise) {
     const auto result =
         run("sphere_radius = \"1 mm\"\nyoungs_modulus = \"0.7 ± 0.02 MPa\"\npoisson_ratio = \"0.48 ± 0.01\"\n",
             experiment(0, "A"));
@@ -206,7 +206,7 @@ TEST_F(LoopsOfAStudy, OfAGivenModulusShareNoneOfTheirNoise) {
     EXPECT_TRUE(pair(result, "A").approach_inputs.empty());
 }
 
-TEST_F(LoopsOfAStudy, InMixedModelsCarryTheirInputsByTheirWeights) {
+TEST_F(StudyLoops, InMixedModelsDependOnInputsByTheirWeights) {
     const auto result = run(lens, "[comparison]\ncrossed = [\"lens\"]\n" + experiment(0, "A", "lens = \"a\"\n") +
                                       experiment(1, "A", "lens = \"b\"\n") + experiment(2, "B", "lens = \"a\"\n") +
                                       experiment(3, "B", "lens = \"b\"\n"));
@@ -217,7 +217,7 @@ TEST_F(LoopsOfAStudy, InMixedModelsCarryTheirInputsByTheirWeights) {
     }
 }
 
-TEST_F(LoopsOfAStudy, AreMultipliedByTheirCalibrations) {
+TEST_F(StudyLoops, AreMultipliedByTheirCalibrations) {
     const auto plain = run("sphere_radius = \"1 mm\"\n", experiment(0, "A"));
     const auto result =
         run("sphere_radius = \"1 mm\"\n", "[loops]\nforce_calibration = 1.1\ndisplacement_calibration = 0.9\n" +
@@ -230,7 +230,7 @@ TEST_F(LoopsOfAStudy, AreMultipliedByTheirCalibrations) {
                 1.1 * std::pow(1.05, -3), 1e-6);
 }
 
-TEST_F(LoopsOfAStudy, KeepDerivativesBesideTheAnalysis) {
+TEST_F(StudyLoops, StoreDerivativesWithTheAnalysis) {
     const cache::Store store((folder_ / "cache").string(), "test");
     const auto loops = experiment(0, "A");
     const auto first = run(lens, loops, "", {.store = &store});
@@ -244,7 +244,7 @@ TEST_F(LoopsOfAStudy, KeepDerivativesBesideTheAnalysis) {
     EXPECT_EQ(part(pair(second, "A").approach_inputs, name), 2.0 * part(pair(first, "A").approach_inputs, name));
 }
 
-TEST_F(LoopsOfAStudy, RefuseInputsThatCannotBe) {
+TEST_F(StudyLoops, RefuseImpossibleInputs) {
     const auto loops = [](const char* key) { return std::string("[loops]\n") + key + "\n"; };
     EXPECT_EQ(error_of(lens, loops("force_calibration = 0")),
               "study.toml:14: loops.force_calibration: '0', expected above 0");

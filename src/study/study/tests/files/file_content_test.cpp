@@ -20,7 +20,7 @@ using setae::tests::TemporaryFolder;
 constexpr const char* line_scan = "x [um],h [nm]\n0,1\n1,2\n2,1\n3,2\n";
 constexpr const char* loop = "force [mN],displacement [um]\n0,0\n1,1\n2,2\n1,1\n";
 
-TEST(FileContent, TellsFilesByWhatTheyHold) {
+TEST(FileContent, RecognisesFilesByContent) {
     const TemporaryFolder folder;
     const auto kind = [&](const char* file, const char* text) { return file_content(folder.write(file, text)).kind; };
     EXPECT_EQ(kind("line.csv", line_scan), FileKind::topography);
@@ -42,7 +42,7 @@ TEST(FileContent, TellsFilesByWhatTheyHold) {
     EXPECT_EQ(kind("steps.yml", "steps:\n  - step: level_plane\n"), FileKind::pipeline);
 }
 
-TEST(FileContent, ALoopSaysWhatAFitNeedsBesideIt) {
+TEST(FileContent, LoopListsMissingInputOfAFit) {
     const TemporaryFolder folder;
     const auto plain = file_content(folder.write("loop.csv", loop));
     EXPECT_EQ(plain.missing, std::vector<std::string>{"sphere_radius"});
@@ -54,7 +54,7 @@ TEST(FileContent, ALoopSaysWhatAFitNeedsBesideIt) {
     EXPECT_TRUE(own.missing.empty());
 }
 
-TEST(FileContent, ARecordWithoutForceIsALoopThatNeedsAMapping) {
+TEST(FileContent, RecordWithoutForceIsALoopThatRequiresAMapping) {
     const TemporaryFolder folder;
     const auto content = file_content(folder.write(
         "record.txt", "Piezo position [nm]\tMEMS displacement [nm]\tTime [ms]\n1\t0\t1\n2\t0\t2\n3\t1\t3\n4\t1\t4\n"));
@@ -63,7 +63,7 @@ TEST(FileContent, ARecordWithoutForceIsALoopThatNeedsAMapping) {
     EXPECT_NE(content.note.find("force"), std::string::npos);
 }
 
-TEST(FileContent, ThreeColumnsWithoutAHeaderAreACurveUnlessHeightsAreMeant) {
+TEST(FileContent, ThreeColumnsWithoutHeaderAreACurveByDefault) {
     const TemporaryFolder folder;
     const auto file = folder.write("curve.txt", "1 0.1 0.2\n2 0.1 0.2\n3 0.2 0.3\n4 0.5 0.6\n5 0.9 0.9\n6 1.2 1.1\n");
     const auto curve = file_content(file);
@@ -73,7 +73,7 @@ TEST(FileContent, ThreeColumnsWithoutAHeaderAreACurveUnlessHeightsAreMeant) {
     EXPECT_EQ(file_content(file, {.heights = {.size = {}, .unit = "um"}}).kind, FileKind::topography);
 }
 
-TEST(FileContent, ASpectrumSaysWhatItsFirstColumnWasTakenFor) {
+TEST(FileContent, SpectrumStatesTheMeaningOfItsFirstColumn) {
     const TemporaryFolder folder;
     const auto content = file_content(folder.write("f.csv", "frequency [1/um],C_iso [nm4]\n1,2\n2,1\n"));
     EXPECT_EQ(content.table->metadata.at("quantity"), "frequency");
@@ -87,7 +87,7 @@ TEST(FileContent, ASpectrumSaysWhatItsFirstColumnWasTakenFor) {
     EXPECT_EQ(file_content(bare).kind, FileKind::topography);
 }
 
-TEST(FileContent, WhatIsNothingIsRefusedWithItsReason) {
+TEST(FileContent, UnknownContentIsRefusedWithTheReason) {
     const TemporaryFolder folder;
     EXPECT_NE(message_of([&] {
                   (void)file_content(folder.write("notes.md", "# Notes\nnone\n"));
@@ -103,14 +103,14 @@ TEST(FileContent, WhatIsNothingIsRefusedWithItsReason) {
     EXPECT_NE(message_of([&] { (void)file_content(folder.path("none.csv")); }).find("none.csv"), std::string::npos);
 }
 
-TEST(FileContent, EveryKindHasANameAndAVerb) {
+TEST(FileContent, EveryKindHasANameAndACommand) {
     for (int kind = 0; kind <= static_cast<int>(FileKind::pipeline); ++kind) {
         EXPECT_FALSE(name(static_cast<FileKind>(kind)).empty());
         EXPECT_TRUE(commands_for(static_cast<FileKind>(kind)).front().starts_with("setae "));
     }
 }
 
-TEST(FileContent, KnowsRealFiles) {
+TEST(FileContent, RecognisesRealFiles) {
     SETAE_REQUIRE_REFERENCE_DATA(data, "");
     const auto kind = [&, data = data](const char* file) { return file_content((data / file).string()).kind; };
     EXPECT_EQ(kind("topography/surfacetopography/di-1.di"), FileKind::topography);
@@ -123,7 +123,7 @@ TEST(FileContent, KnowsRealFiles) {
     EXPECT_EQ(kind("jkr/pdms_a.txt"), FileKind::loop);
 }
 
-TEST(FoundFiles, ThoseOfFoldersInOrderWithoutHiddenOnesAndLinkedFolders) {
+TEST(FoundFiles, OfFoldersAreOrderedWithoutHiddenAndLinkedOnes) {
     const TemporaryFolder folder, elsewhere;
     (void)elsewhere.write("far.txt", "1");
     for (const char* name : {"b.txt", "a.txt", ".hidden"}) (void)folder.write(name, "1");
@@ -142,7 +142,7 @@ TEST(FoundFiles, ThoseOfFoldersInOrderWithoutHiddenOnesAndLinkedFolders) {
     EXPECT_TRUE(found.unreadable.empty());
 }
 
-TEST(FoundFiles, AFolderWithoutFilesIsSaidToBeOne) {
+TEST(FoundFiles, ReportFoldersWithoutFiles) {
     const TemporaryFolder folder;
     fs::create_directories(folder.path("empty"));
     (void)folder.write("empty/.hidden", "1");

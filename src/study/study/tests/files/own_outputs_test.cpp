@@ -24,7 +24,7 @@ protected:
     TemporaryFolder folder_;
 };
 
-TEST_F(OwnOutputs, AreToldByTheirContent) {
+TEST_F(OwnOutputs, AreRecognisedByTheirContent) {
     const std::string png = std::string("\x89PNG\r\n\x1a\n", 8) + std::string(40, 'x');
     EXPECT_FALSE(is_own_output(write("a.png", png)));
     EXPECT_TRUE(is_own_output(write("b.png", bytes::with_png_mark(png))));
@@ -40,7 +40,7 @@ TEST_F(OwnOutputs, AreToldByTheirContent) {
     EXPECT_FALSE(is_own_output(folder_.path("none.csv")));
 }
 
-TEST_F(OwnOutputs, ArePassedOverInFoldersAndTakenWhereNamed) {
+TEST_F(OwnOutputs, AreIgnoredInFoldersAndUsedWhenNamed) {
     write("data/scan.csv", "x [um],h [nm]\n0,1\n1,2\n");
     const auto fits = write("data/fits.csv", "file,surface,elastomer,lens,spot,contact,cycle,branch\na,,,,,1,1,x\n");
     write("data/results/files.txt",

@@ -53,7 +53,7 @@ TEST_F(StudyDrafts, GroupFilesIntoSurfacesByFolder) {
     EXPECT_TRUE(fs::equivalent(study.surfaces[0].measurements[1].file, folder_.path("A/stylus/b.csv")));
 }
 
-TEST_F(StudyDrafts, AskForWhatNoFileSays) {
+TEST_F(StudyDrafts, MarkMissingMetadataWithAQuestionMark) {
     write("A/afm_1.csv", line_scan);
     write("A/plain.txt", "1 2 3 4\n2 3 4 5\n3 4 5 6\n5 6 7 8\n");
     const auto text = draft().text;
@@ -66,7 +66,7 @@ TEST_F(StudyDrafts, AskForWhatNoFileSays) {
     EXPECT_NE(text.find("\n# size = [\"?\", \"?\"]"), std::string::npos);
 }
 
-TEST_F(StudyDrafts, TellSurfaceAndElastomerOfLoopsByTheirNames) {
+TEST_F(StudyDrafts, DeriveSurfaceAndElastomerOfLoopsFromNames) {
     write("rough/afm_1.csv", line_scan);
     write("loops/rough_soft.csv", loop);
     write("loops/reference_soft_before.csv", loop);
@@ -91,7 +91,7 @@ TEST_F(StudyDrafts, TellSurfaceAndElastomerOfLoopsByTheirNames) {
     EXPECT_EQ(study.experiments[1].elastomer, "soft");
 }
 
-TEST_F(StudyDrafts, ATableOfASpectrumIsASurfaceOrAChoice) {
+TEST_F(StudyDrafts, UseASpectrumTableAsSurfaceOrAlternative) {
     write("measured/afm_1.csv", line_scan);
     write("measured/psd.csv", "q [1/um],C1D [nm3]\n1,2\n2,1\n");
     write("given/psd.csv", "q [1/um],C1D [nm3]\n1,2\n2,1\n");
@@ -102,7 +102,7 @@ TEST_F(StudyDrafts, ATableOfASpectrumIsASurfaceOrAChoice) {
     EXPECT_EQ(study.surfaces[1].measurements.size(), 1u);
 }
 
-TEST_F(StudyDrafts, NameFilesFromTheFolderOfTheStudy) {
+TEST_F(StudyDrafts, NameFilesRelativeToTheStudy) {
     write("A/afm_1.csv", line_scan);
     EXPECT_NE(draft().text.find("file = \"A/afm_1.csv\""), std::string::npos);
     const auto elsewhere = draft_study({root()}, "a_study_that_is_not_there.toml").text;
@@ -110,7 +110,7 @@ TEST_F(StudyDrafts, NameFilesFromTheFolderOfTheStudy) {
     EXPECT_NE(elsewhere.find("/A/afm_1.csv\""), std::string::npos);
 }
 
-TEST_F(StudyDrafts, TellHowMicrographsBecomeProfiles) {
+TEST_F(StudyDrafts, ExplainHowToTraceMicrographs) {
     std::string header("BM\x46\0\0\0\0\0\0\0\x36\0\0\0\x28\0\0\0\x02\0\0\0\x02\0\0\0\x01\0\x18\0\0\0\0\0\x10\0\0\0",
                        38);
     header.resize(54, '\0');
@@ -123,7 +123,7 @@ TEST_F(StudyDrafts, TellHowMicrographsBecomeProfiles) {
     EXPECT_TRUE(read(made.text).surfaces.empty());
 }
 
-TEST_F(StudyDrafts, LeaveResultsAndWhatTheyDoNotKnowOut) {
+TEST_F(StudyDrafts, OmitResultsAndUnknownFiles) {
     write("A/afm_1.csv", line_scan);
     write("A/notes.md", "# notes\n");
     write("old_results/study.json", "{}");
@@ -136,7 +136,7 @@ TEST_F(StudyDrafts, LeaveResultsAndWhatTheyDoNotKnowOut) {
     EXPECT_NE(made.text.find("# Left out:\n# "), std::string::npos);
 }
 
-TEST_F(StudyDrafts, HoldNamesOfAnyCharacters) {
+TEST_F(StudyDrafts, SupportNamesOfAnyCharacters) {
     write("a \"b\" #c/afm 1.csv", line_scan);
     write("odd\nname/afm.csv", line_scan);
     const auto study = read(draft().text);
@@ -150,7 +150,7 @@ TEST_F(StudyDrafts, HoldNamesOfAnyCharacters) {
     EXPECT_EQ(read(made.text).surfaces.size(), 2u);
 }
 
-TEST_F(StudyDrafts, AreTheSameTwice) {
+TEST_F(StudyDrafts, AreReproducible) {
     write("B/afm_1.csv", line_scan);
     write("A/afm_1.csv", line_scan);
     const auto first = draft().text;
@@ -175,7 +175,7 @@ protected:
     }
 };
 
-TEST_F(StudyGaps, NameTheLineThatAsks) {
+TEST_F(StudyGaps, NameTheLineWithTheQuestionMark) {
     write("afm.csv", line_scan);
     EXPECT_EQ(
         gaps(
@@ -189,7 +189,7 @@ TEST_F(StudyGaps, NameTheLineThatAsks) {
         std::vector<std::string>{"4 afm.csv: no instrument: waves are used down to 2.00 µm"});
 }
 
-TEST_F(StudyGaps, TellFilesThatCannotBeRead) {
+TEST_F(StudyGaps, ReportUnreadableFiles) {
     write("plain.txt", "1 2 3 4\n2 3 4 5\n3 4 5 6\n5 6 7 8\n");
     const auto lines = gaps(
         "[surfaces.A]\nmeasurements = [\n  { file = \"plain.txt\", instrument = \"tem\" },\n  { file = \"none.csv\" },\n]\n"
@@ -201,7 +201,7 @@ TEST_F(StudyGaps, TellFilesThatCannotBeRead) {
     EXPECT_TRUE(lines[3].starts_with("7 plain.txt: 4 columns without units")) << lines[3];
 }
 
-TEST_F(StudyGaps, TellWhatExperimentsNeed) {
+TEST_F(StudyGaps, ReportMissingInputOfExperiments) {
     write("afm.csv", line_scan);
     write("loop.csv", loop);
     const std::string start =
@@ -219,7 +219,7 @@ TEST_F(StudyGaps, TellWhatExperimentsNeed) {
         "11 loop.csv: no sphere_radius, neither for the experiment nor for elastomer 'soft': the loop cannot be fitted");
 }
 
-TEST_F(StudyGaps, TellWhatTablesInCommentsAsk) {
+TEST_F(StudyGaps, ReportQuestionMarksInCommentedTables) {
     write("afm.csv", line_scan);
     EXPECT_EQ(
         gaps(
@@ -228,7 +228,7 @@ TEST_F(StudyGaps, TellWhatTablesInCommentsAsk) {
         std::vector<std::string>{"7 [elastomers.soft]: no surface_energy yet; the line is a comment"});
 }
 
-TEST(StudyDraft, OfRealContainersHasAnEntryAMember) {
+TEST(StudyDraft, OfRealContainersHasOneEntryPerMember) {
     SETAE_REQUIRE_REFERENCE_DATA(data, "topography/surfacetopography/container-2.zip");
     const TemporaryFolder folder;
     const auto file = folder.path("study.toml");

@@ -40,7 +40,7 @@ bool has(const std::vector<Alert>& alerts, const std::string& code) {
     return std::any_of(alerts.begin(), alerts.end(), [&](const Alert& alert) { return alert.code == code; });
 }
 
-TEST(PairAlerts, SayWhetherRoughnessClosesNeedsPressureOrOpens) {
+TEST(PairWarnings, StateHowThePairComesIntoFullContact) {
     using adhesion::Closing;
     const auto soft = run_study(ncd_against(0.69e6), {1}), middle = run_study(ncd_against(1.91e6), {1}),
                stiff = run_study(ncd_against(10.03e6), {1});
@@ -63,7 +63,7 @@ TEST(PairAlerts, SayWhetherRoughnessClosesNeedsPressureOrOpens) {
     EXPECT_FALSE(has(opens.alerts, "NEEDS_PRESSURE"));
 }
 
-TEST(ElastomerAlerts, SayThatAModulusIsNotThatOfItsNetwork) {
+TEST(ElastomerWarnings, ReportAModulusInconsistentWithTheNetwork) {
     auto study = ncd_against(1e6);
     study.elastomers[0].crosslink_molar_mass = 3.0;  // ρRT/M_c = 0.8 MPa
     EXPECT_FALSE(has(run_study(study, {1}).elastomers[0].alerts, "MODULUS_IMPLAUSIBLE"));
@@ -71,7 +71,7 @@ TEST(ElastomerAlerts, SayThatAModulusIsNotThatOfItsNetwork) {
     EXPECT_TRUE(has(run_study(study, {1}).elastomers[0].alerts, "MODULUS_IMPLAUSIBLE"));
 }
 
-TEST(ReconstructionAlerts, SayWhatASpectrumIsAndWhatItsErrorsLeaveOut) {
+TEST(ReconstructionWarnings, ReportReconstructionsWithIncompleteErrors) {
     const auto exact = run_study(ncd_against(1e6), {1});
     EXPECT_TRUE(has(exact.surfaces[0].alerts, "RECONSTRUCTION"));
     EXPECT_FALSE(has(exact.surfaces[0].alerts, "SPREAD_INCOMPLETE"));
@@ -80,7 +80,7 @@ TEST(ReconstructionAlerts, SayWhatASpectrumIsAndWhatItsErrorsLeaveOut) {
     EXPECT_TRUE(has(run_study(wide, {1}).surfaces[0].alerts, "SPREAD_INCOMPLETE"));
 }
 
-TEST(ReconstructionAlerts, SayThatSlopesAreSteepForStoredEnergy) {
+TEST(ReconstructionWarnings, ReportSlopesTooSteepForStoredEnergy) {
     auto study = ncd_against(1e6);  // slope 1.15
     EXPECT_TRUE(has(run_study(study, {1}).surfaces[0].alerts, "STEEP_SLOPES"));
     study.surfaces[0].moments = PublishedMoments{.rms_height = {4.6e-9, 0.0},
@@ -90,7 +90,7 @@ TEST(ReconstructionAlerts, SayThatSlopesAreSteepForStoredEnergy) {
     EXPECT_FALSE(has(run_study(study, {1}).surfaces[0].alerts, "STEEP_SLOPES"));
 }
 
-TEST(PublishedMoments, ErrTogetherAsThoseOfOneSpectrum) {
+TEST(PublishedMoments, HaveErrorsCorrelatedThroughOneSpectrum) {
     auto study = ncd_against(1e6);
     // UNCD of Dalvi et al. 2019: slope + 1 standard error needs H > 1
     study.surfaces[0].moments = PublishedMoments{.rms_height = {23.4e-9, 1.3e-9, "given"},

@@ -22,7 +22,7 @@ Hysteresis with(double factor, double error, double rest, double share) {
     return h;
 }
 
-TEST(SpeedsBeyondBulk, NamesTheBoundAndTheFarthestPair) {
+TEST(SpeedsBeyondBulk, NamesTheBoundAndTheMostDistantPair) {
     const auto alerts = speeds_beyond_bulk(with(2.4, 0.1, 1.2, 0.5));
     ASSERT_EQ(alerts.size(), 1U);
     EXPECT_EQ(alerts[0].code, "SPEED_BEYOND_BULK");
@@ -31,7 +31,7 @@ TEST(SpeedsBeyondBulk, NamesTheBoundAndTheFarthestPair) {
     EXPECT_NE(alerts[0].message.find("at most 1.5 times"), std::string::npos) << alerts[0].message;
 }
 
-TEST(SpeedsBeyondBulk, AreNoneWithinTheBoundOrItsErrors) {
+TEST(SpeedsBeyondBulk, AreEmptyWithinTheBoundAndItsErrors) {
     EXPECT_TRUE(speeds_beyond_bulk(with(1.5, 0.01, 1.0, 0.6)).empty());
     EXPECT_TRUE(speeds_beyond_bulk(with(1.7, 0.1, 1.0, 0.6)).empty());
     auto unknown = with(9.0, 0.1, 1.0, 0.6);

@@ -17,7 +17,7 @@ double rate(double threshold, double speed, double exponent, double at) {
     return threshold * (1.0 + std::pow(at / speed, exponent));
 }
 
-/// A fit that knows ln G to 1 % at the slowest, the middle and the fastest of its speeds.
+/// A fit with an error of 1 % of ln G at the slowest, the middle and the fastest of its speeds.
 loops::CrackSpeedFit fit_of(double threshold, double speed, double exponent) {
     loops::CrackSpeedFit fit;
     fit.law = {threshold, speed, exponent};
@@ -60,7 +60,7 @@ StudyResult study_of(const std::vector<loops::Outcome<loops::CrackSpeedFit>>& fi
     return result;
 }
 
-TEST(EdgeSpeeds, OfReferencesThatAgreeAreTheirsMoreSurely) {
+TEST(EdgeSpeeds, OfConsistentReferencesHaveSmallerErrors) {
     const auto one = edge_speed_of(study_of({fit_of(0.041, 1e-6, 0.6)}), "E"),
                two = edge_speed_of(study_of({fit_of(0.041, 1e-6, 0.6), fit_of(0.041, 1e-6, 0.6)}), "E");
     ASSERT_TRUE(one && two);
@@ -71,8 +71,8 @@ TEST(EdgeSpeeds, OfReferencesThatAgreeAreTheirsMoreSurely) {
     EXPECT_NEAR(two->law.exponent.standard_error() / one->law.exponent.standard_error(), std::sqrt(0.5), 1e-6);
 }
 
-// Errors of G0, v0 and n lie along a bent ridge: both fits say nearly the same G at every speed.
-TEST(EdgeSpeeds, OfReferencesApartOnTheirRidgeStayOnIt) {
+// Errors of G0, v0 and n lie along a curved ridge: both fits give almost the same G at every speed.
+TEST(EdgeSpeeds, OfReferencesAlongACorrelationAreCombinedAlongIt) {
     const auto first = fit_of(0.040, 1e-6, 0.60), second = fit_of(0.044, 1.45e-6, 0.66);
     const auto found = edge_speed_of(study_of({first, second}), "E");
     ASSERT_TRUE(found);
@@ -87,7 +87,7 @@ TEST(EdgeSpeeds, OfReferencesApartOnTheirRidgeStayOnIt) {
         << "two fits know it no better than √2 times one";
 }
 
-TEST(EdgeSpeeds, OfReferencesThatTellNoneGiveTheReason) {
+TEST(EdgeSpeeds, OfReferencesWithoutResultGiveTheReason) {
     using Fit = loops::Outcome<loops::CrackSpeedFit>;
     const auto none = edge_speed_of(study_of({Fit::missing("the contact edge does not move inwards")}), "E");
     EXPECT_FALSE(none);
@@ -98,7 +98,7 @@ TEST(EdgeSpeeds, OfReferencesThatTellNoneGiveTheReason) {
     EXPECT_NE(edge_speed_of(study_of({Fit(without_errors)}), "E").reason.find("no standard errors"), std::string::npos);
 }
 
-TEST(EdgeSpeeds, ThatAreStatedAreThose) {
+TEST(EdgeSpeeds, UseStatedValues) {
     auto result = study_of({fit_of(0.04, 1e-6, 0.6)});
     result.elastomers[0].input.crack_speed = StatedEdgeSpeed{{.value = 2e-6, .standard_error = 1e-7}, {.value = 0.5}};
     const auto found = edge_speed_of(result, "E");

@@ -44,7 +44,7 @@ StudyResult of_loops(int n) {
     return result;
 }
 
-TEST(PairOfManyLoops, CostsInProportion) {
+TEST(PairOfManyLoops, UsesMemoryInProportionToLoops) {
     double before = 0.0;
     for (const int n : {10, 100, 1000}) {
         const auto result = of_loops(n);

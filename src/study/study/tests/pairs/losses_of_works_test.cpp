@@ -37,7 +37,7 @@ bool contradicted(const Estimate& loss) {
 }
 
 // E_in(W_app) + (W_ret − W_app) π a_max² + E_out(W_ret) of JKR under fixed grips, computed apart in Python
-TEST(LossesOfWorks, AreThoseOfAFlatPunchBetweenTwoJumps) {
+TEST(LossFromWorks, MatchAFlatPunchBetweenTwoJumps) {
     const auto result = run_study(study_with(given(0.38e-9, 0.02e-9)), {1});
     const auto found = loss_of_works(result.elastomer("E0.7"), TracedValue(39.6e-3), TracedValue(59.3e-3));
     ASSERT_TRUE(found);
@@ -52,14 +52,14 @@ TEST(LossesOfWorks, AreThoseOfAFlatPunchBetweenTwoJumps) {
     EXPECT_FALSE(loss_of_works(result.elastomer("E0.7"), TracedValue(0.0), TracedValue(59.3e-3)));
 }
 
-TEST(LossesOfWorks, AreHeldAgainstWhatWasLost) {
+TEST(LossFromWorks, AreComparedWithTheMeasuredLoss) {
     EXPECT_TRUE(contradicted(given(0.38e-9, 0.02e-9)));
     EXPECT_FALSE(contradicted(given(1.67e-9, 0.02e-9)));
     EXPECT_FALSE(contradicted(given(0.38e-9, 0.6e-9))) << "within three standard errors";
     EXPECT_FALSE(contradicted(given(1.45e-9, 0.001e-9))) << "within a fifth";
 }
 
-TEST(LossesOfWorks, HaveNoSlopeOfFewerThanTwoPairs) {
+TEST(LossFromWorks, HaveNoSlopeForFewerThanTwoPairs) {
     EXPECT_FALSE(loss_slope_of_works(run_study(study_with(given(0.38e-9, 0.02e-9)), {1})));
 }
 

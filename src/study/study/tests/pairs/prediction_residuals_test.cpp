@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Measured against predicted: χ² of planted truths over seeds.
+// Measured against predicted values: χ² of true values over seeds.
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -38,7 +38,7 @@ Study study_of_nine_pairs() {
     return study;
 }
 
-/// The study with values measured on the truth, which differs from what the study says by the ± of its inputs.
+/// The study with values measured on true inputs, which differ from the stated inputs by their standard errors.
 Study planted(const Study& nominal, std::mt19937_64& random, double measured_error) {
     std::normal_distribution<double> normal;
     const auto drawn = [&](Estimate& estimate) { estimate.value += estimate.standard_error * normal(random); };
@@ -62,7 +62,7 @@ Study planted(const Study& nominal, std::mt19937_64& random, double measured_err
     return study;
 }
 
-TEST(PredictionTest, OfPlantedTruthsIsItsDegreesOfFreedom) {
+TEST(PredictionTest, OfTrueModelsHasTheExpectedChiSquared) {
     const auto nominal = study_of_nine_pairs();
     std::mt19937_64 random(11);
     constexpr int seeds = 30;
@@ -85,7 +85,7 @@ TEST(PredictionTest, OfPlantedTruthsIsItsDegreesOfFreedom) {
     EXPECT_NEAR(fitted, 8.0, 3.0 * std::sqrt(16.0 / seeds) + 0.40);
 }
 
-TEST(PredictionTest, LeavesPairsWithoutErrorsOutByName) {
+TEST(PredictionTest, ExcludesPairsWithoutErrorsByName) {
     auto study = study_of_nine_pairs();
     study.published.push_back({.surface = "A", .elastomer = study.elastomers[0].name, .approach = Estimate{0.03}});
     study.published.push_back(
@@ -104,14 +104,14 @@ TEST(PredictionTest, LeavesPairsWithoutErrorsOutByName) {
     EXPECT_EQ(table.rows[1].size(), table.columns.size());
 }
 
-TEST(PredictionTest, WithoutMeasuredValuesSaysSo) {
+TEST(PredictionTest, WithoutMeasuredValuesGivesTheReason) {
     const auto result = run_study(study_of_nine_pairs(), {1});
     EXPECT_FALSE(result.prediction_test);
     EXPECT_NE(result.prediction_test.reason.find("no pairs"), std::string::npos);
     EXPECT_TRUE(output::to_json(result).at("prediction_test").is_null());
 }
 
-TEST(PredictionCurve, RunsThroughThePredictionsOfPairs) {
+TEST(PredictionCurve, PassesThroughThePredictionsOfPairs) {
     const auto study = study_of_nine_pairs();
     const auto result = run_study(study, {1});
     for (const auto& pair : result.pairs) {

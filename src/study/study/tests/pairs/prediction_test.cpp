@@ -45,12 +45,12 @@ struct Moments {
     [[nodiscard]] double deviation() const { return std::sqrt((squares - sum * sum / count) / (count - 1.0)); }
 };
 
-TEST(Prediction, PropagatesEveryUncertainInputAsDrawsOfThemDo) {
+TEST(Prediction, PropagatesEveryUncertainInputLikeDraws) {
     const auto study = uncertain_study();
     const auto result = run_study(study, {1});
     const auto& pair = result.pairs.at(0);
     ASSERT_TRUE(pair.modified && pair.predicted_loss);
-    // 6000 draws know a standard deviation to 1/√12000 = 0.9 %; three of it, and 2 % for what is not linear
+    // 6000 draws determine a standard deviation to 1/√12000 = 0.9 %; three of it, and 2 % for what is not linear
     std::mt19937_64 random(7);
     std::normal_distribution<double> normal;
     const auto drawn = [&](const Estimate& estimate) {
@@ -95,7 +95,7 @@ TEST(Prediction, OfAPairWithoutExperimentsHasItsLoop) {
     EXPECT_GT(pair.predicted_loss->standard_error(), 0.0);
 }
 
-TEST(Prediction, BudgetsItsVarianceByInput) {
+TEST(Prediction, ListsItsVarianceByInput) {
     const auto result = run_study(uncertain_study(), {1});
     const auto& pair = result.pairs.at(0);
     const auto& b = *pair.budget;
@@ -110,7 +110,7 @@ TEST(Prediction, BudgetsItsVarianceByInput) {
     EXPECT_NEAR(b.work_of_adhesion, pair.area_ratio * 0.0015, 1e-12);
 }
 
-TEST(Prediction, HasTheFreedomOfItsInputs) {
+TEST(Prediction, HasTheDegreesOfFreedomOfItsInputs) {
     auto study = uncertain_study();
     EXPECT_FALSE(run_study(study, {1}).pairs.at(0).modified->estimate.degrees_of_freedom);
     study.work_of_adhesion->degrees_of_freedom = 3.0;
@@ -121,7 +121,7 @@ TEST(Prediction, HasTheFreedomOfItsInputs) {
                 3.0 * std::pow(pair.modified->estimate.variance(), 2) / std::pow(b.work_of_adhesion, 4), 1e-9);
 }
 
-TEST(Prediction, StandsInTablesByEachMethod) {
+TEST(Prediction, IsListedForEachMethodInTables) {
     auto result = run_study(uncertain_study(), {1});
     const auto pairs = output::pair_table(result).rows.size(), surfaces = output::surface_table(result).rows.size();
     result.by_average = static_cast<const Conclusions&>(result);

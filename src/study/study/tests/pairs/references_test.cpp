@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Smooth references and repeated loops without labels: what they say of a pair.
+// Smooth references and repeated loops without labels, and their results for a pair.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -50,7 +50,7 @@ std::vector<Alert> alerts_with(const StudyResult& result, const std::string& cod
     return found;
 }
 
-TEST(PublishedPair, LeavesTheWorkAlongTheRetractionUndetermined) {
+TEST(PublishedPair, DoesNotDetermineTheWorkAlongTheRetraction) {
     auto study = study_with_reference();
     const auto along = run_study(study, {1}).pairs.at(0).work_along_retraction;
     EXPECT_FALSE(along);
@@ -59,7 +59,7 @@ TEST(PublishedPair, LeavesTheWorkAlongTheRetractionUndetermined) {
     EXPECT_EQ(run_study(study, {1}).pairs.at(0).work_along_retraction.reason, "the retraction was not measured");
 }
 
-TEST(SmoothReference, OfTableS3HasHysteresisAndItsShareOfTheRoughOne) {
+TEST(SmoothReference, OfTableS3HasHysteresisAndItsShareOfRoughHysteresis) {
     const auto result = run_study(study_with_reference(), {1});
     const auto& test = result.references.at(0).hysteresis;
     EXPECT_NEAR(test.difference.value, 19.7e-3, 1e-9);
@@ -77,7 +77,7 @@ TEST(SmoothReference, OfTableS3HasHysteresisAndItsShareOfTheRoughOne) {
                 std::hypot(std::hypot(1.2, 1.0) / 19.7, std::hypot(5.76, 0.6) / 94.47), 1e-3);
 }
 
-TEST(SmoothReference, WithAWideMarginIsEquivalentAndSilent) {
+TEST(SmoothReference, WithAWideMarginIsEquivalentWithoutWarning) {
     auto study = study_with_reference();
     study.comparison.margin = 23e-3;
     const auto result = run_study(study, {1});
@@ -85,7 +85,7 @@ TEST(SmoothReference, WithAWideMarginIsEquivalentAndSilent) {
     EXPECT_TRUE(alerts_with(result, "REFERENCE_HYSTERESIS").empty());
 }
 
-TEST(SmoothReference, IsHeldToItsLossPerAreaBeyondTheIdealSpheres) {
+TEST(SmoothReference, IsTestedByItsLossPerAreaBeyondAnIdealSphere) {
     // 0.38 nJ are less than the jumps of the ideal sphere cost: what is beyond is small and negative
     const double radius = 120e-6, area = pi * radius * radius;
     const auto result = run_study(study_with_reference(radius), {1});
@@ -102,7 +102,7 @@ TEST(SmoothReference, IsHeldToItsLossPerAreaBeyondTheIdealSpheres) {
     EXPECT_NE(alerts[0].message.find("more than the margin"), std::string::npos) << alerts[0].message;
 }
 
-/// Share of 2000 means of n loops whose 95 % interval holds the truth. Loops scatter by 3, their fits' errors are so
+/// Coverage of the 95 % interval over 2000 means of n loops. Loops scatter by 3, their fits' errors are so
 /// large.
 double coverage(int n, double fit_error) {
     std::mt19937_64 engine(17);
@@ -119,7 +119,7 @@ double coverage(int n, double fit_error) {
     return held / double{trials};
 }
 
-TEST(LoopsWithoutLabels, HaveMeansWhoseIntervalsHoldTheTruth) {
+TEST(LoopsWithoutLabels, HaveMeansWhoseIntervalsCoverTheTrueValue) {
     // ±1.96 SE would hold 70 % of two loops, 81 % of three
     for (const int n : {2, 3, 5})
         for (const double fit_error : {0.1, 1.0}) {
@@ -129,7 +129,7 @@ TEST(LoopsWithoutLabels, HaveMeansWhoseIntervalsHoldTheTruth) {
         }
 }
 
-TEST(LoopsWithoutLabels, OfOneLoopAreThatLoop) {
+TEST(LoopsWithoutLabels, OfOneLoopEqualThatLoop) {
     const auto mean = mean_of({Estimate{40.0, 2.0, "fit"}});
     EXPECT_EQ(mean.value, 40.0);
     EXPECT_EQ(mean.standard_error, 2.0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a study says of each measurement beyond its file (its direction, what it was read with) reaches the spectrum;
-// surfaces that are not Gaussian and isotropic are told.
+// Direction and probe that a study states for a measurement reach the spectrum;
+// surfaces that are not Gaussian and isotropic are reported.
 #include <algorithm>
 #include <cmath>
 
@@ -91,7 +91,7 @@ double area_shape(double rms_slope, double stretch) {
     return excess(stretch) / excess(1.0);
 }
 
-TEST(SurfaceOfMaps, ThatIsStretchedHasTheAreaOfItsSlopes) {
+TEST(SurfaceOfMaps, WhenAnisotropicHasTheAreaOfItsSlopes) {
     const TemporaryFolder folder;
     const auto surface = analyse_surface(maps(folder, 1.8), options(), {2});
     ASSERT_EQ(surface.error, "");
@@ -108,7 +108,7 @@ TEST(SurfaceOfMaps, ThatIsStretchedHasTheAreaOfItsSlopes) {
     EXPECT_EQ(output::stretch_table(result).rows.size(), surface.fitted->stretch.size());
 }
 
-TEST(SurfaceOfMaps, ThatIsSkewedHasTheAreaOfItsSlopes) {
+TEST(SurfaceOfMaps, WhenSkewedHasTheAreaOfItsSlopes) {
     const TemporaryFolder folder;
     const auto surface = analyse_surface(maps(folder, 1.0, 0.4), options(), {2});
     ASSERT_EQ(surface.error, "");
@@ -116,7 +116,7 @@ TEST(SurfaceOfMaps, ThatIsSkewedHasTheAreaOfItsSlopes) {
     EXPECT_LT(surface.used().parameters.area_shape, 0.995);
 }
 
-TEST(SurfaceOfMaps, ThatIsGaussianAndIsotropicHasThatOfItsSpectrum) {
+TEST(SurfaceOfMaps, WhenGaussianAndIsotropicHasTheAreaOfItsSpectrum) {
     const TemporaryFolder folder;
     const auto surface = analyse_surface(maps(folder, 1.0), options(), {2});
     ASSERT_EQ(surface.error, "");
@@ -127,7 +127,7 @@ TEST(SurfaceOfMaps, ThatIsGaussianAndIsotropicHasThatOfItsSpectrum) {
 }
 
 // One wave A cos(qx): ¼ Σ |q||h_q|² over ±q is q A²/8.
-TEST(MapOfOneWave, HasItsEnergy) {
+TEST(MapOfOneWave, HasTheEnergyOfTheClosedForm) {
     constexpr double amplitude = 2e-9, q = 2.0 * pi / 100e-9;
     topography::HeightMap map{Array2D::Zero(200, 60), {1e-6, 0.3e-6}, true, {}};
     for (Index i = 0; i < 200; ++i) map.heights.row(i) = amplitude * std::cos(q * 5e-9 * static_cast<double>(i));
@@ -146,7 +146,7 @@ std::string failure(const TemporaryFolder& folder, const std::function<void(Meas
     return result.measurements[1].error;
 }
 
-TEST(MeasurementInputs, SayWhatAProbeIsMissing) {
+TEST(MeasurementInputs, ReportMissingInputOfAProbe) {
     const TemporaryFolder folder;
     const auto says = [](const std::string& error, const std::string& words) {
         return error.find(words) != std::string::npos && error.find("map2.txt") != std::string::npos;
@@ -172,8 +172,8 @@ TEST(MeasurementInputs, SayWhatAProbeIsMissing) {
               std::string::npos);
 }
 
-// Foils of 120 nm hide valleys: the same contours speak of more height where the study says how thick the foils were.
-TEST(MeasurementInputs, ThicknessOfAFoilRaisesWhatItsContoursSay) {
+// Foils of 120 nm hide valleys: the same contours give larger heights if the study states the thickness of the foils.
+TEST(MeasurementInputs, ThicknessOfAFoilIncreasesTheSpectrumOfContours) {
     const TemporaryFolder folder;
     SurfaceInput surface;
     surface.name = "A";

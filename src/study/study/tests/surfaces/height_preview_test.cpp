@@ -10,7 +10,7 @@
 namespace setae::study::height_preview_test {
 namespace {
 
-TEST(HeightPreviewOf, AShortLineIsTheLine) {
+TEST(HeightPreviewOf, AShortLineIsUnchanged) {
     topography::LineScan scan;
     scan.heights = Array1D::LinSpaced(20, 0.0, 1e-9);
     scan.size = 2e-6;
@@ -36,7 +36,7 @@ TEST(HeightPreviewOf, ALongLineKeepsPeaksAndEnds) {
     for (Index i = 1; i < preview.positions.size(); ++i) EXPECT_GT(preview.positions[i], preview.positions[i - 1]);
 }
 
-TEST(HeightPreviewOf, AGapStaysOne) {
+TEST(HeightPreviewOf, AGapRemainsAGap) {
     topography::Profile profile;
     profile.positions = Array1D::LinSpaced(1000, 0.0, 1e-6);
     profile.heights = Array1D::Zero(1000);

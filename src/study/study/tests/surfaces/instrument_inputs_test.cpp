@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tips and calibrations that measurements share: what surfaces' numbers say of them, against analyses of moved data.
+// Tips and calibrations shared by measurements: derivatives of results against analyses of changed data.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -134,10 +134,10 @@ protected:
     SurfaceInput input_ = maps(folder_, "A", 1);
 };
 
-TEST_P(Calibration, MovesNumbersAsMovedDataDo) { compare(1e-4, 1e-3); }
+TEST_P(Calibration, ChangesResultsAsScaledDataDo) { compare(1e-4, 1e-3); }
 // Bins of an average stay where they are: modes that pass their edges move it in steps.
-TEST_P(Calibration, ObeysTheLawsOfScaling) { obeys_scaling(GetParam() == SpectrumMethod::average ? 0.1 : 0.01); }
-INSTANTIATE_TEST_SUITE_P(OfBothMethods, Calibration,
+TEST_P(Calibration, FollowsScalingRelations) { obeys_scaling(GetParam() == SpectrumMethod::average ? 0.1 : 0.01); }
+INSTANTIATE_TEST_SUITE_P(BothMethods, Calibration,
                          testing::Values(SpectrumMethod::average, SpectrumMethod::likelihood));
 
 Change with_tip(double radius, double standard_error, const std::string& name) {
@@ -166,7 +166,7 @@ TEST(NamedTip, CorrelatesSurfaces) {
     }
 }
 
-TEST(UnnamedTip, IsOneOfItsSurface) {
+TEST(UnnamedTip, IsIndependentPerSurface) {
     const TemporaryFolder folder;
     const auto first = maps(folder, "A", 1), second = maps(folder, "B", 11);
     for (const auto method : {SpectrumMethod::average, SpectrumMethod::likelihood}) {
@@ -185,7 +185,7 @@ TEST(UnnamedTip, IsOneOfItsSurface) {
     }
 }
 
-TEST(CalibrationOfAMeasurement, MultipliesItsData) {
+TEST(MeasurementCalibration, MultipliesItsData) {
     const TemporaryFolder folder;
     auto input = maps(folder, "A", 1);
     const auto plain = measurement_sources(input.measurements[0]).front().prepare();
@@ -199,7 +199,7 @@ TEST(CalibrationOfAMeasurement, MultipliesItsData) {
     EXPECT_DOUBLE_EQ(after.size[1], 0.8 * before.size[1]);
 }
 
-TEST(CalibrationOfAMeasurement, IsAFactorAboveZero) {
+TEST(MeasurementCalibration, MustBePositive) {
     const TemporaryFolder folder;
     auto input = maps(folder, "A", 1);
     input.measurements[0].height_calibration = Estimate{0.0, 0.1};
@@ -228,7 +228,7 @@ std::string container_of(const TemporaryFolder& folder, const std::string& tip, 
     return path;
 }
 
-TEST(InstrumentInputs, ComeFromContainers) {
+TEST(InstrumentInputs, AreReadFromContainers) {
     const TemporaryFolder folder;
     MeasurementInput input;
     input.file = container_of(folder, "10 ± 2 nm", "1.00 ± 0.02");
@@ -240,7 +240,7 @@ TEST(InstrumentInputs, ComeFromContainers) {
     EXPECT_EQ(prepared.inputs.height_calibration.input, "height calibration of Dimension V in set.zip");
     EXPECT_DOUBLE_EQ(prepared.inputs.height_calibration.standard_error, 0.02);
     EXPECT_FALSE(prepared.inputs.lateral_calibration.uncertain());
-    // what the study says comes first
+    // the statement of the study comes first
     input.tip_radius = Estimate{.value = 2e-8, .standard_error = 1e-9, .input = "mine"};
     input.height_calibration = Estimate{.value = 1.1, .standard_error = 0.01, .input = "scale"};
     const auto told = measurement_sources(input).front().prepare();
@@ -248,7 +248,7 @@ TEST(InstrumentInputs, ComeFromContainers) {
     EXPECT_EQ(told.inputs.height_calibration.input, "scale");
 }
 
-TEST(InstrumentInputs, OfContainersThatAreWrongAreSaidWithTheirLine) {
+TEST(InstrumentInputs, OfInvalidContainersAreReportedWithFileAndField) {
     const TemporaryFolder folder;
     const auto message = [&](const std::string& tip, const std::string& heights) -> std::string {
         MeasurementInput input;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How often 95 % intervals of a surface's parameters hold the truth, for a few measurements an instrument.
+// Coverage of 95 % intervals of surface parameters for a few measurements per instrument.
 // SETAE_COVERAGE_REPETITIONS=1000 prints the table of docs/concepts/uncertainty.md.
 #include <gtest/gtest.h>
 
@@ -33,7 +33,7 @@ struct Setting {
 double true_power_spectrum(double q) { return 1e-24 * std::pow(1.0 + std::pow(q / 3e6, 2), -1.3); }
 
 /// Three instruments in overlapping bands. A bin holds the mean of its modes' periodograms, each distributed
-/// exponentially about the truth: gamma with as many degrees of shape as modes.
+/// exponentially about the true value: gamma with as many degrees of shape as modes.
 spectra::BinnedSpectra draw_measurements(const Setting& setting, std::mt19937_64& engine) {
     struct Band {
         const char* instrument;
@@ -101,7 +101,7 @@ std::vector<std::vector<SpectralParameters>> jackknifed(const spectra::BinnedSpe
     return strata;
 }
 
-/// Share of data sets whose interval holds the truth, and the mean width, by method and statistic.
+/// Coverage and mean width of intervals, by method and statistic.
 class Coverage {
 public:
     void add(const std::string& method, const Statistic& statistic, const Interval& interval, double truth) {
@@ -210,7 +210,7 @@ Coverage measure(const Setting& setting, const Effort& effort) {
 
 const Setting few{"5 an instrument", 5, 0.0}, uneven{"5 an instrument, levels scatter by 30 %", 5, 0.3};
 
-TEST(IntervalCoverage, OfTheDefaultIsWhatItSays) {
+TEST(IntervalCoverage, OfTheDefaultIsTheStatedOne) {
     // 250 sets: the share found scatters by √(0.95·0.05/250) = 1.4 %; 90 … 98 % is wanted
     for (const auto& setting : {few, uneven}) {
         const auto coverage = measure(setting, {.repetitions = 250, .resamples = 0});
@@ -221,7 +221,7 @@ TEST(IntervalCoverage, OfTheDefaultIsWhatItSays) {
     }
 }
 
-TEST(IntervalCoverage, OfThePercentileBootstrapIsLess) {
+TEST(IntervalCoverage, OfThePercentileBootstrapIsTooSmall) {
     const auto coverage = measure(uneven, {.repetitions = 60, .resamples = 99});
     double mean = 0.0;
     for (const auto& s : statistics) mean += 0.25 * coverage.of("percentile", s.name);
@@ -229,8 +229,8 @@ TEST(IntervalCoverage, OfThePercentileBootstrapIsLess) {
 }
 
 TEST(IntervalCoverage, OfEveryMethodIsTabulated) {
-    // SETAE_COVERAGE_REPETITIONS=500 prints the table of docs/concepts/uncertainty.md; twenty sets tell no method from
-    // another, but one that holds less than half of the true values is wrong
+    // SETAE_COVERAGE_REPETITIONS=500 prints the table of docs/concepts/uncertainty.md; twenty sets do not distinguish
+    // one method from another, but one that holds less than half of the true values is wrong
     const char* wanted = std::getenv("SETAE_COVERAGE_REPETITIONS");
     const int repetitions = wanted ? std::atoi(wanted) : 20;
     for (const auto& setting : {few, Setting{"7 an instrument", 7, 0.0}, uneven,

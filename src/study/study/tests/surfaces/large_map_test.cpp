@@ -41,7 +41,7 @@ protected:
     MeasurementInput input;
 };
 
-TEST_F(LargeMap, HasTheNumbersOfTheWholeMap) {
+TEST_F(LargeMap, HasTheResultsOfTheWholeMap) {
     const auto whole = analysed(std::uint64_t{1} << 30), tiled = analysed(nx * 16 * sizeof(double));
     ASSERT_EQ(whole.error, "");
     ASSERT_EQ(tiled.error, "");
@@ -58,7 +58,7 @@ TEST_F(LargeMap, HasTheNumbersOfTheWholeMap) {
     EXPECT_LT((tiled.preview.map - whole.preview.map).abs().maxCoeff(), 1e-12 * whole.real_space.rms_height / 1e-9);
 }
 
-TEST_F(LargeMap, SaysThatItWasReadByBands) {
+TEST_F(LargeMap, ReportsThatItWasReadByBands) {
     const auto tiled = analysed(nx * 16 * sizeof(double));
     ASSERT_FALSE(tiled.alerts.empty());
     EXPECT_EQ(tiled.alerts.front().code, "LARGE_MAP");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What one measurement alone says of how uncertain its numbers are.
+// Standard errors from one measurement.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -49,7 +49,7 @@ topography::LineScan scan(std::uint64_t seed) {
 
 // 60 scans: a share of 95 % scatters by 3 %. The slope rests on hundreds of modes, so that windows and trends do not
 // matter.
-TEST(SingleMeasurement, HoldsTheTruthInItsIntervalAsOftenAsItSays) {
+TEST(SingleMeasurement, IntervalHasTheStatedCoverage) {
     int held = 0;
     setae::tests::Pulls pulls;
     constexpr int scans = 60;
@@ -68,8 +68,8 @@ TEST(SingleMeasurement, HoldsTheTruthInItsIntervalAsOftenAsItSays) {
     expect_honest(pulls);
 }
 
-// Lines of a map half a roll-off wavelength apart say about the same: 64 of them are fewer than 64.
-TEST(SingleMeasurement, CountsTheLinesOfAMapThatAreIndependent) {
+// Lines of a map half a roll-off wavelength apart are correlated: 64 lines count as fewer.
+TEST(SingleMeasurement, CountsIndependentLinesOfAMap) {
     const auto C_iso = [](double q) { return 1e-28 * std::pow(1.0 + q * q / (rolloff * rolloff), -1.8); };
     const auto surface = synthesis::random_surface(C_iso, {256, 256, 5e-6, 5e-6}, {.key = {3, 0}, .threads = {1}});
     const auto error_of = [&](Index lines) {

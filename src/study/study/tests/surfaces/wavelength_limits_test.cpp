@@ -34,7 +34,7 @@ const Function slope_square = [](const SpectralParameters& p) { return p.rms_slo
 const Function energy = [](const SpectralParameters& p) { return p.elastic_energy_per_modulus; };
 
 // ∂ ln ∫ q^n C_iso dq/∂ ln λ_s = −q_s^(n+1) C_iso(q_s)/∫ q^n C_iso dq = −(n − 1 − 2H)/(1 − (q_0/q_s)^(n − 1 − 2H))
-TEST(ShortestWavelength, MovesNumbersAsTheIntegralsEnd) {
+TEST(ShortestWavelength, DerivativesMatchTheIntegralLimit) {
     constexpr double relative = 1e-3, cut = 2.0 * pi / 3e8;
     const auto result = spectrum_result(power_law(), cut_at(cut, relative * cut));
     const auto expected = [&](double order) {
@@ -54,12 +54,12 @@ TEST(ShortestWavelength, MovesNumbersAsTheIntegralsEnd) {
                 0.5 * relative * std::abs(expected(3.0)), 1e-6);
 }
 
-TEST(ShortestWavelength, BeyondTheDataMovesNothing) {
+TEST(ShortestWavelength, BeyondTheDataHasNoEffect) {
     const double cut = 2.0 * pi / (3.0 * end);
     EXPECT_TRUE(spectrum_result(power_law(), cut_at(cut, 0.1 * cut)).spread.sources.empty());
 }
 
-TEST(ShortestWavelength, WithoutAnErrorIsNoSource) {
+TEST(ShortestWavelength, WithoutErrorIsNotASourceOfError) {
     EXPECT_TRUE(spectrum_result(power_law(), cut_at(2.0 * pi / 3e8, 0.0)).spread.sources.empty());
 }
 
@@ -78,7 +78,7 @@ moments = { rms_height = "122 nm", rms_slope = 1.15, rms_curvature = "3.19 1/nm"
 )";
 
 // Both surfaces lose the same waves: their slopes are wrong together.
-TEST(ShortestWavelength, IsOneInputOfAllSurfaces) {
+TEST(ShortestWavelength, IsACommonInputOfAllSurfaces) {
     const setae::tests::TemporaryFolder folder;
     const auto result = run_study(read_study(folder.write("mine.toml", two_surfaces)));
     for (const auto& surface : result.surfaces) {
@@ -91,7 +91,7 @@ TEST(ShortestWavelength, IsOneInputOfAllSurfaces) {
 }
 
 // A reconstruction keeps its moments where its own end moves: what lies between them moves.
-TEST(ShortWavevectorOfMoments, IsAnInputOfWhatItsModelAdds) {
+TEST(ShortWavevectorOfMoments, IsAnInputOfReconstructedQuantities) {
     const setae::tests::TemporaryFolder folder;
     std::string text = two_surfaces;
     text.erase(text.find("shortest_wavelength"), std::string("shortest_wavelength = \"cut\"\n").size());

@@ -66,7 +66,7 @@ double median_around(const HeightMap& map, Index i, Index j, Index reach, double
     return rises.empty() ? undefined : middle_of(rises);
 }
 
-TEST(FindSpikes, ComparesWithTheMedianOfEverySurrounding) {
+TEST(FindSpikes, ComparesWithTheMedianOfNeighbours) {
     auto map = self_affine(64, 0.5, 3);
     map.heights(20, 31) = undefined;
     const auto [nx, ny] = map.shape();
@@ -91,7 +91,7 @@ TEST(FindSpikes, ComparesWithTheMedianOfEverySurrounding) {
     }
 }
 
-TEST(FindSpikes, FindsNineteenOfTwentyPlantedSpikesOfFiveRmsOnSelfAffineSurfaces) {
+TEST(FindSpikes, FindsNineteenOfTwentySpikesOfFiveRms) {
     for (const double hurst_exponent : {0.3, 0.8}) {
         Index found = 0, added_count = 0, wrong = 0;
         for (std::uint64_t seed = 1; seed <= 4; ++seed) {
@@ -109,7 +109,7 @@ TEST(FindSpikes, FindsNineteenOfTwentyPlantedSpikesOfFiveRmsOnSelfAffineSurfaces
     }
 }
 
-TEST(FindSpikes, FindsNearlyNoneOnCleanGaussianSurfaces) {
+TEST(FindSpikes, FindsAlmostNoneOnCleanGaussianSurfaces) {
     Index false_alarms = 0, points = 0;
     for (const double hurst_exponent : {0.1, 0.5, 0.8, 1.0})
         for (std::uint64_t seed = 11; seed <= 13; ++seed) {
@@ -120,7 +120,7 @@ TEST(FindSpikes, FindsNearlyNoneOnCleanGaussianSurfaces) {
     EXPECT_LE(false_alarms, points / 100000);
 }
 
-TEST(FindSpikes, TakesTiltsAndStepsAndSmoothWavesForNoSpikes) {
+TEST(FindSpikes, FindsNoneInTiltsStepsAndSmoothWaves) {
     std::mt19937 engine(4);
     std::normal_distribution<double> normal(0.0, 1e-10);
     HeightMap map{Array2D(80, 60), {1.0, 1.0}};
@@ -137,7 +137,7 @@ TEST(FindSpikes, TakesTiltsAndStepsAndSmoothWavesForNoSpikes) {
     EXPECT_EQ(find_spikes(map).count, 0);
 }
 
-TEST(FindSpikes, TakesStepsOfDigitisedHeightsForNoSpikes) {
+TEST(FindSpikes, FindsNoneInStepsOfDigitisedHeights) {
     std::mt19937 engine(6);
     std::normal_distribution<double> normal(0.0, 0.25);
     HeightMap map{Array2D(100, 100), {1.0, 1.0}};
@@ -147,7 +147,7 @@ TEST(FindSpikes, TakesStepsOfDigitisedHeightsForNoSpikes) {
     EXPECT_EQ(find_spikes(map).count, 1);
 }
 
-TEST(FindSpikes, FindsASpikeOnAFlatGroundAndNoneOnAConstantMap) {
+TEST(FindSpikes, FindsASpikeOnAFlatMapAndNoneOnAConstantMap) {
     HeightMap map{Array2D::Constant(30, 30, 0.25), {1.0, 1.0}};
     EXPECT_EQ(find_spikes(map).count, 0);
     map.heights(10, 12) += 1e-9;
@@ -158,7 +158,7 @@ TEST(FindSpikes, FindsASpikeOnAFlatGroundAndNoneOnAConstantMap) {
     EXPECT_EQ(spikes.mask(0, 20), 1);
 }
 
-TEST(FindSpikes, LooksPastUndefinedPoints) {
+TEST(FindSpikes, IgnoresUndefinedPoints) {
     auto map = self_affine(64, 0.8, 3);
     for (Index i = 20; i < 40; ++i) map.heights.row(i).segment(10, 30).setConstant(undefined);
     map.heights(30, 25) = 1.0;  // without surroundings it is no spike
@@ -171,7 +171,7 @@ TEST(FindSpikes, LooksPastUndefinedPoints) {
     EXPECT_THROW((void)find_spikes(map), UndefinedDataError);
 }
 
-TEST(FindSpikes, OfALineHasAColumnOfPoints) {
+TEST(FindSpikes, OfALineGivesAOneColumnMask) {
     LineScan scan{Array1D(400), 1.0};
     for (Index i = 0; i < 400; ++i)
         scan.heights[i] = std::sin(0.05 * static_cast<double>(i)) + 0.001 * std::sin(7.0 * static_cast<double>(i));
@@ -203,7 +203,7 @@ TEST(FindSpikes, GivesTheSameForAnyNumberOfThreads) {
     EXPECT_EQ(one.threshold, three.threshold);
 }
 
-TEST(Despike, PutsTheLocalMedianWhereSpikesWere) {
+TEST(Despike, ReplacesSpikesByTheLocalMedian) {
     const auto clean = self_affine(128, 0.8, 5);
     auto map = clean;
     const auto added = add_spikes(map, 8e-8, 20, 3);
@@ -216,7 +216,7 @@ TEST(Despike, PutsTheLocalMedianWhereSpikesWere) {
     for (const Index k : added) EXPECT_NE(map_of(done).heights.data()[k], map.heights.data()[k]);
 }
 
-TEST(Despike, LeavesHolesWhereAsked) {
+TEST(Despike, ReplacesSpikesByUndefinedHeightsOnRequest) {
     auto map = self_affine(64, 0.8, 5);
     map.heights(7, 9) += 1e-6;
     const auto done = apply(Despike{.replace_by = SpikeReplacement::undefined}, map);
@@ -224,7 +224,7 @@ TEST(Despike, LeavesHolesWhereAsked) {
     EXPECT_TRUE(std::isnan(map_of(done).heights(7, 9)));
 }
 
-TEST(Despike, RefusesWhatItCannotDo) {
+TEST(Despike, RefusesInvalidParameters) {
     const auto map = self_affine(64, 0.8, 5);
     EXPECT_THROW((void)apply(Despike{.threshold = 0.0}, map), InvalidArgument);
     EXPECT_THROW((void)apply(Despike{.reach = 0}, map), InvalidArgument);

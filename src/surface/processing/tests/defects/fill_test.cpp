@@ -57,7 +57,7 @@ Array2D by_definition(const HeightMap& map) {
 
 double difference(const Array2D& a, const Array2D& b) { return (a - b).abs().maxCoeff(); }
 
-TEST(FillUndefined, SolvesLaplacesEquationOfAllPointsAtOnce) {
+TEST(FillUndefined, SolvesLaplacesEquation) {
     for (const bool periodic : {false, true})
         for (const double aspect : {1.0, 0.4, 5.0}) {
             HeightMap map{noise(17, 14), {17.0, 14.0 * aspect}, periodic, {}};
@@ -84,7 +84,7 @@ TEST(FillUndefined, SolvesScatteredHolesOfEveryShape) {
         }
 }
 
-TEST(FillUndefined, TakesSingleRowsAndTwoPoints) {
+TEST(FillUndefined, HandlesSingleRowsAndTwoPoints) {
     for (const auto& [nx, ny] : {std::pair<Index, Index>{1, 9}, {9, 1}, {2, 7}, {7, 2}})
         for (const bool periodic : {false, true}) {
             HeightMap map{noise(nx, ny), {1.5 * static_cast<double>(nx), static_cast<double>(ny)}, periodic, {}};
@@ -104,7 +104,7 @@ void dig(HeightMap& map, double centre_x, double centre_y, double radius_x, doub
                 map.heights(i, j) = undefined_height;
 }
 
-TEST(FillUndefined, IsExactForHarmonicHeightsWhateverThePixels) {
+TEST(FillUndefined, IsExactForHarmonicHeightsOnAnyPixelAspect) {
     for (const double aspect : {1.0, 0.25, 10.0}) {
         const Index nx = 300, ny = 280;
         HeightMap map{Array2D(nx, ny), {300.0, 280.0 * aspect}, false, {}};
@@ -122,7 +122,7 @@ TEST(FillUndefined, IsExactForHarmonicHeightsWhateverThePixels) {
     }
 }
 
-TEST(FillUndefined, FillsWhereHolesCrossTheWrap) {
+TEST(FillUndefined, FillsHolesAcrossThePeriodicBoundary) {
     // cos(2πx/L) cosh(2πy/L) in steps: the discrete harmonic cosine has cosh(κ) = 2 − cos(2π/n)
     const Index n = 128, ny = 200;
     const double k = 2.0 * std::numbers::pi / static_cast<double>(n), kappa = std::acosh(2.0 - std::cos(k));
@@ -149,7 +149,7 @@ TEST(FillUndefined, FillsWhereHolesCrossTheWrap) {
     EXPECT_LT(difference(filled(split).heights, rolled(filled(around).heights)), 1e-12);
 }
 
-TEST(FillUndefined, GoesOnWithoutSlopeBeyondTheBorderOfAMap) {
+TEST(FillUndefined, HasZeroNormalSlopeAtTheBorder) {
     HeightMap map{noise(60, 90), {60.0, 90.0}, false, {}};
     map.heights.leftCols(50).setConstant(undefined_height);
     const Array2D left = filled(map).heights;
@@ -161,7 +161,7 @@ TEST(FillUndefined, GoesOnWithoutSlopeBeyondTheBorderOfAMap) {
     EXPECT_TRUE((filled(map).heights == 4.0).all());
 }
 
-TEST(FillUndefined, OffsetsOfTenMillionRmsCostNothing) {
+TEST(FillUndefined, IsUnaffectedByOffsetsOfTenMillionRms) {
     HeightMap map{noise(90, 90), {90.0, 90.0}, false, {}};
     dig(map, 45.0, 45.0, 40.0, 40.0);
     const Array2D plain = filled(map).heights;
@@ -169,7 +169,7 @@ TEST(FillUndefined, OffsetsOfTenMillionRmsCostNothing) {
     EXPECT_LT(difference(filled(map).heights - 1e7, plain), 1e-8);
 }
 
-TEST(FillUndefined, LeavesDefinedHeightsAsTheyAre) {
+TEST(FillUndefined, KeepsDefinedHeights) {
     HeightMap map{noise(30, 30), {30.0, 30.0}, false, {}};
     EXPECT_TRUE((filled(map).heights == map.heights).all());
     dig(map, 10.0, 10.0, 4.0, 4.0);
@@ -188,7 +188,7 @@ TEST(FillUndefined, GivesTheSameBytesForAnyNumberOfThreads) {
     EXPECT_EQ(std::memcmp(one.data(), three.data(), sizeof(double) * static_cast<std::size_t>(one.size())), 0);
 }
 
-TEST(FillUndefined, DrawsStraightLinesAcrossGapsOfLines) {
+TEST(FillUndefined, InterpolatesGapsOfLinesLinearly) {
     const double nan = undefined_height;
     LineScan scan{Array1D{{nan, 1.0, nan, nan, 4.0, 2.0, nan}}, 7.0, false, {}};
     EXPECT_TRUE((filled(scan).heights == Array1D{{1.0, 1.0, 2.0, 3.0, 4.0, 2.0, 2.0}}).all());
@@ -203,7 +203,7 @@ TEST(FillUndefined, RefusesMapsAndLinesWithoutADefinedHeight) {
     EXPECT_THROW((void)filled(LineScan{Array1D::Constant(4, undefined_height), 4.0, false, {}}), UndefinedDataError);
 }
 
-TEST(FillUndefined, TellsHowMuchItFilled) {
+TEST(FillUndefined, RecordsTheNumberOfFilledPoints) {
     HeightMap map{noise(20, 20), {20.0, 20.0}, false, {}};
     map.heights.block(2, 2, 3, 3).setConstant(undefined_height);
     map.heights(10, 10) = undefined_height;

@@ -72,7 +72,7 @@ void expect_by_definition(const Array1D& values) {
     }
 }
 
-TEST(Outliers, AreThoseOfTheDefinition) {
+TEST(Outliers, MatchTheDefinition) {
     for (const Index n : {10 * columns, 500 * columns}) {
         expect_by_definition(numbers(n, 0.0));
         Array1D with_gaps = numbers(n, 0.1);
@@ -81,13 +81,13 @@ TEST(Outliers, AreThoseOfTheDefinition) {
     }
 }
 
-TEST(Outliers, AreThoseOfTheDefinitionWhereMostNumbersVanish) {
+TEST(Outliers, MatchTheDefinitionIfTheMajorityIsZero) {
     for (const Index n : {10 * columns, 500 * columns})
         for (const double zeros : {0.49, 0.5, 0.51, 0.7, 0.899, 0.9, 0.901, 0.97, 0.99, 0.995, 1.0})
             expect_by_definition(numbers(n, zeros));
 }
 
-TEST(Outliers, OfNoDefinedNumberAreNone) {
+TEST(Outliers, AreEmptyWithoutDefinedNumbers) {
     std::atomic<Index> loads = 0;
     const Array1D values = Array1D::Constant(500 * columns, undefined);
     const auto found = find_outliers(rows_of(values, loads), 6.0, {});

@@ -33,7 +33,7 @@ void stroke(HeightMap& map, Index from, Index to, Index line, Index lines, doubl
     map.heights.block(from, line, to - from, lines) += height;
 }
 
-TEST(RemoveScars, FindsPlantedStrokesOfEitherSign) {
+TEST(RemoveScars, FindsStrokesOfEitherSign) {
     auto map = ground();
     stroke(map, 10, 60, 20, 1, 2e-8);
     stroke(map, 30, 100, 50, 3, -2e-8);
@@ -46,7 +46,7 @@ TEST(RemoveScars, FindsPlantedStrokesOfEitherSign) {
     EXPECT_TRUE((both.block(30, 50, 70, 3) == 1).all());
 }
 
-TEST(RemoveScars, LeavesShortWideAndLowStrokes) {
+TEST(RemoveScars, KeepsShortWideAndLowStrokes) {
     auto map = ground();
     stroke(map, 10, 20, 20, 1, 2e-8);   // ten points long
     stroke(map, 10, 110, 50, 6, 2e-8);  // six lines wide
@@ -55,7 +55,7 @@ TEST(RemoveScars, LeavesShortWideAndLowStrokes) {
     EXPECT_EQ((find_scars(RemoveScars{.width = 6}, map) != 0).count(), 600);
 }
 
-TEST(RemoveScars, GoesOnIntoTheFadingEndOfAStroke) {
+TEST(RemoveScars, ContinuesIntoTheFadingEndOfAStroke) {
     auto map = ground();
     for (Index i = 20; i < 100; ++i)
         map.heights(i, 40) += i < 70 ? 2e-8 : 0.5e-8;  // half the threshold `high` and more than `low`
@@ -63,7 +63,7 @@ TEST(RemoveScars, GoesOnIntoTheFadingEndOfAStroke) {
     EXPECT_EQ((scars != 0).count(), 80);
 }
 
-TEST(RemoveScars, DrawsTheHeightFromTheLinesBeside) {
+TEST(RemoveScars, InterpolatesFromNeighbouringLines) {
     const auto clean = ground();
     auto map = clean;
     stroke(map, 10, 60, 20, 2, 2e-8);
@@ -77,7 +77,7 @@ TEST(RemoveScars, DrawsTheHeightFromTheLinesBeside) {
     EXPECT_EQ(map_of(holes).heights.isNaN().count(), 100);
 }
 
-TEST(RemoveScars, LooksPastUndefinedPoints) {
+TEST(RemoveScars, IgnoresUndefinedPoints) {
     auto map = ground();
     stroke(map, 10, 60, 20, 1, 2e-8);
     map.heights.row(40).setConstant(undefined);
@@ -95,7 +95,7 @@ TEST(RemoveScars, FindsNothingOnAConstantMapOrASingleLine) {
     EXPECT_EQ(number_of(apply(RemoveScars{}, map).record, "strokes"), 0.0);
 }
 
-TEST(RemoveScars, RefusesWhatItCannotDo) {
+TEST(RemoveScars, RefusesInvalidParameters) {
     EXPECT_THROW((void)apply(RemoveScars{.high = 0.1}, ground()), InvalidArgument);
     EXPECT_THROW((void)apply(RemoveScars{.low = 0.0}, ground()), InvalidArgument);
     EXPECT_THROW((void)apply(RemoveScars{.length = 0}, ground()), InvalidArgument);

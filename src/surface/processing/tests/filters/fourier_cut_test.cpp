@@ -29,7 +29,7 @@ HeightMap grating(Index nx, Index ny, Index a, Index b) {
             {}};
 }
 
-TEST(FourierCut, KeepsGratingsAlongTheAxesThatAreLongerThanTheCut) {
+TEST(FourierCut, KeepsAxialGratingsLongerThanTheCutoff) {
     // SurfaceTopography's 'square step' removes a grating along an axis at any wavelength
     for (const auto& [a, b] : {std::pair<Index, Index>{0, 4}, {4, 0}}) {
         const HeightMap map = grating(32, 48, a, b);
@@ -72,7 +72,7 @@ TEST(FourierCut, SplitsIntoShortLongAndMean) {
     }
 }
 
-TEST(FourierCut, TakesLines) {
+TEST(FourierCut, HandlesLines) {
     const Index n = 45;
     LineScan scan{
         Array1D::LinSpaced(n, 0.0, static_cast<double>(n - 1)) * (2.0 * std::numbers::pi / 45.0), 9.0, true, {}};
@@ -82,7 +82,7 @@ TEST(FourierCut, TakesLines) {
     EXPECT_LT((cut(scan, FourierCut{.longest = 1.0}).heights - 3.0 - (9.0 * phase).cos()).abs().maxCoeff(), 1e-14);
 }
 
-TEST(FourierCut, RefusesDataThatWouldRing) {
+TEST(FourierCut, RefusesUndefinedAndNonPeriodicData) {
     HeightMap map = grating(16, 16, 1, 1);
     map.heights(3, 3) = std::numeric_limits<double>::quiet_NaN();
     EXPECT_THROW((void)cut(map, FourierCut{.shortest = 0.2}), UndefinedDataError);

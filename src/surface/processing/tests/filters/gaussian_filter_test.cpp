@@ -89,11 +89,11 @@ TEST(GaussianFilter, OfMapsIsTheWeightedMeanOfAllPoints) {
     expect_definition({noise(60, 40), {60.0, 40.0}, false, {}}, 100.0, 0);
 }
 
-TEST(GaussianFilter, OfOrderOneIsTheLocalPlane) {
+TEST(GaussianFilter, OfOrderOneIsTheWeightedLocalPlane) {
     for (const double cutoff : {5.0, 18.0}) expect_definition({noise(33, 28), {33.0, 19.6}, false, {}}, cutoff, 1);
 }
 
-TEST(GaussianFilter, LeavesUndefinedPointsOutOfEveryMean) {
+TEST(GaussianFilter, IgnoresUndefinedPoints) {
     HeightMap map{noise(33, 28), {33.0, 19.6}, false, {}};
     map.heights.block(4, 5, 9, 8).setConstant(undefined_height);
     map.heights.row(21).setConstant(undefined_height);
@@ -150,7 +150,7 @@ TEST(GaussianFilter, TransmitsHalfOfAMapsSineInEveryDirection) {
     }
 }
 
-TEST(GaussianFilter, OfOrderOneLeavesPlanesUnchangedUpToTheBorder) {
+TEST(GaussianFilter, OfOrderOneKeepsPlanesUpToTheBorder) {
     HeightMap map{Array2D::NullaryExpr(150, 90,
                                        [](Index i, Index j) {
                                            return 3.0 + 0.25 * static_cast<double>(i) - 0.5 * static_cast<double>(j);
@@ -168,13 +168,13 @@ TEST(GaussianFilter, OfOrderOneLeavesPlanesUnchangedUpToTheBorder) {
     EXPECT_EQ(smooth.heights.isNaN().count(), 1200);
 }
 
-TEST(GaussianFilter, LeavesConstantsWhateverTheirSize) {
+TEST(GaussianFilter, KeepsConstantsOfAnySize) {
     const HeightMap map{Array2D::Constant(40, 31, 1e7 + 0.125), {40.0, 31.0}, false, {}};
     EXPECT_TRUE((filtered(map, GaussianFilter{.cutoff = 9.0}).heights == map.heights).all());
     EXPECT_TRUE((filtered(map, GaussianFilter{.cutoff = 9.0, .keep = Kept::short_waves}).heights == 0.0).all());
 }
 
-TEST(GaussianFilter, OffsetsOfTenMillionRmsCostNothing) {
+TEST(GaussianFilter, IsUnaffectedByOffsetsOfTenMillionRms) {
     HeightMap map{noise(48, 40), {48.0, 40.0}, false, {}};
     const HeightMap plain = filtered(map, GaussianFilter{.cutoff = 17.0});
     map.heights += 1e7;
@@ -191,7 +191,7 @@ TEST(GaussianFilter, SplitsHeightsIntoLongAndShortWaves) {
     EXPECT_LT((sum - map.heights).isNaN().select(0.0, sum - map.heights).abs().maxCoeff(), 1e-14);
 }
 
-TEST(GaussianFilter, NeverLooksUnderTheMask) {
+TEST(GaussianFilter, NeverUsesMaskedValues) {
     // SurfaceTopography's filters of masked maps use the hidden values; here holes are not used
     HeightMap map{noise(30, 30), {30.0, 30.0}, true, {}};
     HeightMap other = map;
@@ -212,7 +212,7 @@ TEST(GaussianFilter, GivesTheSameBytesForAnyNumberOfThreads) {
         }
 }
 
-TEST(GaussianFilter, TakesTwoPointsAndSingleRows) {
+TEST(GaussianFilter, HandlesTwoPointsAndSingleRows) {
     const LineScan two{Array1D{{1.0, 3.0}}, 2.0, false, {}};
     const double s = weight(1.0, 4.0);
     EXPECT_NEAR(filtered(two, GaussianFilter{.cutoff = 4.0}).heights[0], (1.0 + 3.0 * s) / (1.0 + s), 1e-7);
@@ -228,7 +228,7 @@ TEST(GaussianFilter, TakesTwoPointsAndSingleRows) {
     }
 }
 
-TEST(GaussianFilter, RefusesWhatHasNoMeaning) {
+TEST(GaussianFilter, RefusesInvalidParameters) {
     const LineScan scan{Array1D::Zero(10), 10.0, false, {}};
     EXPECT_THROW((void)filtered(scan, GaussianFilter{}), InvalidArgument);
     EXPECT_THROW((void)filtered(scan, GaussianFilter{.cutoff = -1.0}), InvalidArgument);
@@ -239,7 +239,7 @@ TEST(GaussianFilter, RefusesWhatHasNoMeaning) {
     EXPECT_THROW((void)apply(GaussianFilter{.cutoff = 1.0}, profile), InvalidArgument);
 }
 
-TEST(GaussianFilter, TellsWhereItsCutoffMakesNoSense) {
+TEST(GaussianFilter, WarnsOfACutoffOutsideTheData) {
     const topography::HeightMap map{noise(30, 30), {30.0, 30.0}, false, {}};
     EXPECT_TRUE(apply(GaussianFilter{.cutoff = 8.0}, map).record.alerts.empty());
     ASSERT_EQ(apply(GaussianFilter{.cutoff = 1.0}, map).record.alerts.size(), 1u);

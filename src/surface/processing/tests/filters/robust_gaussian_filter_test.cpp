@@ -58,7 +58,7 @@ Array1D by_definition(const Array1D& heights, double deviation, Index order) {
     }
 }
 
-TEST(RobustGaussianFilter, OfLinesIsTheIterationOfTheStandard) {
+TEST(RobustGaussianFilter, OfLinesFollowsTheIterationOfTheStandard) {
     LineScan scan{Array1D(noise(1, 80).row(0).transpose()), 80.0, false, {}};
     scan.heights += Array1D::LinSpaced(80, -3.0, 5.0).square();
     scan.heights.segment(30, 4) -= 20.0;
@@ -78,7 +78,7 @@ TEST(RobustGaussianFilter, OfLinesIsTheIterationOfTheStandard) {
     }
 }
 
-TEST(RobustGaussianFilter, IsNotPulledByDeepGrooves) {
+TEST(RobustGaussianFilter, IsUnaffectedByDeepGrooves) {
     const Index n = 2000;
     LineScan scan{Array1D::LinSpaced(n, 0.0, static_cast<double>(n - 1)), static_cast<double>(n), false, {}};
     const Array1D waviness = (scan.heights * (2.0 * std::numbers::pi / 800.0)).sin();
@@ -109,7 +109,7 @@ TEST(RobustGaussianFilter, OfMapsIgnoresHoles) {
     EXPECT_LT((smooth.isNaN().select(form, smooth) - form).abs().maxCoeff(), 2e-3);
 }
 
-TEST(RobustGaussianFilter, TransmitsAsTheLinearFilterDoesWhereAllWeightsAreAlike) {
+TEST(RobustGaussianFilter, TransmitsAsTheLinearFilterForEqualWeights) {
     // alternating heights of ±1 have equal weights δ(1); a small sine s on them changes h δ by δ' (s − w) on average,
     // so w is at first G s and then, weighted once because the scale does not change, G (δ s + δ' (s − G s))/δ, with
     // the linear transmission G = 1/2 at the cutoff for every order
@@ -126,7 +126,7 @@ TEST(RobustGaussianFilter, TransmitsAsTheLinearFilterDoesWhereAllWeightsAreAlike
     }
 }
 
-TEST(RobustGaussianFilter, LeavesExactPolynomialsAndConstants) {
+TEST(RobustGaussianFilter, KeepsPolynomialsAndConstants) {
     const Index n = 40;
     const HeightMap parabola{
         Array2D::NullaryExpr(
@@ -147,7 +147,7 @@ TEST(RobustGaussianFilter, GivesTheSameBytesForAnyNumberOfThreads) {
     EXPECT_EQ(std::memcmp(one.data(), three.data(), sizeof(double) * static_cast<std::size_t>(one.size())), 0);
 }
 
-TEST(RobustGaussianFilter, RefusesWhatHasNoMeaning) {
+TEST(RobustGaussianFilter, RefusesInvalidParameters) {
     const LineScan scan{Array1D::Zero(10), 10.0, false, {}};
     EXPECT_THROW((void)filtered(scan, RobustGaussianFilter{}), InvalidArgument);
     EXPECT_THROW((void)filtered(scan, RobustGaussianFilter{.cutoff = 3.0, .order = 3}), InvalidArgument);

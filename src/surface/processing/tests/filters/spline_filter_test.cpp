@@ -62,7 +62,7 @@ TEST(SplineFilter, SolvesTheEquationOfTheStandard) {
             }
 }
 
-TEST(SplineFilter, TransmitsAsItsFormulaSays) {
+TEST(SplineFilter, TransmitsAsItsFormula) {
     const Index n = 1200;
     LineScan scan{Array1D::LinSpaced(n, 0.0, static_cast<double>(n - 1)), static_cast<double>(n), true, {}};
     const Array1D place = scan.heights;
@@ -79,7 +79,7 @@ TEST(SplineFilter, TransmitsAsItsFormulaSays) {
         }
 }
 
-TEST(SplineFilter, LeavesStraightLinesAndPlanesWithoutTension) {
+TEST(SplineFilter, KeepsStraightLinesAndPlanesWithoutTension) {
     const Index n = 3000;
     const LineScan line{Array1D::LinSpaced(n, -4.0, 9.0), static_cast<double>(n), false, {}};
     EXPECT_LT((filtered(line, SplineFilter{.cutoff = 2000.0}).heights - line.heights).abs().maxCoeff(), 1e-8);
@@ -94,14 +94,14 @@ TEST(SplineFilter, LeavesStraightLinesAndPlanesWithoutTension) {
     EXPECT_LT(left.isNaN().select(0.0, left).abs().maxCoeff(), 1e-9);
 }
 
-TEST(SplineFilter, OffsetsOfTenMillionRmsCostNothing) {
+TEST(SplineFilter, IsUnaffectedByOffsetsOfTenMillionRms) {
     LineScan scan{noise(500), 500.0, false, {}};
     const Array1D plain = filtered(scan, SplineFilter{.cutoff = 60.0}).heights;
     scan.heights += 1e7;
     EXPECT_LT((filtered(scan, SplineFilter{.cutoff = 60.0}).heights - 1e7 - plain).abs().maxCoeff(), 1e-8);
 }
 
-TEST(SplineFilter, RobustIsNotPulledByDeepGrooves) {
+TEST(SplineFilter, RobustIsUnaffectedByDeepGrooves) {
     const Index n = 2000;
     LineScan scan{Array1D::LinSpaced(n, 0.0, static_cast<double>(n - 1)), static_cast<double>(n), false, {}};
     const Array1D waviness = (scan.heights * (2.0 * std::numbers::pi / 800.0)).sin();
@@ -122,7 +122,7 @@ TEST(SplineFilter, RobustIsNotPulledByDeepGrooves) {
     EXPECT_LT((filtered(map, SplineFilter{.cutoff = 25.0, .robust = true}).heights - form).abs().maxCoeff(), 1e-2);
 }
 
-TEST(SplineFilter, OfMapsFiltersAlongBothDirectionsAlike) {
+TEST(SplineFilter, OfMapsFiltersBothDirectionsEqually) {
     const HeightMap map{noise(30 * 44).reshaped<Eigen::RowMajor>(30, 44), {30.0, 44.0}, false, {}};
     const HeightMap turned{map.heights.transpose(), {44.0, 30.0}, false, {}};
     const SplineFilter filter{.cutoff = 9.0};
@@ -131,7 +131,7 @@ TEST(SplineFilter, OfMapsFiltersAlongBothDirectionsAlike) {
     EXPECT_EQ(std::memcmp(one.data(), three.data(), sizeof(double) * static_cast<std::size_t>(one.size())), 0);
 }
 
-TEST(SplineFilter, TakesShortLines) {
+TEST(SplineFilter, HandlesShortLines) {
     for (const Index n : {2, 3, 4, 5})
         for (const bool periodic : {false, true}) {
             if (periodic && n < 3) continue;
@@ -141,7 +141,7 @@ TEST(SplineFilter, TakesShortLines) {
         }
 }
 
-TEST(SplineFilter, RefusesWhatHasNoMeaning) {
+TEST(SplineFilter, RefusesInvalidParameters) {
     const LineScan scan{noise(10), 10.0, false, {}};
     EXPECT_THROW((void)filtered(scan, SplineFilter{}), InvalidArgument);
     EXPECT_THROW((void)filtered(scan, SplineFilter{.cutoff = 2.0}), InvalidArgument);

@@ -119,7 +119,7 @@ TEST(CombineMaps, AddsAndSubtractsPointByPointOnEqualGrids) {
     EXPECT_FALSE(std::get<HeightMap>(apply(AddMap{}, a, Measurement(b)).measurement).periodic);
 }
 
-TEST(CombineMaps, CountsMetresWhateverUnitTheFilesHave) {
+TEST(CombineMaps, CombinesHeightsInMetresForAnyFileUnits) {
     HeightMap nanometres{Array2D::Constant(3, 3, 5e-9), {3e-6, 3e-6}, false, {}},
         micrometres{Array2D::Constant(3, 3, 1e-6), {3e-6, 3e-6}, false, {}};
     nanometres.metadata.unit = "nm";
@@ -157,14 +157,14 @@ TEST(CombineMaps, AlignsARepeatedScanBeforeItIsSubtracted) {
     EXPECT_EQ(aligned.record.step, "subtract_map");
 }
 
-TEST(CombineMaps, TakesLines) {
+TEST(CombineMaps, HandlesLines) {
     const LineScan a{Array1D{{1.0, 2.0, 3.0, 4.0}}, 4.0, false, {}}, b{Array1D{{0.0, 2.0}}, 4.0, false, {}};
     const auto sum = std::get<LineScan>(apply(AddMap{}, a, Measurement(b)).measurement);
     EXPECT_LT((sum.heights.head(3) - Array1D{{1.0, 3.0, 5.0}}).abs().maxCoeff(), 1e-15);
     EXPECT_TRUE(std::isnan(sum.heights[3]));
 }
 
-TEST(CombineMaps, RefusesWhatDoesNotGoTogether) {
+TEST(CombineMaps, RefusesIncompatibleMeasurements) {
     const Measurement map = HeightMap{Array2D::Random(6, 5), {6.0, 5.0}, false, {}},
                       line = LineScan{Array1D::Zero(5), 5.0, false, {}};
     const Measurement polyline = topography::Profile{Array1D{{0.0, 1.0}}, Array1D{{0.0, 1.0}}, {}};

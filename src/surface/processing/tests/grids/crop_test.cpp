@@ -34,7 +34,7 @@ TEST(Crop, TakesAWindowInMetresWithItsEnds) {
     EXPECT_DOUBLE_EQ(number_of(done.record, "y_offset"), 1e-6);
 }
 
-TEST(Crop, CutsPointsOffAtEachSide) {
+TEST(Crop, RemovesPointsAtEachSide) {
     const auto map = map_of(apply(Crop{.cut_left = 1, .cut_right = 2, .cut_first = 3, .cut_last = 1}, numbered()));
     ASSERT_EQ(map.heights.rows(), 7);
     ASSERT_EQ(map.heights.cols(), 4);
@@ -42,11 +42,11 @@ TEST(Crop, CutsPointsOffAtEachSide) {
     EXPECT_EQ(map.heights(6, 3), 62.0);
 }
 
-TEST(Crop, OfNothingKeepsAPeriodicMapPeriodic) {
+TEST(Crop, OfZeroPointsKeepsAPeriodicMapPeriodic) {
     EXPECT_TRUE(map_of(apply(Crop{.x_from = 0.0, .x_to = 1.0}, numbered())).periodic);
 }
 
-TEST(Crop, OfALineAndAPolyline) {
+TEST(Crop, WorksForLinesAndPolylines) {
     const LineScan scan{Array1D::LinSpaced(10, 0.0, 9.0), 10.0};
     const auto line = line_of(apply(Crop{.x_from = 2.5, .x_to = 7.0}, scan));
     ASSERT_EQ(line.heights.size(), 5);
@@ -60,7 +60,7 @@ TEST(Crop, OfALineAndAPolyline) {
     EXPECT_EQ(part.standard_error[4], 7.0);
 }
 
-TEST(Crop, RefusesWindowsThatLeaveNothingAndMixedOnes) {
+TEST(Crop, RefusesEmptyWindowsAndMixedParameters) {
     EXPECT_THROW((void)apply(Crop{.x_from = 20e-6}, numbered()), InvalidArgument);
     EXPECT_THROW((void)apply(Crop{.x_from = 3e-6, .x_to = 3e-6}, numbered()), InvalidArgument);
     EXPECT_THROW((void)apply(Crop{.x_from = 3e-6, .x_to = 1e-6}, numbered()), InvalidArgument);

@@ -47,7 +47,7 @@ TEST(LinearInterpolation, IsExactOnPlanesAndAtThePoints) {
     EXPECT_EQ(LinearInterpolator(rough)(3.0, 4.0), rough.heights(3, 4));
 }
 
-TEST(LinearInterpolation, CutsEveryPixelFromTheNextInXToTheNextInY) {
+TEST(LinearInterpolation, DividesPixelsAlongTheDiagonalFromXToY) {
     HeightMap map{Array2D::Zero(3, 3), {3.0, 3.0}, false, {}};
     map.heights(1, 1) = 1.0;
     const LinearInterpolator height(map);
@@ -69,7 +69,7 @@ TEST(LinearInterpolation, WrapsOnPeriodicMapsAndEndsOnOthers) {
     EXPECT_NEAR(LinearLineInterpolator(scan)(2.25), -0.5, 1e-15);
 }
 
-TEST(Interpolation, AsksUndefinedHeightsOnlyWhereTheyCount) {
+TEST(Interpolation, IsUndefinedOnlyWhereUndefinedHeightsContribute) {
     HeightMap map{noise(8, 8), {8.0, 8.0}, true, {}};
     map.heights(4, 4) = undefined_height;
     const LinearInterpolator linear(map);
@@ -127,7 +127,7 @@ TEST(BicubicInterpolation, HasContinuousSlopes) {
     EXPECT_NEAR((height(3.4, 2.3 + 1e-5) - height(3.4, 2.3 - 1e-5)) / 2e-5, height.at(3.4, 2.3).slope_y, 1e-8);
 }
 
-TEST(FourierInterpolation, HoldsTheOldHeightsOnAFinerGridAndReturns) {
+TEST(FourierInterpolation, KeepsHeightsOnAFinerGridAndReturnsToThem) {
     for (const auto& [nx, ny] : {std::pair<Index, Index>{8, 6}, {7, 5}, {8, 5}}) {
         const HeightMap map{noise(nx, ny), {2.0, 3.0}, true, {}};
         const HeightMap fine = fourier_interpolated(map, 3 * nx, 2 * ny);
@@ -139,7 +139,7 @@ TEST(FourierInterpolation, HoldsTheOldHeightsOnAFinerGridAndReturns) {
     }
 }
 
-TEST(FourierInterpolation, SplitsTheNyquistModeIntoACosine) {
+TEST(FourierInterpolation, TreatsTheNyquistModeAsACosine) {
     const LineScan scan{Array1D{{1.0, -1.0, 1.0, -1.0}}, 4.0, true, {}};
     const Array1D fine = fourier_interpolated(scan, 8).heights;
     EXPECT_LT((fine - Array1D{{1.0, 0.0, -1.0, 0.0, 1.0, 0.0, -1.0, 0.0}}).abs().maxCoeff(), 1e-15);
@@ -151,7 +151,7 @@ TEST(FourierInterpolation, SplitsTheNyquistModeIntoACosine) {
         EXPECT_NEAR(coarse[i], std::cos(std::numbers::pi * static_cast<double>(i) + 0.3), 1e-14);
 }
 
-TEST(FourierInterpolation, CommutesWithTransposing) {
+TEST(FourierInterpolation, CommutesWithTransposition) {
     const HeightMap map{noise(8, 6), {8.0, 6.0}, true, {}};
     const HeightMap turned{map.heights.transpose(), {6.0, 8.0}, true, {}};
     for (const auto& [nx, ny] : {std::pair<Index, Index>{12, 12}, {4, 10}, {5, 3}, {8, 9}})
@@ -161,7 +161,7 @@ TEST(FourierInterpolation, CommutesWithTransposing) {
                   1e-13);
 }
 
-TEST(FourierInterpolation, TakesLinesAndFewerPoints) {
+TEST(FourierInterpolation, HandlesLinesAndFewerPoints) {
     // SurfaceTopography 1.27.1 raises IndexError for lines and ValueError for fewer points
     const Index n = 15;
     LineScan scan{
@@ -172,7 +172,7 @@ TEST(FourierInterpolation, TakesLinesAndFewerPoints) {
         EXPECT_NEAR(coarse.heights[i], 2.0 + std::sin(2.0 * std::numbers::pi * static_cast<double>(i) / 9.0), 1e-14);
 }
 
-TEST(FourierInterpolation, RefusesOpenData) {
+TEST(FourierInterpolation, RefusesNonPeriodicData) {
     EXPECT_THROW((void)fourier_interpolated(HeightMap{noise(8, 8), {8.0, 8.0}, false, {}}, 16, 16), InvalidArgument);
     EXPECT_THROW((void)fourier_interpolated(LineScan{Array1D::Ones(5), 5.0, false, {}}, 16), InvalidArgument);
     EXPECT_THROW((void)fourier_interpolated(LineScan{Array1D::Ones(5), 5.0, true, {}}, 0), InvalidArgument);

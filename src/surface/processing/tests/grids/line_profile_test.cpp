@@ -30,7 +30,7 @@ topography::HeightMap plane(double slope_x, double slope_y) {
     return map;
 }
 
-TEST(LineProfile, AlongGridLinesIsTheHeightsAsStored) {
+TEST(LineProfile, AlongGridLinesGivesTheStoredHeights) {
     const auto map = rough();
     const auto along_x = line_profile(map, {.from = {0.0, 7 * 0.3e-6}, .to = {39 * 0.1e-6, 7 * 0.3e-6}});
     ASSERT_EQ(along_x.scan.heights.size(), 40);
@@ -41,7 +41,7 @@ TEST(LineProfile, AlongGridLinesIsTheHeightsAsStored) {
     for (Index j = 0; j < 22; ++j) EXPECT_EQ(along_y.scan.heights[j], map.heights(11, 25 - j));
 }
 
-TEST(LineProfile, OfAPlaneIsItsRampInAnyDirection) {
+TEST(LineProfile, OfAPlaneIsARampInAnyDirection) {
     const auto map = plane(0.2, -0.05);
     const auto profile = line_profile(map, {.from = {0.13e-6, 1.1e-6}, .to = {3.7e-6, 7.9e-6}});
     for (Index p = 0; p < profile.x.size(); ++p)
@@ -50,7 +50,7 @@ TEST(LineProfile, OfAPlaneIsItsRampInAnyDirection) {
     EXPECT_DOUBLE_EQ(profile.y[profile.y.size() - 1], 7.9e-6);
 }
 
-TEST(LineProfile, WithAWidthIsTheMeanOfTheLinesBeside) {
+TEST(LineProfile, WithAWidthIsTheMeanOfParallelLines) {
     const auto map = rough();
     const auto profile =
         line_profile(map, {.from = {0.0, 10 * 0.3e-6}, .to = {39 * 0.1e-6, 10 * 0.3e-6}, .width = 5 * 0.3e-6});
@@ -58,7 +58,7 @@ TEST(LineProfile, WithAWidthIsTheMeanOfTheLinesBeside) {
     for (Index i = 0; i < 40; ++i) EXPECT_NEAR(profile.scan.heights[i], map.heights.row(i).segment(8, 5).mean(), 1e-22);
 }
 
-TEST(LineProfile, LeavesUndefinedTracksOutOfItsMean) {
+TEST(LineProfile, IgnoresUndefinedTracksInItsMean) {
     auto map = rough();
     map.heights(12, 10) = undefined;
     const ProfileLine thin{.from = {0.0, 10 * 0.3e-6}, .to = {39 * 0.1e-6, 10 * 0.3e-6}},
@@ -70,7 +70,7 @@ TEST(LineProfile, LeavesUndefinedTracksOutOfItsMean) {
     EXPECT_NEAR(border.scan.heights[20], 0.5 * (map.heights(20, 0) + map.heights(20, 1)), 1e-22);
 }
 
-TEST(LineProfile, GoesOnAcrossThePeriod) {
+TEST(LineProfile, ContinuesAcrossThePeriod) {
     auto map = rough();
     map.periodic = true;
     const auto profile = line_profile(map, {.from = {38 * 0.1e-6, 0.0}, .to = {43 * 0.1e-6, 0.0}});
@@ -103,7 +103,7 @@ TEST(LineProfile, RefusesAnEndOutsideTheMapWithLengthsInPrefixes) {
     }
 }
 
-TEST(LineProfile, RefusesLinesThatAreNone) {
+TEST(LineProfile, RefusesInvalidLines) {
     const auto map = rough();
     EXPECT_THROW((void)line_profile(map, {.from = {0.0, 0.0}, .to = {0.0, 0.0}}), InvalidArgument);
     EXPECT_THROW((void)line_profile(map, {.from = {0.0, 0.0}, .to = {41 * 0.1e-6, 0.0}}), InvalidArgument);

@@ -34,7 +34,7 @@ HeightMap plane(Index nx, Index ny) {
             {}};
 }
 
-TEST(Resample, ByAveragesKeepsMeanSizeAndShape) {
+TEST(Resample, ByAveragesKeepsMeanAndSize) {
     const HeightMap map{noise(30, 21), {3.0, 4.2}, false, {}};
     for (const auto& [nx, ny] : {std::pair<Index, Index>{10, 7}, {7, 4}, {45, 50}}) {
         const HeightMap other = resampled(map, Resample{.nx = nx, .ny = ny});
@@ -47,7 +47,7 @@ TEST(Resample, ByAveragesKeepsMeanSizeAndShape) {
     EXPECT_NEAR(thirds.heights(4, 2), map.heights.block(12, 6, 3, 3).mean(), 1e-14);
 }
 
-TEST(Resample, ByAveragesLeavesOutUndefinedPoints) {
+TEST(Resample, ByAveragesIgnoresUndefinedPoints) {
     HeightMap map{noise(4, 4), {4.0, 4.0}, false, {}};
     map.heights(0, 0) = map.heights(2, 2) = map.heights(2, 3) = map.heights(3, 2) = undefined_height;
     const HeightMap other = resampled(map, Resample{.nx = 2});
@@ -55,7 +55,7 @@ TEST(Resample, ByAveragesLeavesOutUndefinedPoints) {
     EXPECT_TRUE(std::isnan(other.heights(1, 1)));
 }
 
-TEST(Resample, OfOpenMapsGoesFromTheFirstToTheLastPoint) {
+TEST(Resample, OfNonPeriodicMapsSpansFirstToLastPoint) {
     for (const Resampling method : {Resampling::linear, Resampling::bicubic}) {
         const HeightMap other = resampled(plane(9, 5), Resample{.nx = 17, .ny = 3, .method = method});
         EXPECT_LT(
@@ -86,7 +86,7 @@ TEST(Resample, OfPeriodicMapsKeepsTheirPeriod) {
               (std::array<Index, 2>{20, 30}));
 }
 
-TEST(Resample, TakesLinesAndPolylines) {
+TEST(Resample, HandlesLinesAndPolylines) {
     const LineScan scan{Array1D{{0.0, 1.0, 4.0, 9.0}}, 4.0, false, {}};
     EXPECT_TRUE((resampled(scan, Resample{.nx = 2}).heights == Array1D{{0.5, 6.5}}).all());
     EXPECT_LT((resampled(scan, Resample{.nx = 7, .method = Resampling::linear}).heights -
@@ -107,7 +107,7 @@ TEST(Resample, TakesLinesAndPolylines) {
     EXPECT_THROW((void)resampled(profile, Resample{.nx = 9}), InvalidArgument);
 }
 
-TEST(Resample, RefusesWhatHasNoMeaning) {
+TEST(Resample, RefusesInvalidParameters) {
     const HeightMap map = plane(5, 5);
     for (const double pixel : {1e-40, 1e-300}) try {
             (void)resampled(map, Resample{.pixel_size = pixel});

@@ -27,7 +27,7 @@ HeightMap about_middle(Index nx, Index ny, std::array<double, 2> pixel, const Fu
     return map;
 }
 
-TEST(Rotate, TurnsFromXTowardsY) {
+TEST(Rotate, RotatesFromXTowardsY) {
     const auto slope_x = [](double x, double) { return 2.0 * x; };
     const HeightMap map = about_middle(41, 31, {0.5, 0.25}, slope_x);
     for (const Rotation method : {Rotation::linear, Rotation::bicubic}) {
@@ -64,7 +64,7 @@ TEST(Rotate, ByQuartersMovesPointsWithoutInterpolation) {
     EXPECT_LT((quarter - nearly).block(1, 1, 19, 19).abs().maxCoeff(), 1e-3);
 }
 
-TEST(Rotate, LeavesPointsOutsideUndefinedUnlessCropped) {
+TEST(Rotate, PointsOutsideAreUndefinedUnlessCropped) {
     const HeightMap map = about_middle(40, 24, {1.0, 1.0}, [](double x, double y) { return x * y; });
     const HeightMap whole = rotated(map, Rotate{.angle = 20.0 * degree});
     EXPECT_EQ(whole.shape(), map.shape());
@@ -77,7 +77,7 @@ TEST(Rotate, LeavesPointsOutsideUndefinedUnlessCropped) {
     }
 }
 
-TEST(Rotate, BackAndForthReturnsSmoothHeights) {
+TEST(Rotate, ForwardAndBackReturnsSmoothHeights) {
     const HeightMap map =
         about_middle(120, 120, {1.0, 1.0}, [](double x, double y) { return std::cos(0.15 * x + 0.05 * y); });
     const HeightMap back = rotated(rotated(map, Rotate{.angle = 0.3, .method = Rotation::bicubic}),
@@ -85,7 +85,7 @@ TEST(Rotate, BackAndForthReturnsSmoothHeights) {
     EXPECT_LT((back.heights - map.heights).block(45, 45, 30, 30).abs().maxCoeff(), 1e-3);
 }
 
-TEST(Rotate, RefusesLinesAndAnglesWithoutMeaning) {
+TEST(Rotate, RefusesLinesAndInvalidAngles) {
     EXPECT_THROW((void)rotated(HeightMap{Array2D::Zero(3, 3), {1.0, 1.0}, false, {}},
                                Rotate{.angle = std::numeric_limits<double>::infinity()}),
                  InvalidArgument);

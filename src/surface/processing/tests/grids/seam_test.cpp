@@ -32,12 +32,12 @@ topography::HeightMap left_half(const topography::HeightMap& map) {
     return {map.heights.topLeftCorner(n, n), {0.5 * map.size[0], 0.5 * map.size[1]}, false, {}};
 }
 
-TEST(Seam, IsClosedOnSurfacesThatRepeatThemselves) {
+TEST(Seam, IsClosedOnPeriodicSurfaces) {
     for (std::uint64_t seed = 1; seed <= 40; ++seed)
         EXPECT_TRUE(seam_of(periodic_map(128, seed, 40e-9)).closed) << seed;
 }
 
-TEST(Seam, OfWavesThatFitIsClosedAtAnyPhase) {
+TEST(Seam, OfPeriodicWavesIsClosedAtAnyPhase) {
     for (int k = 0; k < 16; ++k) {
         topography::LineScan line{.heights = Array1D(64), .size = 1e-6, .periodic = false, .metadata = {}};
         for (Index i = 0; i < 64; ++i)
@@ -46,19 +46,19 @@ TEST(Seam, OfWavesThatFitIsClosedAtAnyPhase) {
     }
 }
 
-TEST(Seam, IsOpenOnAPieceOfASurface) {
+TEST(Seam, IsOpenOnAPartOfASurface) {
     for (std::uint64_t seed = 1; seed <= 40; ++seed)
         EXPECT_FALSE(seam_of(left_half(periodic_map(256, seed, 40e-9))).closed) << seed;
 }
 
-TEST(Seam, SeesATiltBelowARoughnessFromPointToPoint) {
+TEST(Seam, DetectsATiltSmallerThanTheRoughness) {
     auto map = periodic_map(256, 1, 8e-9);
     EXPECT_TRUE(seam_of(map).closed);
     EXPECT_FALSE(seam_of(tilted(map, 3e-9)).closed);
 }
 
 // h = 60 nm x/L on 4 x 4 points: the last row is 45 nm above the first, neighbours 15 nm apart
-TEST(Seam, StepOfAPlaneIsItsRise) {
+TEST(Seam, StepOfAPlaneEqualsItsRise) {
     topography::HeightMap flat{Array2D::Zero(4, 4), {1e-6, 1e-6}, false, {}};
     const auto seam = seam_of(tilted(flat, 60e-9));
     EXPECT_NEAR(seam.height_step, 45e-9, 1e-20);
@@ -67,7 +67,7 @@ TEST(Seam, StepOfAPlaneIsItsRise) {
     EXPECT_TRUE(seam_of(flat).closed);
 }
 
-TEST(Window, ClosesASeamAndLeavesTheMiddleAlone) {
+TEST(Window, ClosesASeamAndKeepsTheMiddle) {
     const auto piece = left_half(periodic_map(256, 3, 40e-9));
     const auto result = windowed(piece);
     const auto& map = map_of(result);

@@ -42,7 +42,7 @@ TEST(Flip, ReversesOneDirection) {
     EXPECT_THROW((void)apply(Flip{Direction::y}, profile), InvalidArgument);
 }
 
-TEST(QuarterTurns, BringXTowardsY) {
+TEST(QuarterTurns, RotateXTowardsY) {
     HeightMap map{Array2D::Zero(5, 4), {5.0, 4.0}};
     map.heights(4, 0) = 1.0;  // at the end of x
     const auto once = map_of(apply(QuarterTurns{}, map));
@@ -55,7 +55,7 @@ TEST(QuarterTurns, BringXTowardsY) {
     EXPECT_TRUE((map_of(apply(QuarterTurns{-3}, once)).heights == map_of(apply(QuarterTurns{2}, map)).heights).all());
 }
 
-TEST(QuarterTurns, AndTransposeNeedAMap) {
+TEST(QuarterTurns, RequireAMapAsDoesTranspose) {
     const LineScan scan{Array1D::Zero(5), 1.0};
     EXPECT_THROW((void)apply(QuarterTurns{}, scan), InvalidArgument);
     EXPECT_THROW((void)apply(Transpose{}, scan), InvalidArgument);

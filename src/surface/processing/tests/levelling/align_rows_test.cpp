@@ -40,14 +40,14 @@ HeightMap jumped(HeightMap map) {
 
 double left_over(const HeightMap& aligned, const HeightMap& truth) { return rms_of(aligned.heights - truth.heights); }
 
-TEST(AlignRows, ByMedianTakesJumpsOutAndKeepsIslandsOnLessThanHalfOfALine) {
+TEST(AlignRows, ByMedianRemovesJumpsAndKeepsIslandsBelowHalfALine) {
     const auto truth = islands(200, 80, 0.3);
     EXPECT_LT(left_over(map_of(apply(AlignRows{}, jumped(truth))), truth), 0.03e-8);
     // means follow the islands
     EXPECT_GT(left_over(map_of(apply(AlignRows{.method = RowAlignment::mean}, jumped(truth))), truth), 0.1e-8);
 }
 
-TEST(AlignRows, ByMedianOfDifferencesKeepsIslandsOnMostOfALine) {
+TEST(AlignRows, ByMedianOfDifferencesKeepsIslandsAboveHalfALine) {
     // where an island begins, most points of the line step up: 40 % of the points do not
     const auto truth = islands(200, 80, 0.45);
     EXPECT_LT(left_over(map_of(apply(AlignRows{.method = RowAlignment::median_of_differences}, jumped(truth))), truth),
@@ -61,7 +61,7 @@ TEST(AlignRows, ByMedianOfDifferencesKeepsIslandsOnMostOfALine) {
     EXPECT_GT(left_over(map_of(apply(AlignRows{}, jumped(wedge))), wedge), 0.3e-8);
 }
 
-TEST(AlignRows, ByMedianOfDifferencesAddsTheMediansUp) {
+TEST(AlignRows, ByMedianOfDifferencesAccumulatesMedians) {
     HeightMap map{Array2D(3, 3), {3.0, 3.0}};
     map.heights << 0.0, 1.0, 5.0,  //
         0.0, 2.0, 4.0,             //
@@ -75,7 +75,7 @@ TEST(AlignRows, ByMedianOfDifferencesAddsTheMediansUp) {
     EXPECT_LT((level.heights - expected).abs().maxCoeff(), 1e-15);
 }
 
-TEST(AlignRows, DestroysStructureAlongTheSlowAxis) {
+TEST(AlignRows, RemovesStructureAlongTheSlowAxis) {
     HeightMap map{Array2D(64, 64), {1.0, 1.0}};
     for (Index i = 0; i < 64; ++i)
         for (Index j = 0; j < 64; ++j) map.heights(i, j) = std::cos(2.0 * pi * static_cast<double>(j) / 64.0);
@@ -110,14 +110,14 @@ TEST(AlignRows, OfTiltedStripedDataRecoversSqWithinOnePercent) {
     EXPECT_NEAR(rms_of(level.heights) / rms_of(truth.heights), 1.0, 0.01);
 }
 
-TEST(AlignRows, CountsPointsOfTheRegionAloneAndMovesWholeLines) {
+TEST(AlignRows, FitsTheRegionOnlyAndShiftsWholeLines) {
     auto map = jumped(islands(100, 60, 0.7));
     const auto truth = islands(100, 60, 0.7);
     const AlignRows step{.region = region_from_text("exclude rectangle below 0.705 um")};
     EXPECT_LT(left_over(map_of(apply(step, map)), truth), 0.05e-8);
 }
 
-TEST(AlignRows, MovesLinesWithoutPointsWithTheirNeighbours) {
+TEST(AlignRows, ShiftsLinesWithoutPointsWithTheirNeighbours) {
     auto map = jumped(islands(50, 20, 0.0));
     map.heights.col(7).setConstant(undefined);
     map.heights.col(0).setConstant(undefined);

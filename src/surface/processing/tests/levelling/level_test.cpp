@@ -69,7 +69,7 @@ TEST(LevelPolynomial, RecoversTheRadiusOfASphereWithinOnePercent) {
     EXPECT_NEAR(number_of(level.record, "removed_radius_y") / radius, -1.0, 0.01);
 }
 
-TEST(LevelPolynomial, OfDegreeTwelveAlongBothDirectionsRemovesItsOwnPolynomial) {
+TEST(LevelPolynomial, OfDegreeTwelveRemovesAPolynomialOfDegreeTwelve) {
     const auto height = [](double x, double y) {
         const double u = x / 1.5e-6 - 1.0, v = y / 1e-6 - 1.0;
         return 1e-7 * (std::pow(u, 12) * std::pow(v, 11) - std::pow(v, 12) + std::pow(u, 7));
@@ -110,7 +110,7 @@ TEST(LevelPolynomial, LeavesAResidualOrthogonalToEveryTerm) {
         }
 }
 
-TEST(LevelPolynomial, IsTheParabolaOfDetrend) {
+TEST(LevelPolynomial, EqualsTheParabolaOfDetrend) {
     auto map = noise(20, 33, 3);
     map.heights(4, 5) = undefined;
     const auto ours = map_of(apply(LevelPolynomial{}, map)),
@@ -130,7 +130,7 @@ TEST(LevelPolynomial, IsTheParabolaOfDetrend) {
               1e-20);
 }
 
-TEST(LevelPolynomial, KeepsItsDigitsWhereHeightsHaveALargeOffset) {
+TEST(LevelPolynomial, KeepsPrecisionAtALargeOffset) {
     const auto map = noise(64, 64, 5);
     auto raised = map;
     raised.heights += 0.1;  // 10⁷ rms
@@ -138,7 +138,7 @@ TEST(LevelPolynomial, KeepsItsDigitsWhereHeightsHaveALargeOffset) {
     EXPECT_LT(largest(plain.heights - high.heights), 1e-16);  // rounding of 0.1 m: 1.4e-17 m
 }
 
-TEST(LevelPolynomial, OfAPolylineFarFromTheOriginOfXLeavesNothingOfItsParabola) {
+TEST(LevelPolynomial, RemovesTheParabolaOfAPolylineFarFromTheOrigin) {
     Profile profile{Array1D::LinSpaced(2000, 1e6, 1e6 + 1.0), Array1D(2000), {}};
     for (Index i = 0; i < 2000; ++i) profile.heights[i] = std::pow(2.0 * (profile.positions[i] - 1e6) - 1.0, 2);
     const auto far = profile_of(apply(LevelPolynomial{}, profile));
@@ -175,7 +175,7 @@ TEST(LevelPolynomial, OfAPolylineDoesNotDependOnCollinearPoints) {
     }
 }
 
-TEST(LevelPlane, RefusesAPolylineThatTurnsBack) {
+TEST(LevelPlane, RefusesAReentrantPolyline) {
     Profile profile{Array1D(4), Array1D::Random(4), {}};
     profile.positions << 0.0, 1.0, 0.5, 2.0;
     for (const Step& step :
@@ -192,7 +192,7 @@ TEST(LevelPlane, RefusesAPolylineThatTurnsBack) {
     EXPECT_THROW((void)apply(LevelPlane{}, profile), InvalidArgument);
 }
 
-TEST(LevelPlane, FittedToARegionIgnoresWhatLiesOutside) {
+TEST(LevelPlane, FittedToARegionIgnoresOtherPoints) {
     auto map = map_from(50, 40, {5e-6, 4e-6},
                         [](double x, double y) { return 0.03 * x - 0.01 * y + (x > 2.95e-6 ? 1e-7 : 0.0); });
     const auto level = apply(LevelPlane{region_from_text("exclude rectangle above 2.95 um")}, map);
@@ -202,7 +202,7 @@ TEST(LevelPlane, FittedToARegionIgnoresWhatLiesOutside) {
     EXPECT_NEAR(map_of(level).heights(5, 30), 0.0, 1e-19);
 }
 
-TEST(LevelPlane, HidesUndefinedHeightsFromTheFit) {
+TEST(LevelPlane, IgnoresUndefinedHeights) {
     auto map = noise(24, 20, 2);
     auto other = map;
     map.heights(3, 4) = other.heights(3, 4) = undefined;
@@ -219,7 +219,7 @@ TEST(LevelPlane, HidesUndefinedHeightsFromTheFit) {
     EXPECT_TRUE(std::isnan(one.heights(3, 4)));
 }
 
-TEST(LevelPlane, SaysWhereThePointsDoNotDetermineIt) {
+TEST(LevelPlane, RefusesPointsThatDoNotDetermineThePlane) {
     auto map = noise(10, 10, 1);
     EXPECT_THROW((void)apply(LevelPlane{region_from_text("include rectangle 0 um to 0 um")}, map),
                  UndefinedDataError);  // one column
@@ -245,7 +245,7 @@ TEST(LevelMean, OfARowOrAConstantMapIsZero) {
     EXPECT_LT(std::fabs(map_of(apply(LevelMean{}, HeightMap(noise(1, 9, 4)))).heights.mean()), 1e-22);
 }
 
-TEST(LevelMean, ReadsBackTheOffsetOfARegion) {
+TEST(LevelMean, SubtractsTheMeanOfARegion) {
     auto map = map_from(20, 20, {2e-6, 2e-6}, [](double x, double) { return x < 0.95e-6 ? 2e-9 : 9e-9; });
     const auto level = apply(LevelMean{region_from_text("include heights below 5 nm")}, map);
     EXPECT_NEAR(map_of(level).heights(0, 0), 0.0, 1e-24);
@@ -259,7 +259,7 @@ HeightMap terraces(double slope_x, double slope_y, Index nx = 120, Index ny = 90
     });
 }
 
-TEST(LevelFacet, MakesTerracesHorizontalWhatAPlaneCannot) {
+TEST(LevelFacet, LevelsTerracesUnlikeAPlaneFit) {
     const auto level = apply(LevelFacet{}, terraces(0.01, -0.004));
     EXPECT_NEAR(number_of(level.record, "removed_slope_x"), 0.01, 2e-6);
     EXPECT_NEAR(number_of(level.record, "removed_slope_y"), -0.004, 2e-6);
@@ -278,13 +278,13 @@ TEST(LevelFacet, OfALineWithStepsLevelsItsTerraces) {
     EXPECT_NEAR(number_of(apply(LevelFacet{}, profile).record, "removed_slope_x"), 0.02, 1e-6);
 }
 
-TEST(LevelFacet, OfAPlaneRemovesItAtOnce) {
+TEST(LevelFacet, OfAPlaneRemovesItInOneStep) {
     const auto level =
         apply(LevelFacet{}, map_from(20, 20, {1e-6, 1e-6}, [](double x, double y) { return 0.25 * x - 0.5 * y; }));
     EXPECT_LT(largest(map_of(level).heights), 1e-20);
 }
 
-TEST(LevelLines, RemovesEachLinesOwnPolynomialAlongEitherDirection) {
+TEST(LevelLines, RemovesAPolynomialPerLineAlongEitherDirection) {
     const auto height = [](double x, double y) {
         return std::sin(9e6 * y) * 1e-8 + x * std::cos(7e6 * y) * 1e-2 + x * x * 1e3;
     };
@@ -295,7 +295,7 @@ TEST(LevelLines, RemovesEachLinesOwnPolynomialAlongEitherDirection) {
     EXPECT_LT(largest(level.heights), 1e-20);
 }
 
-TEST(LevelLines, LeavesLinesWithTooFewPointsUndefinedAndSaysSo) {
+TEST(LevelLines, LinesWithTooFewPointsBecomeUndefinedWithAWarning) {
     auto map = noise(12, 20, 6);
     map.heights.col(4).setConstant(undefined);
     map.heights(3, 4) = 1e-9;

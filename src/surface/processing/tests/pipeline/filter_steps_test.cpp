@@ -80,7 +80,7 @@ TEST(FilterSteps, ArePlainValuesWithNamedParameters) {
     EXPECT_EQ(parameters<SubtractMap>(), (Names{"file", "channel", "align"}));
 }
 
-TEST(FilterSteps, TakeTheValuesAVisitorGives) {
+TEST(FilterSteps, CanBeChangedByAVisitor) {
     SplineFilter step;
     Changing visitor;
     visit_parameters(step, visitor);

@@ -53,7 +53,7 @@ TEST(Pipeline, OfTiltedStripedSpikyDataRecoversSqWithinOnePercent) {
               "align_rows method=polynomial | despike | level_plane");
 }
 
-TEST(Pipeline, LeavesOutStepsThatAreOff) {
+TEST(Pipeline, SkipsDisabledSteps) {
     auto pipeline = pipeline_of({"transpose", "flip"});
     EXPECT_FALSE(pipeline.empty());
     pipeline.entries[0].on = false;
@@ -66,13 +66,13 @@ TEST(Pipeline, LeavesOutStepsThatAreOff) {
         (std::get<HeightMap>(processing::apply(pipeline, waves()).measurement).heights == waves().heights).all());
 }
 
-TEST(Pipeline, NotesWhatWasDoneBefore) {
+TEST(Pipeline, RecordsEarlierSteps) {
     auto first = processing::apply(pipeline_of({"level_plane"}), waves());
     const auto second = processing::apply(pipeline_of({"flip direction=y"}), std::move(first.measurement));
     EXPECT_EQ(topography::metadata(second.measurement).attributes.at("pipeline"), "level_plane | flip direction=y");
 }
 
-TEST(Pipeline, IsItsStepsOneAfterTheOther) {
+TEST(Pipeline, EqualsItsStepsInSequence) {
     const auto together =
         apply(pipeline_of({"level_polynomial degree=3", "remove_scars", "crop cut_left=5"}), waves(), {}, {2});
     Measurement alone = waves();
@@ -82,7 +82,7 @@ TEST(Pipeline, IsItsStepsOneAfterTheOther) {
     EXPECT_TRUE((std::get<HeightMap>(together.measurement).heights == std::get<HeightMap>(alone).heights).all());
 }
 
-TEST(Pipeline, AsksForTheFilesThatStepsName) {
+TEST(Pipeline, LoadsTheFilesNamedBySteps) {
     const auto pipeline = pipeline_of({"subtract_map file=\"other map.nc\" channel=topo"});
     std::string asked;
     const auto load = [&](const std::string& file, const std::string& channel) -> Measurement {
@@ -129,7 +129,7 @@ std::string complaint(const char* line) {
     return "accepted";
 }
 
-TEST(StepText, TakesQuotesOfBothKinds) {
+TEST(StepText, AcceptsBothKindsOfQuotes) {
     const auto expected = text(step_from_text("mask_out region=\"include heights above 20 nm\""));
     EXPECT_EQ(text(step_from_text("mask_out region='include heights above 20 nm'")), expected);
     EXPECT_EQ(text(step_from_text("mask_out 'region=include heights above 20 nm'")), expected);
@@ -137,7 +137,7 @@ TEST(StepText, TakesQuotesOfBothKinds) {
     EXPECT_EQ(text(step_from_text(name)), name);
 }
 
-TEST(StepText, ThatCannotBeReadNamesWhatIsNearest) {
+TEST(StepText, WhenInvalidNamesTheNearestChoice) {
     EXPECT_EQ(complaint("level_plan"),
               "unknown step 'level_plan'; did you mean 'level_plane'?; setae level --explain lists them");
     EXPECT_EQ(
@@ -155,7 +155,7 @@ TEST(StepText, ThatCannotBeReadNamesWhatIsNearest) {
     EXPECT_NE(complaint("crop x_from=5").find("x_from: "), std::string::npos);
 }
 
-TEST(StepNames, AreAlsoThoseOfTrends) {
+TEST(StepNames, IncludeThoseOfTrends) {
     EXPECT_EQ(name(step_named("mean")), "level_mean");
     EXPECT_EQ(name(step_named("tilt")), "level_plane");
     EXPECT_EQ(text(step_from_text("parabola degree_x=1")), "level_polynomial degree_x=1");

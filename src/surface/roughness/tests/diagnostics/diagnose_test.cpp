@@ -16,7 +16,7 @@
 namespace setae::diagnostics::diagnose_test {
 namespace {
 
-TEST(Diagnose, FindsNothingInASurfaceWithoutFault) {
+TEST(Diagnose, FindsNoProblemInAnIdealSurface) {
     for (const double hurst : {0.4, 0.8}) {
         const auto map = surface({.hurst_exponent = hurst});
         EXPECT_EQ(codes(diagnose(map)), "") << hurst;
@@ -48,7 +48,7 @@ TEST(Diagnose, MeasuresALargeTilt) {
     EXPECT_NEAR(value(found, "TILT_LARGE", "rms_height_without_tilt"), rms, 1e-9 * rms);
 }
 
-TEST(Diagnose, MeasuresACurvatureThatIsLeft) {
+TEST(Diagnose, MeasuresRemainingCurvature) {
     auto map = topography::detrended(surface({}), topography::Trend::parabola);
     const double rms = std::sqrt(map.heights.square().mean()),
                  curvature = 20.0 * rms / (map.size[0] * map.size[0]) * 4.0;
@@ -61,7 +61,7 @@ TEST(Diagnose, MeasuresACurvatureThatIsLeft) {
     EXPECT_NEAR(value(found, "CURVATURE_LEFT", "rms_height_without_curvature"), rms, 1e-6 * rms);
 }
 
-TEST(Diagnose, SaysWhatSpikesDo) {
+TEST(Diagnose, MeasuresTheEffectOfSpikes) {
     const auto map = surface({});
     auto spiked = map;
     constexpr int count = 37;
@@ -80,7 +80,7 @@ TEST(Diagnose, SaysWhatSpikesDo) {
     EXPECT_GT(value(found, "SPIKES", "psd_lifted_below_wavelength"), 2.0 * map.pixel_size()[0]);
 }
 
-TEST(Diagnose, FindsTheLevelOfPixelNoise) {
+TEST(Diagnose, EstimatesTheLevelOfPixelNoise) {
     for (const double sigma : {4e-9, 8e-9, 16e-9}) {
         auto map = surface({.hurst_exponent = 0.8});
         const double slope2 = mean_square_slope_x(map);
@@ -103,7 +103,7 @@ TEST(Diagnose, FindsNoNoiseWhereItIsBelowTheSurface) {
     EXPECT_EQ(codes(diagnose(map)), "");
 }
 
-TEST(Diagnose, SaysWhatTheTipHides) {
+TEST(Diagnose, MeasuresTheLossByTheTip) {
     auto map = surface({.hurst_exponent = 0.6});
     map.metadata.instrument.tip_radius = 20e-9;
     const auto found = diagnose(map);
@@ -116,7 +116,7 @@ TEST(Diagnose, SaysWhatTheTipHides) {
     EXPECT_EQ(codes(diagnose(map)), "");
 }
 
-TEST(Diagnose, SaysHowRmsHeightGrowsWhereNoRolloffIsSeen) {
+TEST(Diagnose, MeasuresGrowthOfRmsHeightWithoutRolloff) {
     // rms height of a self-affine surface without roll-off grows as size^H
     const auto map = surface({.hurst_exponent = 0.8, .rolloff_in_sizes = 40.0});
     const auto found = diagnose(map);
@@ -158,7 +158,7 @@ TEST(Diagnose, FindsOffsetsOfScanLines) {
     }
 }
 
-TEST(Diagnose, FindsTheStretchOfAnAnisotropicSurface) {
+TEST(Diagnose, MeasuresTheAnisotropyOfASurface) {
     // features twice as long along y: slopes along x are twice those along y
     const auto map = surface({.hurst_exponent = 0.8, .stretch = 2.0, .angle = 0.5 * pi});
     const auto found = diagnose(map);
@@ -202,14 +202,14 @@ TEST(Diagnose, CountsClippedHeights) {
     EXPECT_EQ(codes(diagnose(topography::scaled(map, -1.0))), "CLIPPED");
 }
 
-TEST(Diagnose, SaysThatAConstantMapHoldsNothing) {
+TEST(Diagnose, ReportsAConstantMap) {
     const topography::HeightMap map{Array2D::Constant(20, 20, 1e-6), {1e-6, 1e-6}, false, {}};
     EXPECT_EQ(codes(diagnose(map)), "QUANTISED");
     const topography::LineScan line{Array1D::Zero(2), 1e-6, false, {}};
     EXPECT_EQ(codes(diagnose(line)), "QUANTISED");
 }
 
-TEST(Diagnose, MeasuresStretchesThatTurnBack) {
+TEST(Diagnose, MeasuresReentrantStretches) {
     const auto line = line_of(surface({}));
     const Index n = line.heights.size();
     topography::Profile profile{
@@ -221,7 +221,7 @@ TEST(Diagnose, MeasuresStretchesThatTurnBack) {
     EXPECT_DOUBLE_EQ(value(found, "REENTRANT", "reentrant_share"), topography::clean_contour(profile).reentrant_share);
 }
 
-TEST(Diagnose, TakesAnOffsetOfTenMillionRmsHeights) {
+TEST(Diagnose, IsUnaffectedByAnOffsetOfTenMillionRmsHeights) {
     auto map = surface({});
     for (int k = 0; k < 12; ++k) map.heights(9 + 9 * k, 20 + 5 * k) += 80e-9;
     const auto plain = diagnose(map);
@@ -234,7 +234,7 @@ TEST(Diagnose, TakesAnOffsetOfTenMillionRmsHeights) {
                 1e-6 * value(plain, "SPIKES", "rms_height_without_spikes"));
 }
 
-TEST(Diagnose, TakesShapesOfAnySize) {
+TEST(Diagnose, HandlesMapsOfAnySize) {
     for (const auto& [nx, ny] : {std::array<Index, 2>{2, 2}, {2, 33}, {33, 2}, {17, 23}, {64, 3}}) {
         const topography::HeightMap map{1e-9 * noise(nx, ny, 1), {1e-6, 1e-6}, false, {}};
         EXPECT_NO_THROW((void)diagnose(map)) << nx << " x " << ny;

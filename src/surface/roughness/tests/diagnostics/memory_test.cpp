@@ -46,7 +46,7 @@ topography::HeightMap with_every_fault(Index n) {
     return map;
 }
 
-TEST(Diagnose, HoldsOneMoreMapAndItsMasks) {
+TEST(Diagnose, UsesMemoryForOneMoreMapAndItsMasks) {
     const auto small = with_every_fault(512), large = with_every_fault(1024);
     const double bytes = 8.0 * static_cast<double>(large.heights.size());
     const double of_small = additional_memory(small), of_large = additional_memory(large);

@@ -13,7 +13,7 @@ namespace {
 
 using topography::Measurement;
 
-TEST(DiagnoseOverlap, FindsNothingBetweenPlacesOfOneSurface) {
+TEST(DiagnoseOverlap, FindsNoProblemBetweenSpotsOfOneSurface) {
     const std::array<Measurement, 3> same{surface({.seed = 1}), surface({.seed = 2}), line_of(surface({.seed = 3}))};
     EXPECT_EQ(codes(diagnose_overlap(same)), "");
 }
@@ -30,7 +30,7 @@ TEST(DiagnoseOverlap, FindsAScaleAppliedTwice) {
     EXPECT_LT(factor.standard_error, 0.3);
 }
 
-TEST(DiagnoseOverlap, DoesNotTakeAnotherSlopeForAScale) {
+TEST(DiagnoseOverlap, DistinguishesAnotherSlopeFromAScaleError) {
     const std::array<Measurement, 2> pair{surface({.seed = 1, .hurst_exponent = 0.3}),
                                           surface({.seed = 2, .hurst_exponent = 0.95})};
     const auto found = diagnose_overlap(pair);
@@ -40,7 +40,7 @@ TEST(DiagnoseOverlap, DoesNotTakeAnotherSlopeForAScale) {
               4.0 * value(found, "DISAGREE", "psd_ratio_at_longest"));
 }
 
-TEST(DiagnoseOverlap, NeedsTwoMeasurementsAndABandInCommon) {
+TEST(DiagnoseOverlap, RequiresTwoMeasurementsAndACommonBand) {
     const std::array<Measurement, 1> one{surface({})};
     EXPECT_THROW((void)diagnose_overlap(one), InvalidArgument);
     auto wide = line_of(surface({}));

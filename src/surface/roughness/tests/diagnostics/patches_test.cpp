@@ -52,7 +52,7 @@ PatchNumbers flooded(const Mask& mask, Neighbours neighbours, bool periodic) {
     return numbers;
 }
 
-TEST(Patches, AgreeWithAFloodFillNumbersIncluded) {
+TEST(Patches, EqualAFloodFillIncludingTheirNumbers) {
     std::uint64_t seed = 0;
     for (const double share : {0.1, 0.4, 0.5, 0.6, 0.9})
         for (const auto& [nx, ny] :
@@ -68,7 +68,7 @@ TEST(Patches, AgreeWithAFloodFillNumbersIncluded) {
                 }
 }
 
-TEST(Patches, OfACheckerboardAreOneWithCornersAndAllPointsWithout) {
+TEST(Patches, OfACheckerboardDependOnDiagonalNeighbours) {
     const auto mask =
         Mask::NullaryExpr(10, 12, [](Index i, Index j) { return static_cast<std::uint8_t>((i + j) % 2); }).eval();
     EXPECT_EQ(patches(mask, Neighbours::edges_and_corners).count, 1);

@@ -38,7 +38,7 @@ TEST(Autocorrelation, OfACosineIsOneMinusCosine) {
     EXPECT_LT((result.value - expected).abs().maxCoeff(), 1e-15);
 }
 
-TEST(Autocorrelation, OfAnImpulseIsTheShareOfPairsThatSeeIt) {
+TEST(Autocorrelation, OfAnImpulseIsTheShareOfPairsThatContainIt) {
     LineScan scan{Array1D::Zero(9), 9.0, false, {}};
     scan.heights[3] = 2.0;
     const auto result = autocorrelation(scan);
@@ -93,7 +93,7 @@ TEST(Autocorrelation, WithHolesUsesPairsOfDefinedPoints) {
     EXPECT_NEAR(result.value[1], 0.5 * std::pow(scan.heights[18] - scan.heights[0], 2), 1e-14);
 }
 
-TEST(Autocorrelation, KeepsNineDigitsUnderOffsetsOfTenMillionRms) {
+TEST(Autocorrelation, KeepsNineDigitsAtOffsetsOfTenMillionRms) {
     const Array2D heights = random_map(64, 64);
     for (const bool periodic : {false, true}) {
         const HeightMap map{heights, {1.0, 1.0}, periodic, {}};
@@ -118,7 +118,7 @@ TEST(Autocorrelation, OfAConstantIsZero) {
     EXPECT_EQ(autocorrelation_of_area(map).value.abs().maxCoeff(), 0.0);
 }
 
-TEST(Autocorrelation, OfNothingDefinedIsAnError) {
+TEST(Autocorrelation, OfUndefinedHeightsIsAnError) {
     EXPECT_THROW((void)autocorrelation(LineScan{Array1D::Constant(5, undefined), 1.0, false, {}}), UndefinedDataError);
     EXPECT_THROW((void)autocorrelation_of_area({Array2D::Constant(5, 5, undefined), {1.0, 1.0}, false, {}}),
                  UndefinedDataError);
@@ -174,7 +174,7 @@ HeightMap diagonal_grating(double sign) {
     return map;
 }
 
-TEST(AutocorrelationArea, DoesNotDependOnTheSignOfADiagonal) {
+TEST(AutocorrelationArea, IsEqualForBothDiagonals) {
     const auto rising = autocorrelation_of_area(diagonal_grating(1.0)),
                falling = autocorrelation_of_area(diagonal_grating(-1.0));
     EXPECT_LT((rising.value - falling.value).abs().maxCoeff(), 1e-12);
@@ -191,7 +191,7 @@ TEST(AutocorrelationArea, OfADiagonalGratingIsTheAngularMean) {
     EXPECT_NEAR(result.value[1], 0.25 * (1.0 - std::cos(0.25 * pi)), 1e-14);
 }
 
-TEST(AutocorrelationArea, OfAMirroredOrTurnedMapIsTheSame) {
+TEST(AutocorrelationArea, IsInvariantUnderMirroringAndRotation) {
     const Array2D heights = random_map(30, 30);
     const auto as_is = autocorrelation_of_area({heights, {3.0, 3.0}, false, {}});
     const auto mirrored = autocorrelation_of_area({heights.rowwise().reverse(), {3.0, 3.0}, false, {}});
@@ -200,7 +200,7 @@ TEST(AutocorrelationArea, OfAMirroredOrTurnedMapIsTheSame) {
     EXPECT_LT((as_is.value - turned.value).abs().maxCoeff(), 1e-13);
 }
 
-TEST(Autocorrelation, IsTheSameToTheByteForAnyNumberOfThreads) {
+TEST(Autocorrelation, HasTheSameBytesForAnyNumberOfThreads) {
     for (const bool holes : {false, true}) {
         HeightMap map{random_map(70, 90), {1.0, 1.0}, false, {}};
         if (holes) map = with_holes(map);
@@ -213,7 +213,7 @@ TEST(Autocorrelation, IsTheSameToTheByteForAnyNumberOfThreads) {
     }
 }
 
-TEST(TiledAutocorrelation, IsThatOfTheMapInMemory) {
+TEST(TiledAutocorrelation, EqualsThatOfTheMapInMemory) {
     for (const bool periodic : {false, true})
         for (const bool holes : {false, true}) {
             HeightMap map{random_map(40, 53), {4.0, 5.3}, periodic, {}};
@@ -242,7 +242,7 @@ TEST(TiledAutocorrelation, RefusesDistancesOutsideTheMap) {
     EXPECT_THROW((void)autocorrelation_of_area(topography::tiled(map), 1.0), InvalidArgument);
 }
 
-TEST(TiledAutocorrelation, EndsWhereTipAndResolutionDoAsInMemory) {
+TEST(TiledAutocorrelation, HasTheReliableRangeOfTheMapInMemory) {
     HeightMap map{1e-3 * random_map(64, 12), {1.0, 0.2}, false, {}};
     map.metadata.instrument.tip_radius = 0.05;
     const auto whole = autocorrelation_of_lines(map),
@@ -278,7 +278,7 @@ TEST(PolylineAutocorrelation, IsTheExactIntegral) {
     }
 }
 
-TEST(PolylineAutocorrelation, DoesNotSeeCollinearPointsOffsetsOrWhereXBegins) {
+TEST(PolylineAutocorrelation, IsInvariantUnderCollinearPointsAndOffsets) {
     const auto profile = random_profile(30);
     Profile split{Array1D(59), Array1D(59), {}};
     for (Index k = 0; k < 30; ++k) {
@@ -305,7 +305,7 @@ TEST(PolylineAutocorrelation, AgreesWithALineOfEqualStepsUpToThePartialSegments)
     EXPECT_LT((integral.value / points.value.segment(19, 5) - 1.0).abs().maxCoeff(), 0.02);
 }
 
-TEST(PolylineAutocorrelation, RefusesWhatIsNoDistanceOrNoPolyline) {
+TEST(PolylineAutocorrelation, RefusesInvalidDistancesAndPolylines) {
     const auto profile = random_profile(10);
     for (const double distance : {0.0, -1.0, profile.size(), 2.0 * profile.size()})
         EXPECT_THROW((void)autocorrelation(profile, Array1D::Constant(1, distance)), InvalidArgument);
@@ -319,7 +319,7 @@ TEST(PolylineAutocorrelation, RefusesWhatIsNoDistanceOrNoPolyline) {
     EXPECT_NEAR(autocorrelation(two, Array1D::Constant(1, 0.5)).value[0], 0.125, 1e-15);
 }
 
-TEST(PolylineAutocorrelation, OfManyDistancesIsThatOfEachAlone) {
+TEST(PolylineAutocorrelation, OfManyDistancesEqualsEachComputedSeparately) {
     const auto profile = random_profile(3000);
     const auto result = autocorrelation(profile, log_spaced(30, 1.0, 2000.0));
     EXPECT_TRUE((result.value > 0.0).all());
@@ -328,7 +328,7 @@ TEST(PolylineAutocorrelation, OfManyDistancesIsThatOfEachAlone) {
                     1e-12);
 }
 
-TEST(Slope, FromAutocorrelationIsThatOfTheDifferences) {
+TEST(Slope, FromAutocorrelationEqualsThatOfDifferences) {
     const LineScan scan{random_heights(50), 5.0, true, {}};
     const auto slope = slope_from_autocorrelation(autocorrelation(scan));
     EXPECT_EQ(slope.quantity, "rms_slope");

@@ -24,7 +24,7 @@ std::vector<FunctionOfScale> three_members() {
     return {autocorrelation(line(1)), autocorrelation(line(2, 500, 0.001)), autocorrelation(line(3, 200, 0.1))};
 }
 
-TEST(Combination, OfIdenticalMembersIsTheMember) {
+TEST(Combination, OfIdenticalMembersEqualsTheMember) {
     const auto member = autocorrelation(line(1));
     const std::vector<FunctionOfScale> same(3, member);
     const auto combined = combine(same);
@@ -45,7 +45,7 @@ TEST(Combination, DoesNotDependOnOrder) {
     EXPECT_TRUE((combined.count == reversed.count).all());
 }
 
-TEST(Combination, BinsDoNotMoveWithOtherMembers) {
+TEST(Combination, BinsDoNotDependOnOtherMembers) {
     const auto members = three_members();
     const auto combined = combine(members);
     const spectra::LogGrid grid;
@@ -85,7 +85,7 @@ TEST(Combination, GivesMeanStandardErrorAndContributors) {
     EXPECT_TRUE(std::isnan(combine(std::vector{first}).standard_error[0]));
 }
 
-TEST(Combination, CutsEachMemberAsItIsCutAlone) {
+TEST(Combination, LimitsEachMemberToItsReliableRange) {
     auto scan = line(1, 300, 1.0);
     scan.metadata.instrument.resolution = 20.0;
     const auto alone = within_limit(autocorrelation(scan));
@@ -103,7 +103,7 @@ TEST(Combination, CutsEachMemberAsItIsCutAlone) {
     EXPECT_LT(bandwidths.distance[0], 40.0);
 }
 
-TEST(Combination, AttachesValuesToTheirOwnDistances) {
+TEST(Combination, AssignsValuesToTheirDistances) {
     auto scan = line(1, 300, 1.0);
     const auto all = function_of(difference_statistics(scan), Statistic::rms);
     scan.metadata.instrument.resolution = 20.0;
@@ -151,7 +151,7 @@ TEST(Combination, NamesTheGapBetweenMembers) {
     EXPECT_TRUE(combine(std::vector{function_of(asked, Statistic::rms)}).alerts.empty());
 }
 
-TEST(Combination, TwiceBinnedIsOnceBinned) {
+TEST(Combination, BinningTwiceEqualsBinningOnce) {
     const auto once = binned(autocorrelation(line(1))), twice = binned(once);
     EXPECT_TRUE((once.value == twice.value).all());
     EXPECT_TRUE((once.count == twice.count).all());
@@ -167,13 +167,13 @@ TEST(Combination, ScalesWithTheUnit) {
     EXPECT_LT((micrometres.distance / metres.distance * 1e6 - 1.0).abs().maxCoeff(), 1e-12);
 }
 
-TEST(Combination, DoesNotWeighLengthsAgainstPairs) {
+TEST(Combination, RefusesToWeightLengthsAgainstPairs) {
     const std::vector mixed{autocorrelation(line(1, 300, 1.0)), autocorrelation(random_profile(100))};
     EXPECT_NO_THROW((void)combine(mixed));
     EXPECT_THROW((void)combine(mixed, {.weighting = Weighting::by_count}), InvalidArgument);
 }
 
-TEST(Weighting, HasNames) {
+TEST(Weighting, IsFoundByName) {
     EXPECT_EQ(weighting_from_name("per_instrument"), Weighting::per_instrument);
     EXPECT_THROW((void)weighting_from_name("none"), InvalidArgument);
 }

@@ -62,7 +62,7 @@ void expect_statistics(const DifferenceStatistics& found, Index k, const std::ve
     EXPECT_NEAR(found.maximum[k], all.maxCoeff(), 1e-12 * std::abs(all.maxCoeff()));
 }
 
-TEST(Differences, OfLinesAgreeWithTheDefinition) {
+TEST(Differences, OfLinesMatchTheDefinition) {
     for (const bool periodic : {false, true})
         for (const bool holes : {false, true})
             for (const int order : {1, 2, 3}) {
@@ -76,7 +76,7 @@ TEST(Differences, OfLinesAgreeWithTheDefinition) {
             }
 }
 
-TEST(Differences, OfMapsAreThoseOfTheirLines) {
+TEST(Differences, OfMapsEqualThoseOfTheirLines) {
     for (const bool periodic : {false, true})
         for (const int order : {1, 2, 3}) {
             const HeightMap map = with_holes({random_map(34, 41), {3.4, 8.2}, periodic, {}});
@@ -99,7 +99,7 @@ TEST(Differences, OfMapsAreThoseOfTheirLines) {
         }
 }
 
-TEST(Differences, OfAHoleLoseOnlyThoseThatUseIt) {
+TEST(Differences, ExcludeOnlyThoseThatUseAHole) {
     HeightMap map{random_map(12, 12), {12.0, 12.0}, true, {}};
     map.heights(5, 6) = undefined;
     EXPECT_EQ(difference_statistics(map, {.distances = list({1.0})}).count[0], 144.0 - 2.0);
@@ -109,7 +109,7 @@ TEST(Differences, OfAHoleLoseOnlyThoseThatUseIt) {
     EXPECT_EQ(difference_statistics(map, {.distances = list({1.5})}).count[0], 144.0 - 3.0);
 }
 
-TEST(Differences, HiddenValuesDoNotMatter) {
+TEST(Differences, DoNotUseMaskedValues) {
     // the value under a hole is NaN: no difference may use a neighbour of weight zero
     LineScan scan{Array1D::LinSpaced(9, 0.0, 8.0), 9.0, false, {}};
     scan.heights[4] = undefined;
@@ -143,7 +143,7 @@ TEST(Differences, BothDirectionsAreGradientAndMeanCurvatureAtCommonPoints) {
     EXPECT_EQ(curvature.count[0], curvature_count);
 }
 
-TEST(Differences, SlopeOfASineIsThatOfItsChords) {
+TEST(Differences, SlopeOfASineIsTheSlopeOfItsChords) {
     const Index n = 400;
     const double q = 2.0 * pi * 4.0, amplitude = 0.7;
     const LineScan scan{
@@ -187,7 +187,7 @@ TEST(Differences, AtFractionsOfAStepAreExactOnPlanes) {
     }
 }
 
-TEST(Differences, TrimNoMoreThanTheStencilReaches) {
+TEST(Differences, TrimOnlyTheReachOfTheStencil) {
     const HeightMap map{random_map(24, 16), {24.0, 16.0}, false, {}};
     EXPECT_EQ(difference_statistics(map, {.distances = list({3.0})}).count[0], 21.0 * 16.0);
     EXPECT_EQ(difference_statistics(map, {.distances = list({2.5})}).count[0], 21.0 * 16.0);
@@ -211,7 +211,7 @@ TEST(Differences, VarianceIsTwiceTheAutocorrelationOverTheSquaredDistance) {
     }
 }
 
-TEST(Differences, KeepTheirDigitsUnderOffsets) {
+TEST(Differences, KeepPrecisionAtOffsets) {
     LineScan lifted{random_heights(500), 5.0, false, {}};
     lifted.heights += 1e7;
     LineScan centred = lifted;
@@ -225,7 +225,7 @@ TEST(Differences, KeepTheirDigitsUnderOffsets) {
     }
 }
 
-TEST(Differences, StatisticsSurviveATiltOfAMillionRms) {
+TEST(Differences, StatisticsAreUnaffectedByATiltOfAMillionRms) {
     LineScan scan{random_heights(500), 5.0, false, {}};
     const auto level = difference_statistics(scan, {.distances = list({0.5})});
     scan.heights += 1e6 * Array1D::LinSpaced(500, 0.0, 4.99);
@@ -253,7 +253,7 @@ TEST(Differences, ByFourierInterpolationOfASineAreExactAtAnyDistance) {
     }
 }
 
-TEST(Differences, ByFourierInterpolationAtWholeStepsAreThoseOfThePoints) {
+TEST(Differences, ByFourierInterpolationAtWholeStepsEqualPointDifferences) {
     const HeightMap map{random_map(24, 15), {2.4, 1.5}, true, {}};
     for (const Along along : {Along::x, Along::y})
         for (const int order : {1, 2, 3}) {
@@ -279,7 +279,7 @@ TEST(Differences, DefaultDistancesAreTheSameForAllMeasurements) {
               0.5 * (1.0 + 1e-6));
 }
 
-TEST(Differences, HandedOverRowByRowAreThoseCounted) {
+TEST(Differences, PassedRowByRowMatchTheStatistics) {
     const HeightMap map = with_holes({random_map(12, 15), {1.2, 1.5}, false, {}});
     const DifferenceOptions options{.along = Along::y};
     double squares = 0.0, count = 0.0;
@@ -328,14 +328,14 @@ TEST(Differences, OfPolylinesAreExactIntegrals) {
     }
 }
 
-TEST(Differences, OfPolylineParabolasGrowWithTheStencilAsThePolylineDoes) {
+TEST(Differences, OfPolylineParabolasFollowThePolyline) {
     const Array1D x = Array1D::LinSpaced(401, 0.0, 2.0);
     const auto found =
         difference_statistics(Profile{x, 1.5 * x.square(), {}}, {.order = 2, .distances = list({0.1, 0.5, 1.0})});
     for (const double mean : found.mean) EXPECT_NEAR(mean, 3.0, 1e-9);
 }
 
-TEST(Differences, RefuseWhatHasNoMeaning) {
+TEST(Differences, RefuseInvalidOptions) {
     const LineScan line{random_heights(20), 2.0, false, {}};
     const HeightMap map{random_map(8, 8), {1.0, 1.0}, false, {}};
     EXPECT_THROW((void)difference_statistics(line, {.order = 4}), InvalidArgument);
@@ -355,7 +355,7 @@ TEST(Differences, RefuseWhatHasNoMeaning) {
     EXPECT_THROW((void)difference_statistics(reentrant), InvalidArgument);
 }
 
-TEST(Differences, OfATransposedMapChangePlaces) {
+TEST(Differences, OfATransposedMapAreExchanged) {
     const HeightMap map = with_holes({random_map(30, 21), {3.0, 4.2}, false, {}}),
                     turned{map.heights.transpose(), {4.2, 3.0}, false, {}};
     for (const auto& [here, there] :
@@ -374,7 +374,7 @@ TEST(Differences, OfConstantHeightsAreZeroWithoutAShape) {
     EXPECT_NE(found.kurtosis[0], found.kurtosis[0]);
 }
 
-TEST(Differences, OfOneRowOrColumnAreThoseOfALine) {
+TEST(Differences, OfOneRowOrColumnEqualThoseOfALine) {
     const Array1D heights = random_heights(30);
     const HeightMap row{heights.transpose(), {1.0, 3.0}, false, {}}, column{heights, {3.0, 1.0}, false, {}};
     const auto line = difference_statistics(LineScan{heights, 3.0, false, {}}, {.distances = list({0.2})});
@@ -382,7 +382,7 @@ TEST(Differences, OfOneRowOrColumnAreThoseOfALine) {
     EXPECT_NEAR(difference_statistics(column, {.distances = list({0.2})}).rms[0], line.rms[0], 1e-14);
 }
 
-TEST(Differences, AreTheSameToTheByteForAnyNumberOfThreads) {
+TEST(Differences, HaveTheSameBytesForAnyNumberOfThreads) {
     const HeightMap map = with_holes({random_map(150, 90), {1.5, 0.9}, false, {}});
     for (const Along along : {Along::x, Along::y, Along::both}) {
         const auto one = difference_statistics(map, {.along = along, .threads = {1}}),

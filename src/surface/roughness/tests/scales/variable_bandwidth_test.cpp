@@ -89,7 +89,7 @@ TEST(VariableBandwidth, OfLinesIsTheRmsOverAllLines) {
     EXPECT_NEAR(result.value[0], std::sqrt(sum / count), 1e-12);
 }
 
-TEST(VariableBandwidth, BeginsWithTheDetrendedRms) {
+TEST(VariableBandwidth, StartsWithTheDetrendedRms) {
     const LineScan scan{random_heights(64), 1.0, false, {}};
     const auto detrended = topography::detrended(scan, topography::Trend::tilt);
     const auto result = variable_bandwidth(scan);
@@ -100,7 +100,7 @@ TEST(VariableBandwidth, BeginsWithTheDetrendedRms) {
     EXPECT_NEAR(area.value[area.value.size() - 1], std::sqrt(flat.heights.square().mean()), 1e-13);
 }
 
-TEST(VariableBandwidth, OfPolylinesIntegratesAndTakesTheRmsOfAll) {
+TEST(VariableBandwidth, OfPolylinesIsTheRmsOfTheIntegralOverAll) {
     // against a fine sampling of the same polyline
     const auto profile = random_profile(80);
     const auto result = variable_bandwidth(profile);
@@ -128,7 +128,7 @@ TEST(VariableBandwidth, OfPolylinesIntegratesAndTakesTheRmsOfAll) {
     EXPECT_NEAR(result.value[result.value.size() - 1], rms, 1e-10);
 }
 
-TEST(VariableBandwidth, OfPolylinesDoesNotSeeCollinearPoints) {
+TEST(VariableBandwidth, OfPolylinesDoesNotDependOnCollinearPoints) {
     const auto profile = random_profile(40);
     Profile split{Array1D(79), Array1D(79), {}};
     for (Index k = 0; k < 40; ++k) {
@@ -144,14 +144,14 @@ TEST(VariableBandwidth, OfPolylinesDoesNotSeeCollinearPoints) {
     EXPECT_GE(extra, 0);
 }
 
-TEST(VariableBandwidth, OfPolylinesIsThatOfTheSameLineScanUpToHalfSegments) {
+TEST(VariableBandwidth, OfPolylinesEqualsTheLineScanUpToHalfSegments) {
     const Array1D heights = walk(random_heights(4096));
     const auto points = variable_bandwidth(LineScan{heights, 4096.0, false, {}});
     const auto integral = variable_bandwidth(Profile{Array1D::LinSpaced(4096, 0.0, 4095.0), heights, {}});
     for (Index k = 4; k < points.value.size(); ++k) EXPECT_NEAR(integral.value[k] / points.value[k], 1.0, 0.02);
 }
 
-TEST(VariableBandwidth, OfPlanesIsZeroAndOffsetsCostNothing) {
+TEST(VariableBandwidth, OfPlanesIsZeroAtAnyOffset) {
     HeightMap plane{Array2D(32, 32), {1.0, 1.0}, false, {}};
     for (Index i = 0; i < 32; ++i)
         for (Index j = 0; j < 32; ++j)
@@ -170,7 +170,7 @@ TEST(VariableBandwidth, OfPlanesIsZeroAndOffsetsCostNothing) {
               1e-9);
 }
 
-TEST(VariableBandwidth, CellsWithTooFewPointsLeaveWhatTheirBestPlaneDoes) {
+TEST(VariableBandwidth, CellsWithTooFewPointsUseTheirBestPlane) {
     HeightMap map{Array2D::Constant(8, 8, undefined), {1.0, 1.0}, false, {}};
     map.heights(0, 0) = 5.0;                           // one point: no residual
     map.heights(0, 4) = 1.0, map.heights(2, 6) = 2.0;  // two: none
@@ -184,7 +184,7 @@ TEST(VariableBandwidth, CellsWithTooFewPointsLeaveWhatTheirBestPlaneDoes) {
     EXPECT_THROW((void)variable_bandwidth_of_area(map), UndefinedDataError);
 }
 
-TEST(VariableBandwidth, RefusesDataWithoutACell) {
+TEST(VariableBandwidth, RefusesDataSmallerThanACell) {
     EXPECT_THROW((void)variable_bandwidth(LineScan{random_heights(3), 1.0, false, {}}), InvalidArgument);
     EXPECT_THROW((void)variable_bandwidth_of_area({random_map(1, 50), {1.0, 50.0}, false, {}}), InvalidArgument);
     EXPECT_THROW((void)variable_bandwidth(LineScan{random_heights(30), 1.0, false, {}}, {.min_points = 1}),
@@ -201,7 +201,7 @@ TEST(VariableBandwidth, OfATransposedMapIsTheSame) {
     EXPECT_LT((as_is.value / turned.value - 1.0).abs().maxCoeff(), 1e-12);
 }
 
-TEST(VariableBandwidth, IsTheSameToTheByteForAnyNumberOfThreads) {
+TEST(VariableBandwidth, HasTheSameBytesForAnyNumberOfThreads) {
     const HeightMap map = with_holes({random_map(70, 90), {1.0, 1.0}, false, {}});
     EXPECT_TRUE((variable_bandwidth_of_area(map, {.threads = {1}}).value ==
                  variable_bandwidth_of_area(map, {.threads = {3}}).value)

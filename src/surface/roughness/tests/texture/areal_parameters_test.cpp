@@ -34,7 +34,7 @@ HeightMap crossed_waves(Index n, double size, double wavelength, double amplitud
     return map;
 }
 
-TEST(ArealParameters, CoverTheTableAndEachRowSaysWhatItRestsOn) {
+TEST(ArealParameters, CoverTheTableAndStateTheirBasis) {
     const auto map = crossed_waves(128, 1e-4, 1e-5, 1e-7);
     const auto rows = areal_parameters(map);
     std::set<std::string_view> symbols;
@@ -57,7 +57,7 @@ TEST(ArealParameters, CoverTheTableAndEachRowSaysWhatItRestsOn) {
     EXPECT_NEAR(values.at("Sku").quantity.estimate.value, 2.25, 0.01);
 }
 
-TEST(ArealParameters, ProfileRowsCoverTheirTable) {
+TEST(ArealParameters, ProfileParametersCoverTheirTable) {
     const topography::LineScan line{tests::random_heights(1000), 1000.0};
     std::set<std::string_view> symbols;
     const auto rows = profile_parameters(line);
@@ -68,7 +68,7 @@ TEST(ArealParameters, ProfileRowsCoverTheirTable) {
         }
 }
 
-TEST(ArealParameters, FiltersLeaveTheWavesBetweenThem) {
+TEST(ArealParameters, FiltersKeepTheWavesBetweenTheirCutoffs) {
     auto map = crossed_waves(256, 256e-6, 16e-6, 1e-7);
     map.heights += crossed_waves(256, 256e-6, 256e-6, 1e-6).heights;
     const auto rows = by_symbol(areal_parameters(map, {.filters = {.s_filter = 2e-6, .l_filter = 50e-6}}));
@@ -79,7 +79,7 @@ TEST(ArealParameters, FiltersLeaveTheWavesBetweenThem) {
     EXPECT_NEAR(Sq.quantity.band->upper, 2.0 * pi / 2e-6, 1.0);
 }
 
-TEST(ArealParameters, StandardErrorsCoverTheSpreadOfGaussianMaps) {
+TEST(ArealParameters, StandardErrorsCoverTheScatterOfGaussianMaps) {
     // white noise smoothed over a few pixels: the error from the autocorrelation of one map compared with the spread
     // over many maps
     std::vector<double> values;
@@ -102,14 +102,14 @@ TEST(ArealParameters, StandardErrorsCoverTheSpreadOfGaussianMaps) {
     EXPECT_NEAR(error / spread, 1.0, 0.3);  // the error of a spread of 40 is 11 %
 }
 
-TEST(ArealParameters, WarnOfAMapThatHoldsFewPatches) {
+TEST(ArealParameters, WarnOfAMapOfFewCorrelationLengths) {
     const auto rows = by_symbol(areal_parameters(crossed_waves(64, 1e-4, 0.8e-4, 1e-7)));
     ASSERT_FALSE(rows.at("Sq").ok());
     EXPECT_EQ(rows.at("Sq").quantity.alerts.front().code, "FEW_PATCHES");
     EXPECT_TRUE(rows.at("Sk").ok());
 }
 
-TEST(ArealParameters, OfAConstantMapSayWhatHasNoValue) {
+TEST(ArealParameters, OfAConstantMapReportUndefinedValues) {
     const auto rows = by_symbol(areal_parameters(HeightMap{Array2D::Constant(8, 8, 1e-6), {1.0, 1.0}}));
     EXPECT_EQ(rows.at("Sq").quantity.estimate.value, 0.0);
     for (const char* symbol : {"Ssk", "Sal", "Str", "Std"}) {
@@ -118,14 +118,14 @@ TEST(ArealParameters, OfAConstantMapSayWhatHasNoValue) {
     }
 }
 
-TEST(ArealParameters, OfTwoByTwoPointsAreDefinedWhereTheyCanBe) {
+TEST(ArealParameters, OfTwoByTwoPointsAreDefinedWherePossible) {
     const auto rows =
         by_symbol(areal_parameters(HeightMap{(Array2D(2, 2) << 0, 1, 2, 4).finished() * 1e-9, {1e-6, 1e-6}}));
     EXPECT_GT(rows.at("Sq").quantity.estimate.value, 0.0);
     EXPECT_TRUE(std::isnan(rows.at("Sdq_c").quantity.estimate.value));
 }
 
-TEST(ArealParameters, WarnOfABluntTipWhereShortWavesCount) {
+TEST(ArealParameters, WarnOfABluntTipWhereShortWavesContribute) {
     auto map = crossed_waves(128, 1e-6, 1e-7, 2e-8);
     map.metadata.instrument.tip_radius = 1e-6;
     const auto rows = by_symbol(areal_parameters(map));
@@ -167,7 +167,7 @@ TEST(ArealParameters, OfOneRowAreRefusedWithAReason) {
     }
 }
 
-TEST(ArealParameters, LoseNothingToAnOffsetOfTenMillionTimesTheirRms) {
+TEST(ArealParameters, AreUnaffectedByAnOffsetOfTenMillionRms) {
     auto map = crossed_waves(64, 1e-4, 2e-5, 1e-7);
     const auto plain = by_symbol(areal_parameters(map));
     map.heights += 1.0;
@@ -195,7 +195,7 @@ TEST(ArealParameters, AreTheSameForAnyNumberOfThreads) {
         }
 }
 
-TEST(ArealParameters, ChosenAreThoseOfTheWholeList) {
+TEST(ArealParameters, ChosenEqualThoseOfTheFullList) {
     const topography::HeightMap map{tests::random_map(40, 50), {4.0, 5.0}};
     const auto all = areal_parameters(map);
     for (const auto& expected : all) {
@@ -208,7 +208,7 @@ TEST(ArealParameters, ChosenAreThoseOfTheWholeList) {
     }
 }
 
-TEST(ChosenParameters, AreFoundBySymbolOrNameAndElseRefused) {
+TEST(ChosenParameters, AreFoundBySymbolOrName) {
     EXPECT_EQ(chosen_parameters("Sdr, root_mean_square_height", Standard::iso25178),
               (std::vector<std::string>{"Sdr", "Sq"}));
     EXPECT_EQ(chosen_parameters("Pq\tPk", Standard::iso21920, 'P'), (std::vector<std::string>{"Rq", "Rk"}));

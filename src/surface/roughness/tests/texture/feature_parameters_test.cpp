@@ -40,7 +40,7 @@ TEST(FeatureParameters, OfAnEggBoxCountItsPeaks) {
     EXPECT_NEAR(result.Svc, -result.Spc, 1e-6 * A * q * q);
 }
 
-TEST(FeatureParameters, LeaveOutHillsThatReachTheEdge) {
+TEST(FeatureParameters, ExcludeHillsThatReachTheEdge) {
     // peaks at 0, 20 … 100 and, beyond the edge, 120: those at the edges are cut; of the pits at 10, 30 … 110 those at
     // 10 and 110 are
     const auto result = feature_parameters(egg_box(120, 6, 1.0, 1.0, false));
@@ -48,7 +48,7 @@ TEST(FeatureParameters, LeaveOutHillsThatReachTheEdge) {
     EXPECT_EQ(result.dales, 16);
 }
 
-TEST(FeatureParameters, JoinHillsThatRiseLittle) {
+TEST(FeatureParameters, MergeLowHills) {
     // two peaks of 1 and 0.9 with a saddle at 0.8 on one ridge, in a plain at 0: Sz = 1
     HeightMap map{Array2D::Zero(9, 15), {9.0, 15.0}, true, {}};
     map.heights.row(4).segment(4, 7) << 0.5, 1.0, 0.9, 0.8, 0.85, 0.9, 0.5;
@@ -73,7 +73,7 @@ TEST(FeatureParameters, HillsThatReachAHoleDoNotCount) {
     EXPECT_EQ(result.hills, 35);
 }
 
-TEST(FeatureParameters, AreThoseOfTheMirroredMapAndTheInverse) {
+TEST(FeatureParameters, AreConsistentForMirroredAndInvertedMaps) {
     const HeightMap map{tests::random_map(40, 50), {1.0, 1.0}};
     const HeightMap mirrored{map.heights.colwise().reverse(), {1.0, 1.0}};
     const HeightMap inverse{-map.heights, {1.0, 1.0}};
@@ -85,7 +85,7 @@ TEST(FeatureParameters, AreThoseOfTheMirroredMapAndTheInverse) {
     EXPECT_NEAR(a.Spc, -c.Svc, 1e-9 * std::abs(a.Spc));
 }
 
-TEST(FeatureParameters, OfAConstantOrTiltedMapAreNone) {
+TEST(FeatureParameters, OfAConstantOrTiltedMapAreEmpty) {
     const auto flat = feature_parameters({Array2D::Constant(6, 6, 0.1), {1.0, 1.0}});
     EXPECT_EQ(flat.hills, 0);
     EXPECT_TRUE(std::isnan(flat.Spc) && std::isnan(flat.S5p) && std::isnan(flat.S10z));

@@ -27,7 +27,7 @@ Array1D sine_line(Index n, double amplitude) {
            amplitude;
 }
 
-TEST(FunctionalParameters, OfARampAreThoseOfAStraightCurve) {
+TEST(FunctionalParameters, OfARampMatchAStraightCurve) {
     const auto result = functional_parameters(ruled(Array1D::LinSpaced(101, -1.0, 1.0)));
     EXPECT_NEAR(result.Sk, 2.0, 1e-10);
     EXPECT_NEAR(result.Smrk1, 0.0, 1e-9);
@@ -105,7 +105,7 @@ TEST(FunctionalParameters, OfAPlateauWithFewHolesHaveAFlatCore) {
     EXPECT_NEAR(result.Sak2, 1.0 / 12.0, 1e-6);
 }
 
-TEST(FunctionalParameters, HaveTheRatioAtAHeightAndTheHeightAtARatio) {
+TEST(FunctionalParameters, GiveRatioAtAHeightAndHeightAtARatio) {
     const HeightMap map{tests::random_map(60, 50), {1.0, 1.0}};
     const double height = 0.3;
     const auto found = functional_parameters(map, {.inverse = 0.37, .height = height});
@@ -127,7 +127,7 @@ TEST(FunctionalParameters, DoNotDependOnOffsetAndScaleWithHeight) {
     EXPECT_NEAR(lifted.Smrk1, plain.Smrk1, 1e-6);
 }
 
-TEST(FunctionalParameters, OneSpikeDoesNotCoarsenTheCore) {
+TEST(FunctionalParameters, CoreIsUnaffectedByOneSpike) {
     HeightMap map{tests::random_map(80, 80), {1.0, 1.0}};
     const auto plain = functional_parameters(map);
     map.heights(40, 40) = 1e5;

@@ -18,7 +18,7 @@ using topography::HeightMap;
 using topography::LineScan;
 using topography::Profile;
 
-TEST(HeightParameters, OfASineAreItsClosedForms) {
+TEST(HeightParameters, OfASineMatchClosedForms) {
     constexpr Index n = 1000;
     const Array1D heights = (Array1D::LinSpaced(n, 0.0, n - 1.0) * (2.0 * pi / n) + 0.3).sin() * 2.0 + 5.0;
     const auto result = height_parameters(LineScan{heights, 1.0});
@@ -46,7 +46,7 @@ TEST(HeightParameters, OfATriangleWaveAsPolylineAreExact) {
     EXPECT_NEAR(result.Sv, 2.0, 1e-15);
 }
 
-TEST(HeightParameters, OfAParabolaAreSkewedAsTheyShould) {
+TEST(HeightParameters, OfAParabolaHaveTheExpectedSkewness) {
     // x² on −1 … 1: mean 1/3, variance 4/45, Sku 15/7
     constexpr Index n = 4001;
     Profile profile{Array1D::LinSpaced(n, -1.0, 1.0), Array1D(n), {}};
@@ -74,7 +74,7 @@ TEST(HeightParameters, OfAPolylineDoNotDependOnCollinearPoints) {
     EXPECT_NEAR(a.Sku, b.Sku, 1e-11);
 }
 
-TEST(HeightParameters, OfATwoLevelStepAreItsShare) {
+TEST(HeightParameters, OfATwoLevelStepFollowFromItsShare) {
     // share a at height 1, the rest at 0: Sq² = a(1 − a), Ssk = (1 − 2a)/Sq, Sku = 1/(a(1 − a)) − 3, Sa = 2a(1 − a)
     HeightMap map{Array2D::Zero(8, 5), {1.0, 1.0}};
     map.heights.topRows(2).setOnes();
@@ -97,7 +97,7 @@ TEST(HeightParameters, OfAMaskedMapUseDefinedPoints) {
     EXPECT_EQ(result.defined, 30 * 19 - 1);
 }
 
-TEST(HeightParameters, LoseNoDigitsToAnOffset) {
+TEST(HeightParameters, KeepPrecisionAtAnOffset) {
     LineScan scan{tests::random_heights(1000), 1.0};
     scan.heights = (scan.heights * 1024.0).round() / 1024.0;
     const auto plain = height_parameters(scan);
@@ -127,7 +127,7 @@ TEST(HeightParameters, AreTheSameForAnyNumberOfThreads) {
     EXPECT_EQ(one.Sa, four.Sa);
 }
 
-TEST(HeightParameters, RefuseAPolylineThatRunsBack) {
+TEST(HeightParameters, RefuseAReentrantPolyline) {
     Profile profile{Array1D(3), Array1D::Zero(3), {}};
     profile.positions << 0.0, 2.0, 1.0;
     EXPECT_THROW((void)height_parameters(profile), InvalidArgument);
@@ -145,7 +145,7 @@ TEST(HybridParameters, OfAPlaneAreItsSlopeAndArea) {
     EXPECT_NEAR(result.Sdr_central, std::sqrt(1.0 + 1.5625) - 1.0, 1e-14);
 }
 
-TEST(HybridParameters, OfACosineFollowFromTheSymbolsOfTheirDifferences) {
+TEST(HybridParameters, OfACosineMatchTheSymbolsOfDifferences) {
     constexpr Index n = 64;
     HeightMap map{Array2D(n, 4), {static_cast<double>(n), 4.0}, true};
     const double q = 2.0 * pi * 5.0 / n;

@@ -63,7 +63,7 @@ TEST(BearingArea, OfAQuantisedLineIsDefinedAtEveryLevel) {
     EXPECT_TRUE((ratio >= 0.0).all() && (ratio <= 1.0).all());
 }
 
-TEST(BearingArea, OfOnePixelIsThatOfItsTwoTriangles) {
+TEST(BearingArea, OfOnePixelEqualsThatOfItsTwoTriangles) {
     const HeightMap map{(Array2D(2, 2) << 0.3, 1.7, -0.4, 0.9).finished(), {2.0, 2.0}};
     for (const double h : {-0.3, 0.0, 0.31, 0.8, 1.0, 1.6}) {
         const double expected = 0.5 * (share_by_quadrature(0.3, -0.4, 1.7, h) + share_by_quadrature(0.9, -0.4, 1.7, h));
@@ -78,7 +78,7 @@ TEST(BearingArea, OfATiltedPlaneIsLinear) {
     expect_all_near(bearing_area(map, heights), 1.0 - heights / 20.0, 1e-14);
 }
 
-TEST(BearingArea, TakesHeightsInAnyOrderAndKeepsNaN) {
+TEST(BearingArea, AcceptsHeightsInAnyOrderAndPropagatesNaN) {
     const HeightMap map{tests::random_map(20, 30), {1.0, 1.0}};
     const Array1D heights = numbers({0.5, undefined, -2.0, 0.5, 7.0, -std::numeric_limits<double>::infinity(),
                                      std::numeric_limits<double>::infinity()});
@@ -103,7 +103,7 @@ TEST(BearingArea, IsTheSameForClusteredAndSpreadHeights) {
     EXPECT_TRUE((ratio.head(199) >= ratio.segment(1, 199)).all());
 }
 
-TEST(BearingArea, LosesNoDigitsToAnOffset) {
+TEST(BearingArea, KeepsPrecisionAtAnOffset) {
     HeightMap map{tests::random_map(30, 31), {1.0, 1.0}};
     map.heights = (map.heights * 1024.0).round() / 1024.0;  // so that adding 2^24 is exact
     const Array1D heights = Array1D::LinSpaced(65, -2.0, 2.0);
@@ -113,7 +113,7 @@ TEST(BearingArea, LosesNoDigitsToAnOffset) {
     EXPECT_NEAR(mad_height(lifted), mad_height(map), 1e-8);
 }
 
-TEST(BearingArea, LeavesOutTrianglesWithAnUndefinedCorner) {
+TEST(BearingArea, IgnoresTrianglesWithAnUndefinedCorner) {
     HeightMap map{Array2D::Zero(3, 3), {3.0, 3.0}};
     map.heights(2, 2) = undefined;  // one triangle of eight
     map.heights(0, 0) = 1.0;        // one more, the share of which above 1/2 is 1/4
@@ -134,7 +134,7 @@ TEST(BearingArea, OfAPolylineDoesNotDependOnCollinearPoints) {
     EXPECT_NEAR(mad_height(fine), mad_height(coarse), 1e-14);
 }
 
-TEST(BearingArea, RefusesAPolylineThatRunsBackAndItsPoints) {
+TEST(BearingArea, RefusesAReentrantPolyline) {
     Profile profile{numbers({0.0, 1.0, 0.5, 2.0}), numbers({0.0, 1.0, 2.0, 3.0}), {}};
     EXPECT_THROW((void)bearing_area(profile, numbers({0.5})), InvalidArgument);
     EXPECT_THROW((void)median_height(profile), InvalidArgument);
@@ -153,7 +153,7 @@ TEST(BearingArea, OfAMapIsTheSameForAnyNumberOfThreads) {
     }
 }
 
-TEST(BearingArea, TurnsWithTheMapWhenTheDiagonalTurnsWithIt) {
+TEST(BearingArea, IsInvariantUnderTranspositionAndReversal) {
     const HeightMap map{tests::random_map(20, 14), {2.0, 1.4}};
     const HeightMap transposed{map.heights.transpose(), {1.4, 2.0}};
     const HeightMap reversed{map.heights.reverse(), {2.0, 1.4}};
@@ -202,7 +202,7 @@ TEST(HeightsAtRatio, OfPointsAreOrderStatistics) {
     EXPECT_EQ(bearing_area(scan, numbers({3.0}), Between::nothing)[0], 0.6);
 }
 
-TEST(MedianHeight, AndDeviationOfFlatSurfacesAreExact) {
+TEST(MedianHeight, AndMadOfFlatSurfacesAreExact) {
     const HeightMap flat{Array2D::Constant(5, 4, 0.3), {1.0, 1.0}};
     EXPECT_EQ(median_height(flat), 0.3);
     EXPECT_EQ(mad_height(flat), 0.0);
@@ -214,7 +214,7 @@ TEST(MedianHeight, AndDeviationOfFlatSurfacesAreExact) {
     EXPECT_EQ(mad_height(polyline), 0.0);
 }
 
-TEST(MedianHeight, AndDeviationOfTwoPlateaus) {
+TEST(MedianHeight, AndMadOfTwoPlateausMatchClosedForms) {
     // P(1/2 + m) = (4/3 − 2 (1/2 + m)... the flanks hold 1/3 of the length, so 68.27 % is reached on the plateaus
     // themselves
     const auto plateaus = line({0.0, 0.0, 1.0, 1.0});
@@ -230,7 +230,7 @@ TEST(MedianHeight, OfASawtoothIsItsMean) {
     EXPECT_NEAR(mad_height(ramp, 0.5), 1.0, 1e-14);
 }
 
-TEST(MadHeight, OfGaussianHeightsIsTheirRms) {
+TEST(MadHeight, OfGaussianHeightsEqualsTheirRms) {
     // the quantiles of a Gaussian as points
     constexpr Index n = 200001;
     LineScan scan{Array1D(n), 1.0};

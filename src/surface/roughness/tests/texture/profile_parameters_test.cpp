@@ -34,7 +34,7 @@ double value(const std::map<std::string, TextureParameter>& rows, const std::str
     return rows.at(symbol).quantity.estimate.value;
 }
 
-TEST(ProfileParameters, OfASineAreItsClosedForms) {
+TEST(ProfileParameters, OfASineMatchClosedForms) {
     const double A = 2e-6, wavelength = 50e-6, step = 0.5e-6;
     auto scan = sine(8000, step, wavelength, A);
     scan.periodic = true;  // 80 waves
@@ -85,7 +85,7 @@ TEST(ProfileParameters, OfATrianglePolylineAreExact) {
     EXPECT_NEAR(value(rows, "RSm"), 4e-6, 1e-18);
 }
 
-TEST(ProfileElements, LeaveOutWigglesAboutTheMeanLine) {
+TEST(ProfileElements, IgnoreSmallWavesAtTheMeanLine) {
     // a strong wave with a weak fast one: without discrimination every wiggle near the mean line is an element
     auto scan = sine(4000, 1.0, 400.0, 1.0, 0.0);
     scan.heights += sine(4000, 1.0, 13.0, 0.05, 1.0).heights;
@@ -94,14 +94,14 @@ TEST(ProfileElements, LeaveOutWigglesAboutTheMeanLine) {
     EXPECT_NEAR(profile_elements(scan, 0.2, 10.0, 0.0).Rc, 2.1, 0.05);
 }
 
-TEST(ProfileElements, AreNoneWhereTheProfileDoesNotCross) {
+TEST(ProfileElements, AreEmptyWithoutMeanLineCrossings) {
     const LineScan ramp{Array1D::LinSpaced(10, 1.0, 2.0), 10.0};
     const auto none = profile_elements(ramp, 0.1, 0.1, 0.0);
     EXPECT_EQ(none.elements, 0);
     EXPECT_TRUE(std::isnan(none.RSm));
 }
 
-TEST(ProfileElements, NeedEveryHeightAndALine) {
+TEST(ProfileElements, RequireEveryHeightAndALine) {
     LineScan scan = sine(100, 1.0, 10.0, 1.0);
     scan.heights[5] = undefined;
     EXPECT_THROW((void)profile_elements(scan, 0.1, 0.1, 0.0), UndefinedDataError);
@@ -109,7 +109,7 @@ TEST(ProfileElements, NeedEveryHeightAndALine) {
                  InvalidArgument);
 }
 
-TEST(Sections, OfStepsGiveMeansOfTheirExtremes) {
+TEST(Sections, GiveMeansOfExtremesPerSection) {
     LineScan scan{Array1D::Zero(40), 40.0};
     for (Index k = 0; k < 4; ++k) {
         scan.heights[10 * k + 3] = 1.0 + static_cast<double>(k);
@@ -126,7 +126,7 @@ TEST(Sections, OfStepsGiveMeansOfTheirExtremes) {
     EXPECT_EQ(rows.at("Rp").quantity.estimate.method, "sections");
 }
 
-TEST(Sections, FitToOnePercentAndRefuseWhatIsTooLong) {
+TEST(Sections, FitTheLengthToOnePercentAndRefuseTooLongSections) {
     const auto scan = sine(6664, 1.5e-6, 4e-4, 1e-6);
     EXPECT_EQ(sections(scan, 2.5e-3).size(), 4u);
     EXPECT_EQ(std::get<LineScan>(sections(scan, 2.5e-3)[3]).heights.size(), 1666);
@@ -158,7 +158,7 @@ TEST(ProfileSlopes, WrapInPeriodicLinesAndSkipHoles) {
     EXPECT_TRUE(std::isfinite(profile_slopes(scan).Rdq));
 }
 
-TEST(ProfileParameters, FiltersPartRoughnessFromWaviness) {
+TEST(ProfileParameters, FiltersSeparateRoughnessFromWaviness) {
     auto scan = sine(8000, 1e-6, 4e-3, 5e-6);  // waviness
     scan.heights += sine(8000, 1e-6, 40e-6, 1e-6).heights;
     const Filters filters{.l_filter = 0.4e-3};
@@ -176,7 +176,7 @@ TEST(ProfileParameters, FiltersPartRoughnessFromWaviness) {
     EXPECT_EQ(P.at("Pq").filter, "none");
 }
 
-TEST(ProfileParameters, RefuseWhatHasNoMeaning) {
+TEST(ProfileParameters, RefuseInvalidOptions) {
     const auto scan = sine(1000, 1e-6, 4e-5, 5e-6);
     EXPECT_THROW((void)profile_parameters(HeightMap{tests::random_map(4, 4), {1.0, 1.0}}), InvalidArgument);
     EXPECT_THROW((void)profile_parameters(tests::random_profile(50), {.filters = {.l_filter = 5.0}}), InvalidArgument);
@@ -188,7 +188,7 @@ TEST(ProfileParameters, RefuseWhatHasNoMeaning) {
     EXPECT_THROW((void)profile_parameters(back), InvalidArgument);
 }
 
-TEST(ProfileParameters, OfHolesComeWithoutElementsAndWithAWarning) {
+TEST(ProfileParameters, WithHolesHaveNoElementsAndGiveAWarning) {
     auto scan = sine(1000, 1e-6, 4e-5, 5e-6);
     scan.heights.segment(100, 50).setConstant(undefined);
     const auto rows = by_symbol(profile_parameters(scan));
@@ -198,7 +198,7 @@ TEST(ProfileParameters, OfHolesComeWithoutElementsAndWithAWarning) {
     EXPECT_EQ(*rows.at("Rq").quantity.n, 950);
 }
 
-TEST(DefaultSetting, FollowsTheTableOfRoughness) {
+TEST(DefaultSetting, FollowsTheTableOfTheStandard) {
     EXPECT_EQ(default_setting(0.05e-6).section_length, 0.25e-3);
     EXPECT_EQ(default_setting(1e-6).section_length, 0.8e-3);
     EXPECT_EQ(default_setting(1e-6).s_filter, 2.5e-6);
@@ -208,7 +208,7 @@ TEST(DefaultSetting, FollowsTheTableOfRoughness) {
     EXPECT_THROW((void)default_setting(-1.0), InvalidArgument);
 }
 
-TEST(DefaultSetting, OfALineIsTheOneItsRoughnessAsksForItself) {
+TEST(DefaultSetting, OfALineFollowsFromItsRoughness) {
     auto fine = sine(10000, 1e-6, 30e-6, 0.05e-6);  // Ra = 32 nm: 0.25 mm
     EXPECT_EQ(default_setting(fine).section_length, 0.25e-3);
     fine.heights += sine(10000, 1e-6, 9e-3, 5e-6).heights;  // waviness has no effect
@@ -219,7 +219,7 @@ TEST(DefaultSetting, OfALineIsTheOneItsRoughnessAsksForItself) {
     EXPECT_THROW((void)default_setting(tests::random_profile(50)), InvalidArgument);
 }
 
-TEST(ProfileParameters, ChosenAreThoseOfTheWholeList) {
+TEST(ProfileParameters, ChosenEqualThoseOfTheFullList) {
     const topography::LineScan line{tests::random_map(300, 1).col(0), 3.0};
     const auto all = profile_parameters(line, {.kind = ProfileKind::primary});
     for (const auto& expected : all) {

@@ -66,7 +66,7 @@ TEST(SpatialParameters, OfAGaussianAutocorrelationAreItsTwoLengths) {
     EXPECT_NEAR(result.Std, 0.5 * pi, 0.1);  // long along y
 }
 
-TEST(SpatialParameters, OfAGratingHaveADirectionAndNoEnd) {
+TEST(SpatialParameters, OfAGratingHaveADirectionAndNoAutocorrelationLength) {
     for (const auto& [k, m] : {std::pair{7, 0}, {0, 5}, {6, 6}, {6, -3}}) {
         const auto map = waves(96, 96, {{k, m}}, {2.0, 2.0}, false);
         const auto result = spatial_parameters(map);
@@ -80,7 +80,7 @@ TEST(SpatialParameters, OfAGratingHaveADirectionAndNoEnd) {
     }
 }
 
-TEST(SpatialParameters, DoNotPreferADiagonal) {
+TEST(SpatialParameters, AreEqualForBothDiagonals) {
     auto map = waves(60, 60, {{4, 4}, {1, -1}}, {1.0, 1.0}, false);
     const auto up = spatial_parameters(map);
     map.heights = map.heights.rowwise().reverse().eval();
@@ -90,7 +90,7 @@ TEST(SpatialParameters, DoNotPreferADiagonal) {
     EXPECT_NEAR(up.longest, down.longest, 1e-9);
 }
 
-TEST(SpatialParameters, OfWhiteNoiseEndWithinOnePixel) {
+TEST(SpatialParameters, OfWhiteNoiseAreBelowOnePixel) {
     const auto result = spatial_parameters({tests::random_map(80, 64), {80.0, 64.0}});
     EXPECT_LT(result.Sal, 1.0);
     EXPECT_GT(result.Str, 0.5);
@@ -98,7 +98,7 @@ TEST(SpatialParameters, OfWhiteNoiseEndWithinOnePixel) {
     EXPECT_EQ(result.alerts.back().code, "STD_WITHOUT_DIRECTION");
 }
 
-TEST(SpatialParameters, OfHolesUsePairsOfDefinedPoints) {
+TEST(SpatialParameters, WithHolesUsePairsOfDefinedPoints) {
     auto map = waves(120, 120, {{3, 0}, {0, 3}}, {1.0, 1.0}, true);
     const auto whole = spatial_parameters(map);
     for (Index k = 0; k < 120; k += 7) map.heights(k, (k * 11) % 120) = undefined;
@@ -107,7 +107,7 @@ TEST(SpatialParameters, OfHolesUsePairsOfDefinedPoints) {
     EXPECT_NEAR(holed.Str / whole.Str, 1.0, 5e-3);
 }
 
-TEST(SpatialParameters, LoseNothingToAnOffset) {
+TEST(SpatialParameters, AreUnaffectedByAnOffset) {
     auto map = waves(64, 64, {{3, 1}, {1, 4, 0.5}, {2, -3, 0.7}}, {1.0, 1.0}, false);
     const auto plain = spatial_parameters(map);
     map.heights += 1e7;
@@ -129,7 +129,7 @@ TEST(SpatialParameters, AreTheSameForAnyNumberOfThreads) {
 }
 
 // Two islands, one high and one low: pairs within an island are similar, pairs of its size do not exist.
-TEST(SpatialParameters, OfIslandsThatAreFlatHaveNoLength) {
+TEST(SpatialParameters, OfFlatIslandsHaveNoAutocorrelationLength) {
     HeightMap map{Array2D::Constant(24, 24, undefined), {1.0, 1.0}, false, {}};
     map.heights.block(4, 4, 2, 2) = 1.0;
     map.heights.block(16, 16, 2, 2) = -1.0;

@@ -24,7 +24,7 @@ Array1D nodes_up_to(double shortest, Index count) {
     return shortest * (Array1D::LinSpaced(count, static_cast<double>(1 - count), 0.0) * node_spacing).exp();
 }
 
-TEST(ContourKernel, ExpectsTheMeanPeriodogramOfRandomCurves) {
+TEST(ContourKernel, PredictsTheMeanPeriodogramOfRandomCurves) {
     // one set of irregular points, many curves: mean step 1, waves down to wavelength 2
     std::mt19937_64 random(3);
     std::uniform_real_distribution<double> step(0.3, 1.7);
@@ -78,7 +78,7 @@ TEST(ContourKernel, ExpectsTheMeanPeriodogramOfRandomCurves) {
     EXPECT_LT(share.tail(3).maxCoeff(), 0.45);  // irregular steps scatter power at the end of the band
 }
 
-TEST(ContourKernel, ExpectsTheNoiseOfATraceAndWhatItLeavesOfTheCurve) {
+TEST(ContourKernel, PredictsNoiseAndSmoothingOfATrace) {
     // irregular points with different errors, noise smoothed from point to point, curve and noise of similar power at
     // the end
     std::mt19937_64 random(4);
@@ -134,7 +134,7 @@ TEST(ContourKernel, ExpectsTheNoiseOfATraceAndWhatItLeavesOfTheCurve) {
     EXPECT_NEAR(ratio.mean(), 1.0, 3.0 * 0.07 / std::sqrt(0.5 * static_cast<double>(ratio.size())));
 }
 
-TEST(ContourKernel, WithoutNoiseBlurOrSmoothingIsThatOfThePoints) {
+TEST(ContourKernel, WithoutNoiseBlurAndSmoothingEqualsThatOfThePoints) {
     topography::Profile contour{Array1D::LinSpaced(60, 0.0, 59.0), Array1D::LinSpaced(60, 0.0, 5.0).sin(), {}};
     const Array1D nodes = nodes_up_to(pi, 100);
     const auto plain = contour_kernel(contour, nodes);
@@ -145,7 +145,7 @@ TEST(ContourKernel, WithoutNoiseBlurOrSmoothingIsThatOfThePoints) {
     EXPECT_EQ(ideal.noise.maxCoeff(), 0.0);
 }
 
-TEST(ContourKernel, OfWhiteNoiseOnEqualStepsIsItsDensity) {
+TEST(ContourKernel, OfWhiteNoiseOnEqualStepsIsTheNoiseDensity) {
     topography::Profile contour{Array1D::LinSpaced(201, 0.0, 100.0), Array1D::Zero(201), {}};
     contour.response = topography::TraceResponse{0.0, 0.0, 0.5, 2e-3};
     const auto kernel = contour_kernel(contour, nodes_up_to(2.0 * pi, 100));
@@ -153,14 +153,14 @@ TEST(ContourKernel, OfWhiteNoiseOnEqualStepsIsItsDensity) {
     for (const Index b : {6, 8, 10}) EXPECT_NEAR(kernel.noise[b] / 2e-3, 1.0, 0.02) << b;
 }
 
-TEST(IndependentShare, OfEqualStepsIsThatOfTheWindow) {
+TEST(IndependentShare, OfEqualStepsEqualsThatOfTheWindow) {
     const topography::Profile contour{Array1D::LinSpaced(201, 0.0, 200.0), Array1D::Zero(201), {}};
     const Array1D nodes = nodes_up_to(1.0, 120);
     const Array1D share = independent_share(contour, nodes, nodes.pow(-2.0));
     for (const Index b : {8, 12, 20}) EXPECT_NEAR(share[b], 1.0 / (1.0 + 2.0 * (4.0 / 9.0 + 1.0 / 36.0)), 0.02) << b;
 }
 
-TEST(ContourKernel, OfEqualStepsKeepsAWaveBelowTheBandsEnd) {
+TEST(ContourKernel, OfEqualStepsKeepsAWaveInItsMode) {
     // equal steps, a wave of a quarter of the band: its power returns at its own mode
     topography::Profile contour{Array1D::LinSpaced(401, 0.0, 400.0), Array1D::Zero(401), {}};
     const double q = 2.0 * pi * 50.0 / 400.0;

@@ -24,7 +24,7 @@ constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 /// b)/2, of variance 1/2 and covariance 1/2 with each neighbour:
 ///
 ///   ratio = 1 − f/2 + 2 f cos k
-TEST(GapFactor, OfSingleGapsInWhiteLinesIsTheOneDerived) {
+TEST(GapFactor, OfSingleGapsInWhiteNoiseMatchesTheClosedForm) {
     constexpr Index n = 256;
     constexpr Index every = 8;
     GappedLines gaps{{n, 1}, 1.0};
@@ -44,7 +44,7 @@ TEST(GapFactor, OfSingleGapsInWhiteLinesIsTheOneDerived) {
     EXPECT_LT((quarter - (0.75 + 0.25 * factor)).abs().maxCoeff(), 1e-12);
 }
 
-TEST(BridgedLines, LeavesOutLinesThatAreMostlyMissing) {
+TEST(BridgedLines, OmitsLinesThatAreMostlyMissing) {
     Array2D heights = Array2D::Random(20, 4);
     heights.col(1).head(11).setConstant(missing);
     heights(5, 2) = missing;
@@ -103,7 +103,7 @@ Difference difference(const LikelihoodSpectrum& a, const LikelihoodSpectrum& b) 
 }
 
 // An optical profiler loses single points and patches: a sixth of each map.
-TEST(LikelihoodSpectrum, UsesWhatIsDefinedOfMaps) {
+TEST(LikelihoodSpectrum, UsesDefinedPointsOfMaps) {
     std::vector<ObservedSurface> whole, gapped;
     for (std::uint64_t seed : {1, 2, 3, 4}) {
         auto heights = map(seed);
@@ -185,7 +185,7 @@ std::vector<ObservedSurface> irregular_scans() {
 }
 
 // One undefined height turned a scan of a stylus into an ideal contour, without tip and noise.
-TEST(LikelihoodSpectrum, OfAScanWithAGapHasItsTipAndItsNoise) {
+TEST(LikelihoodSpectrum, OfAScanWithAGapIncludesTipAndNoise) {
     const auto whole = fit(scans(false)), gapped = fit(scans(true));
     EXPECT_FALSE(gapped.tips.empty());
     EXPECT_NEAR(gapped.C_iso.band.upper / whole.C_iso.band.upper, 1.0, 0.02);
@@ -194,7 +194,7 @@ TEST(LikelihoodSpectrum, OfAScanWithAGapHasItsTipAndItsNoise) {
     EXPECT_LT(std::abs(change.mean), 0.005);
 }
 
-TEST(LikelihoodSpectrum, OfCurvesOfAStylusHasItsTipAndItsNoise) {
+TEST(LikelihoodSpectrum, OfIrregularStylusScansIncludesTipAndNoise) {
     const auto regular = fit(scans(false)), irregular = fit(irregular_scans());
     EXPECT_FALSE(irregular.tips.empty());
     EXPECT_LT(irregular.C_iso.band.upper, 0.5 * pi / fine);

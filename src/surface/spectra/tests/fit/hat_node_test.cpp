@@ -36,7 +36,7 @@ TEST(HatNode, AutocovarianceAtZeroIsTheVariance) {
     EXPECT_NEAR(hat_node::autocovariance_of_disc(2.0), 0.5767248077568734 / 2.0, 1e-12);  // J1(2)/2
 }
 
-TEST(HatNode, LineIntegralsAreThoseOfTheAbelIntegral) {
+TEST(HatNode, LineIntegralsMatchTheAbelIntegral) {
     // midpoint sums over p of C(p) p/√(p² − q²), q on midpoints as well
     const auto density = [](double q) {
         constexpr int pieces = 2000;

@@ -9,7 +9,7 @@ namespace setae::spectral_fit::independent_lines_test {
 namespace {
 
 // C = exp(−q² l²): lines a distance y apart have ρ = exp(−y²/4l²) at every q, so n = N²/Σ exp(−y²/2l²).
-TEST(IndependentLines, OfAGaussianSpectrumAreTheClosedForm) {
+TEST(IndependentLines, OfAGaussianSpectrumMatchTheClosedForm) {
     constexpr double length = 40e-9, pitch = 4e-9;
     constexpr Index lines = 128;
     const auto C_iso = [](double q) { return std::exp(-q * q * length * length); };
@@ -23,7 +23,7 @@ TEST(IndependentLines, OfAGaussianSpectrumAreTheClosedForm) {
     for (Index k = 0; k < 2; ++k) EXPECT_NEAR(found[k] * sum / static_cast<double>(lines * lines), 1.0, 0.02) << q[k];
 }
 
-TEST(IndependentLines, AreAllOfThemInNoiseAndOneWhereNothingChanges) {
+TEST(IndependentLines, AreAllLinesForNoiseAndOneForAConstant) {
     const auto C_iso = [](double q) { return q < 1e6 ? 1.0 : 0.0; };
     const Array1D q = Array1D::Constant(1, 5e5);
     EXPECT_NEAR(independent_lines(C_iso, q, Array1D::Zero(1), 64, 1e-9)[0], 64.0, 1e-9);

@@ -48,7 +48,7 @@ std::vector<PeriodogramClass> with_first_raised(std::vector<PeriodogramClass> cl
 }
 
 // Values scatter by 60 %: the observed information, not the expected one, determines the change of the fit.
-TEST(ThetaMoved, IsTheDifferenceOfFits) {
+TEST(FitParameterShift, EqualsTheDifferenceOfFits) {
     const std::vector<PeriodogramClass> classes{scattered(1e5, 2e7, 3.0, 1), scattered(2e6, 9e7, 2.0, 2)};
     constexpr double step = 1e-3;
     const MovedClasses moved{with_first_raised(classes, step), with_first_raised(classes, -step)};
@@ -58,7 +58,7 @@ TEST(ThetaMoved, IsTheDifferenceOfFits) {
 }
 
 // All heights with the same factor, noise included: ln C_iso changes by 2 per ln of the factor.
-TEST(ThetaMoved, MovesNoiseWithTheSurface) {
+TEST(FitParameterShift, ScalesNoiseWithTheSurface) {
     auto noisy = scattered(1e6, 9e7, 4.0, 3);
     noisy.noise_response = Array1D::Ones(noisy.nodes.size());
     noisy.periodogram += 2e-36;
@@ -146,7 +146,7 @@ double moved_moment(const LikelihoodSpectrum& fit, const Eigen::VectorXd& theta,
 }
 
 // Fits end with small steps: the relative error of their difference is a few thousandths.
-TEST(InputResponses, AreTheDifferencesOfFitsOfMovedData) {
+TEST(InputResponses, EqualDifferencesOfFitsOfShiftedData) {
     const auto fit = likelihood_spectrum(observed(), options());
     ASSERT_EQ(fit.inputs.size(), 2u);
     constexpr double step = 0.02;
@@ -200,7 +200,7 @@ std::vector<ObservedSurface> touched(double of_radius, double error, double tip 
 // A blunter tip hides more: the same readings mean a rougher surface. Another radius is simulated on another patch: the
 // scatter from this is determined with other random numbers. Measured: 0.0042 of 0.0049 ± 0.0007 and 0.017 of 0.019 ±
 // 0.007 for ∫ q C and ∫ q² C.
-TEST(InputResponses, OfATipAreThoseOfAnotherRadius) {
+TEST(InputResponses, OfATipEqualDifferencesOfFitsWithAnotherRadius) {
     constexpr double step = 0.2;
     constexpr int seeds = 6;
     for (const double order : {1.0, 2.0}) {
@@ -225,7 +225,7 @@ TEST(InputResponses, OfATipAreThoseOfAnotherRadius) {
 }
 
 // The contribution of a tip to the error of the spectrum is the same outside the covariance as in it.
-TEST(InputResponses, LeaveTheTotalErrorAsItIs) {
+TEST(InputResponses, KeepTheTotalError) {
     auto known = touched(radius, 0.0);
     const auto with = likelihood_spectrum(touched(radius, 0.1 * radius), options()),
                without = likelihood_spectrum(known, options());
@@ -240,7 +240,7 @@ TEST(InputResponses, LeaveTheTotalErrorAsItIs) {
 }
 
 // One name in two groups is one input, two names are two, even if everything else of the groups is equal.
-TEST(InputResponses, GroupByName) {
+TEST(InputResponses, AreGroupedByName) {
     auto all = touched(radius, 0.1 * radius);
     all[0].probe_input = all[1].probe_input = "tip A";
     all[2].probe_input = all[3].probe_input = "tip B";

@@ -69,7 +69,7 @@ const LikelihoodSpectrum& fitted() {
     return fit;
 }
 
-TEST(LikelihoodSpectrum, HoldsTheTruthWithinItsErrorsOverTheWholeBand) {
+TEST(LikelihoodSpectrum, CoversTheTrueSpectrumOverTheWholeBand) {
     const auto& fit = fitted();
     EXPECT_TRUE(fit.converged);
     const auto density = spectra::density(model());
@@ -93,7 +93,7 @@ TEST(LikelihoodSpectrum, IsTheSameForAnyNumberOfThreads) {
     EXPECT_TRUE((again.covariance.array() == fitted().covariance.array()).all());
 }
 
-TEST(LikelihoodSpectrum, SaysWhichInstrumentDisagrees) {
+TEST(LikelihoodSpectrum, NamesTheInstrumentThatDisagrees) {
     EXPECT_TRUE(fitted().alerts.empty());
     const auto wrong = likelihood_spectrum(observed(1.8), {.shortest_wavelength = shortest_wavelength, .threads = {1}});
     ASSERT_FALSE(wrong.alerts.empty());
@@ -102,7 +102,7 @@ TEST(LikelihoodSpectrum, SaysWhichInstrumentDisagrees) {
 
 // If instruments agree, a probability below p has the frequency p: within a factor of about three, because χ² of groups
 // of a few modes is not known better, and decades of one fit share its parameters.
-TEST(LikelihoodSpectrum, AgreementHasTheProbabilityItSays) {
+TEST(LikelihoodSpectrum, AgreementTestHasTheStatedProbability) {
     int rows = 0, tenth = 0, hundredth = 0;
     double logs = 0.0;
     for (std::uint64_t set = 0; set < 40; ++set) {
@@ -128,7 +128,7 @@ TEST(LikelihoodSpectrum, AgreementHasTheProbabilityItSays) {
     EXPECT_NEAR(logs / rows, 1.0 / std::log(10.0), 0.25);  // the mean of −lg p is 0.43
 }
 
-TEST(LikelihoodSpectrum, SaysThatTheRolloffIsNotSeen) {
+TEST(LikelihoodSpectrum, ReportsThatTheRolloffIsNotMeasured) {
     std::vector<ObservedSurface> short_ones;  // 500 nm of waves up to 500 nm
     for (std::uint64_t seed : {4, 5, 6}) short_ones.push_back({traced(seed), topography::Trend::mean});
     const auto fit = likelihood_spectrum(short_ones, {.shortest_wavelength = shortest_wavelength, .threads = {1}});
@@ -137,7 +137,7 @@ TEST(LikelihoodSpectrum, SaysThatTheRolloffIsNotSeen) {
 }
 
 // The same places measured twice as high: only the places distinguish them.
-TEST(LikelihoodSpectrum, WidensItsIntervalsWhereMeasurementsDifferAsWholes) {
+TEST(LikelihoodSpectrum, WidensItsIntervalsForScatterBetweenMeasurements) {
     auto scattered = observed();
     for (std::size_t i = 0; i < 2; ++i)
         scattered.push_back({cut_map(10 + i, 128, 40e-9, 1.5), topography::Trend::tilt});
@@ -148,7 +148,7 @@ TEST(LikelihoodSpectrum, WidensItsIntervalsWhereMeasurementsDifferAsWholes) {
     EXPECT_GT(fit.log_standard_error[middle], 1.5 * fitted().log_standard_error[middle]);
 }
 
-TEST(LikelihoodSpectrum, DrawsScatterAsItsErrors) {
+TEST(LikelihoodSpectrum, DrawsHaveTheScatterOfItsErrors) {
     const auto& fit = fitted();
     constexpr Index draws = 2000;
     const Array2D spectra = drawn_spectra(fit, draws, 9);
@@ -162,7 +162,7 @@ TEST(LikelihoodSpectrum, DrawsScatterAsItsErrors) {
 }
 
 // Points closer than half the shortest wave of the surface have modes with only leakage of the window.
-TEST(LikelihoodSpectrum, EndsWhereTheSurfaceDoes) {
+TEST(LikelihoodSpectrum, EndsAtTheShortestWavelengthOfTheSurface) {
     std::vector<ObservedSurface> fine;
     for (std::uint64_t seed : {4, 5}) {
         const auto map = cut_map(seed, 512, 2e-9);
@@ -176,7 +176,7 @@ TEST(LikelihoodSpectrum, EndsWhereTheSurfaceDoes) {
     for (const auto& row : fit.agreement) EXPECT_GT(row.probability, 1e-3);
 }
 
-TEST(LikelihoodSpectrum, RefusesWhatCannotBeFitted) {
+TEST(LikelihoodSpectrum, RefusesDataThatCannotBeFitted) {
     EXPECT_THROW((void)likelihood_spectrum({}, {}), InvalidArgument);
     EXPECT_THROW((void)likelihood_spectrum(observed(), {.shortest_wavelength = 0.0}), InvalidArgument);
     auto empty = observed();

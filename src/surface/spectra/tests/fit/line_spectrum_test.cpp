@@ -18,7 +18,7 @@ Array1D nodes_up_to(double shortest, Index count) {
 
 // C_iso = q^-4 has C1D = q^-3/4. Its mean over a cell exceeds that by h²/8 (h²/24 α(α − 2), α = 3), and chords of q^2
 // C_iso between nodes are above the curve by h²/3 (h²/12 of the second derivative 4).
-TEST(LineSpectrum, OfAPowerLawIsItsClosedForm) {
+TEST(LineSpectrum, OfAPowerLawMatchesTheClosedForm) {
     const Array1D q = nodes_up_to(1e10, 240);
     const Array1D C1D = line_spectrum(q, q.pow(-4.0));
     const double excess = node_spacing * node_spacing * (1.0 / 8.0 + 1.0 / 3.0);
@@ -26,7 +26,7 @@ TEST(LineSpectrum, OfAPowerLawIsItsClosedForm) {
 }
 
 // Constant up to q_s: C1D = √(q_s² − q²)/π.
-TEST(LineSpectrum, OfADiscIsAHalfCircle) {
+TEST(LineSpectrum, OfADiscIsASemicircle) {
     const Array1D q = nodes_up_to(2.0, 200);
     const Array1D C1D = line_spectrum(q, Array1D::Ones(q.size()));
     for (const Index b : {0, 1, 50, 150, 190}) EXPECT_NEAR(C1D[b], std::sqrt(4.0 - q[b] * q[b]) / pi, 2e-3) << q[b];

@@ -18,14 +18,14 @@ Eigen::VectorXd of_positions(const LogSpline& spline, double (*value)(double)) {
 }
 
 // Cubic B-splines sum to one and keep straight lines: coefficients on a line at their positions are that line.
-TEST(LogSpline, KeepsPowerLaws) {
+TEST(LogSpline, ReproducesPowerLaws) {
     const LogSpline spline(lowest, shortest);
     const auto theta = of_positions(spline, [](double u) { return 2.0 - 3.6 * u; });
     for (const double q : {1e4, 3.3e6, 7e9, 1.5e10})
         EXPECT_NEAR(std::log(spline.value(theta, q)), 2.0 - 3.6 * std::log(q), 1e-10) << q;
 }
 
-TEST(LogSpline, EndsAtTheShortestAndIsFlatBelowTheLowest) {
+TEST(LogSpline, IsZeroAboveAndConstantBelowItsRange) {
     const LogSpline spline(lowest, shortest);
     const auto theta = of_positions(spline, [](double u) { return -2.0 * u; });
     EXPECT_EQ(spline.value(theta, 1.001 * shortest), 0.0);
@@ -34,7 +34,7 @@ TEST(LogSpline, EndsAtTheShortestAndIsFlatBelowTheLowest) {
     EXPECT_LE(std::exp(spline.position(1)), lowest * (1.0 + 1e-12));
 }
 
-TEST(LogSpline, DesignGivesTheLogarithmOfTheValue) {
+TEST(LogSpline, DesignMatrixGivesTheLogarithmOfTheValue) {
     const LogSpline spline(lowest, shortest);
     const auto theta = of_positions(spline, [](double u) { return std::sin(3.0 * u); });
     Array1D q(4);
@@ -43,7 +43,7 @@ TEST(LogSpline, DesignGivesTheLogarithmOfTheValue) {
     for (Index i = 0; i < q.size(); ++i) EXPECT_NEAR(log_values[i], std::log(spline.value(theta, q[i])), 1e-12);
 }
 
-TEST(LogSpline, RefusesWhatIsNoRange) {
+TEST(LogSpline, RefusesInvalidRanges) {
     EXPECT_THROW(LogSpline(0.0, 1.0), InvalidArgument);
     EXPECT_THROW(LogSpline(2.0, 1.0), InvalidArgument);
 }

@@ -60,7 +60,7 @@ Coverage of_three_places(double scatter) {
 }
 
 // The error of a share of 0.95 from a hundred sets is 0.022.
-TEST(PlaceScatter, OfThreePlacesIsWorthStudentsT) {
+TEST(SpotScatter, OfThreeSpotsIsCoveredByStudentT) {
     const auto alike = of_three_places(0.0), little = of_three_places(0.15), much = of_three_places(0.5);
     EXPECT_GE(alike.held, 0.93);
     EXPECT_GE(little.held, 0.90);

@@ -104,7 +104,7 @@ topography::HeightMap picture_of(const topography::Tip& tip, double pixel) {
 
 // Four patches of sixteen lines a correlation length apart and twenty modes determine a ratio to 3 %, the simulation to
 // as much.
-TEST(Probe, OfEveryShapeReadsAsOtherSurfacesDo) {
+TEST(Probe, OfEveryShapePredictsReadingsOfOtherSurfaces) {
     const auto dilated = [](const topography::Tip& tip) {
         return [tip](const topography::HeightMap& surface) {
             return topography::dilated(surface, tip, {.threads = {1}}).heights;
@@ -121,7 +121,7 @@ TEST(Probe, OfEveryShapeReadsAsOtherSurfacesDo) {
     }
 }
 
-TEST(Probe, OfAFoilReadsAsSilhouettesOfOtherSurfacesDo) {
+TEST(Probe, OfAFoilPredictsSilhouettesOfOtherSurfaces) {
     for (const double thickness : {50e-9, 200e-9, 800e-9}) {
         const auto both = compared(foil({.value = thickness}), [thickness](const topography::HeightMap& surface) {
             return seen_through(surface, thickness);
@@ -131,7 +131,7 @@ TEST(Probe, OfAFoilReadsAsSilhouettesOfOtherSurfacesDo) {
     }
 }
 
-TEST(Probe, OfAPictureIsTheShapeOfThePicture) {
+TEST(Probe, FromAPictureHasTheShapeOfThePicture) {
     const auto picture = picture_of(topography::SphereTip{400e-9}, step);
     const auto tip = topography::tip_from_picture(picture);
     EXPECT_EQ(tip.centre_x, picture.heights.rows() / 2);
@@ -142,7 +142,7 @@ TEST(Probe, OfAPictureIsTheShapeOfThePicture) {
     EXPECT_LT((ball.log_transfer - by_picture.log_transfer).abs().maxCoeff(), 1e-6);
 }
 
-TEST(Probe, IsTakenAtOneSizeAndNamedByIt) {
+TEST(Probe, IsNamedByShapeAndSize) {
     EXPECT_EQ(sphere({.value = 10e-9}).name, "sphere, 10 nm");
     EXPECT_EQ(cone({.value = 10e-9}, pi / 9.0).name, "cone of 20 degrees, 10 nm");
     const auto thicker = with_size(foil({.value = 10e-9}), 20e-9);
@@ -154,7 +154,7 @@ TEST(Probe, IsTakenAtOneSizeAndNamedByIt) {
     EXPECT_THROW((void)measured_tip(flat, "flat"), InvalidArgument);
 }
 
-TEST(OpticalTransfer, IsThatOfARoundAperture) {
+TEST(OpticalTransfer, IsThatOfACircularAperture) {
     const OpticalTransfer optics{.numerical_aperture = 0.4, .light_wavelength = 500e-9};
     EXPECT_NEAR(optics.cutoff(), 2.0 * pi / 625e-9, 1.0);  // λ/(2 NA)
     EXPECT_NEAR(optics.at(0.0), 1.0, 1e-12);
@@ -198,7 +198,7 @@ Departure departure(const LikelihoodSpectrum& fit, double from, double to) {
 }
 
 // Lines of maps filtered as by the microscope.
-TEST(OpticalTransfer, IsExpectedByTheFit) {
+TEST(OpticalTransfer, IsCorrectedByTheFit) {
     const OpticalTransfer optics{.numerical_aperture = 0.3, .light_wavelength = 100e-9};
     std::vector<ObservedSurface> blurred;
     for (std::uint64_t seed = 0; seed < 4; ++seed) {
@@ -223,7 +223,7 @@ TEST(OpticalTransfer, IsExpectedByTheFit) {
 }
 
 // Silhouettes of 100 nm of a surface with waves as short as 40 nm, on a grid with few peaks between points.
-TEST(Probe, OfAFoilIsExpectedByTheFit) {
+TEST(Probe, OfAFoilIsCorrectedByTheFit) {
     constexpr Index points = 512, finer = 4, fine = finer * points;
     constexpr double pixel = 10e-9, thickness = 100e-9;
     std::vector<ObservedSurface> contours;
@@ -257,7 +257,7 @@ TEST(Probe, OfAFoilIsExpectedByTheFit) {
 
 // A radius one standard error larger changes the spectrum by the contribution of the error of the radius to its
 // variance.
-TEST(Probe, OfUncertainSizeWidensIntervalsByWhatItWouldMove) {
+TEST(Probe, OfUncertainSizeWidensIntervalsByItsEffect) {
     constexpr Index points = 512;
     constexpr double pixel = 10e-9, radius = 200e-9, error = 10e-9;
     std::vector<ObservedSurface> scans;
@@ -297,7 +297,7 @@ TEST(Probe, OfUncertainSizeWidensIntervalsByWhatItWouldMove) {
 
 // Inverted scans have the same periodograms and the opposite skewness: inverting some of them changes the fit by their
 // mean skewness and widens its intervals by the scatter of it, and nothing else.
-TEST(Probe, OfSkewedHeightsWidensIntervalsByWhatSkewnessWouldMove) {
+TEST(Probe, OfSkewedHeightsWidensIntervalsByTheEffectOfSkewness) {
     constexpr Index points = 1024;
     constexpr double pixel = 10e-9;
     const auto peaks = synthesis::lognormal_heights(1.0);
@@ -355,7 +355,7 @@ TEST(Probe, OfSkewedHeightsWidensIntervalsByWhatSkewnessWouldMove) {
     EXPECT_NEAR(std::sqrt(added) / scatter / response, 1.0, 0.25);
 }
 
-TEST(Probe, OfASizeWithoutErrorHasNone) {
+TEST(Probe, OfAnExactSizeHasNoError) {
     EXPECT_EQ(foil(Estimate{.value = 20e-9}).size_error, 0.0);
     EXPECT_EQ(sphere(Estimate{.value = 20e-9}).size_error, 0.0);
     EXPECT_EQ(foil({20e-9, 3e-9}).size_error, 3e-9);

@@ -64,7 +64,7 @@ LikelihoodSpectrum fitted(const std::vector<ObservedSurface>& observed) {
     return likelihood_spectrum(observed, {.shortest_wavelength = 2.0 * step, .threads = {1}});
 }
 
-TEST(RemovedWaves, OfAPolynomialAreExpected) {
+TEST(RemovedWaves, OfAPolynomialAreCorrectedByTheFit) {
     std::vector<ObservedSurface> with_data, without_data;
     for (std::uint64_t seed = 1; seed <= 60; ++seed) {
         auto scan = line(seed);
@@ -78,7 +78,7 @@ TEST(RemovedWaves, OfAPolynomialAreExpected) {
     EXPECT_LT(long_waves(wrong, from, to) / nodes(wrong, from, to), -0.4);
 }
 
-TEST(RemovedWaves, OfAFilterAreLeftOut) {
+TEST(RemovedWaves, OfAFilterAreExcludedFromTheFit) {
     std::vector<ObservedSurface> with_data, without_data;
     for (std::uint64_t seed = 1; seed <= 60; ++seed) {
         auto scan = line(seed);

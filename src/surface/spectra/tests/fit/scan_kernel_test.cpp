@@ -51,7 +51,7 @@ Array2D lines_of(const spectra::SelfAffine& model, Index points, double step, In
     return result;
 }
 
-TEST(ScanKernel, ExpectsTheMeanPeriodogramOfRandomLines) {
+TEST(ScanKernel, PredictsTheMeanPeriodogramOfRandomLines) {
     // roll-off inside the line, waves down to half a step: leakage, detrending and aliasing all matter
     const spectra::SelfAffine model{1.0, 0.15, 0.8, 4.0};
     for (const int degree : {1, 2}) {
@@ -65,7 +65,7 @@ TEST(ScanKernel, ExpectsTheMeanPeriodogramOfRandomLines) {
     }
 }
 
-TEST(ScanKernel, DetrendingTakesFromTheFirstModes) {
+TEST(ScanKernel, DetrendingReducesTheFirstModes) {
     const spectra::SelfAffine steep{1.0, 1e-3, 0.8, 3.0};
     const auto mean = expected(steep, {256, 0}, 1.0, -140, 19), tilt = expected(steep, {256, 1}, 1.0, -140, 19),
                parabola = expected(steep, {256, 2}, 1.0, -140, 19);

@@ -34,7 +34,7 @@ topography::HeightMap stretched_map(std::uint64_t seed, double stretch, double a
     return map;
 }
 
-TEST(Stretch, KeepsAreasAndTurnsWithItsAxes) {
+TEST(Stretch, KeepsAreasAndRotatesWithItsAxes) {
     const Stretch stretch{{std::log(2.0) * std::cos(0.6), std::log(2.0) * std::sin(0.6)}};
     EXPECT_NEAR(stretch.ratio(), 2.0, 1e-12);
     EXPECT_NEAR(stretch.direction(), 0.3, 1e-12);
@@ -46,7 +46,7 @@ TEST(Stretch, KeepsAreasAndTurnsWithItsAxes) {
     EXPECT_NEAR(Stretch{}.wave_square(1.0), 1.0, 1e-15);
 }
 
-TEST(StretchLaw, IsLinearBetweenItsKnots) {
+TEST(StretchLaw, IsLinearBetweenItsNodes) {
     const StretchLaw law({std::log(1e6), std::log(1e8)}, {{0.2, 0.0}, {0.4, 0.2}});
     EXPECT_NEAR(law.at(1e7).vector[0], 0.3, 1e-12);
     EXPECT_NEAR(law.at(1e7).vector[1], 0.1, 1e-12);
@@ -57,7 +57,7 @@ TEST(StretchLaw, IsLinearBetweenItsKnots) {
 }
 
 // Four maps of each of five surfaces and of an isotropic one.
-TEST(ObservedStretch, IsThatPlanted) {
+TEST(ObservedStretch, RecoversTheTrueAnisotropy) {
     double chi_squared = 0.0;
     std::uint64_t seed = 0;
     for (const auto& [stretch, angle] :
@@ -81,7 +81,7 @@ TEST(ObservedStretch, IsThatPlanted) {
     EXPECT_GT(chi_squared, 2.6);   // and of errors that are too large
 }
 
-TEST(ObservedStretch, DoesNotTakeOffsetsOfLinesForOne) {
+TEST(ObservedStretch, IsUnaffectedByLineOffsets) {
     std::vector<ObservedStretch> all;
     for (std::uint64_t seed = 0; seed < 4; ++seed)
         for (const auto& one : observed_stretch(stretched_map(seed, 1.0, 0.0, true), {0.0, wide}, {1}))
@@ -90,7 +90,7 @@ TEST(ObservedStretch, DoesNotTakeOffsetsOfLinesForOne) {
     EXPECT_TRUE(combined_stretch(all).law.isotropic());
 }
 
-TEST(CombinedStretch, MayChangeWithTheScale) {
+TEST(CombinedStretch, MayDependOnTheScale) {
     std::vector<ObservedStretch> observed;
     for (const double q : {2e6, 4e6, 2e7, 4e7}) {
         ObservedStretch one{.wavevector = q};
@@ -105,7 +105,7 @@ TEST(CombinedStretch, MayChangeWithTheScale) {
     EXPECT_NEAR(found.law.at(1e9).vector[0], 0.1, 1e-12);
 }
 
-TEST(ObservedStretch, IsNothingWithoutWaves) {
+TEST(ObservedStretch, IsEmptyWithoutModesOrWithUndefinedHeights) {
     auto map = stretched_map(1, 1.5, 0.0);
     EXPECT_TRUE(observed_stretch(map, {1e9, wide}, {1}).empty());
     map.heights(3, 3) = undefined;

@@ -102,7 +102,7 @@ bool alerted(const LikelihoodSpectrum& fit) {
     return std::any_of(fit.alerts.begin(), fit.alerts.end(), [](const Alert& a) { return a.code == "STRETCHED"; });
 }
 
-TEST(StretchedSurface, HasItsMeanOverDirectionsFromMaps) {
+TEST(AnisotropicSurface, SpectrumFromMapsIsTheMeanOverDirections) {
     for (const double angle : {0.0, pi / 6.0, 0.5 * pi}) {
         const auto fit = fit_of(maps({2.0, angle}, 10));
         EXPECT_TRUE(alerted(fit));
@@ -117,7 +117,7 @@ TEST(StretchedSurface, HasItsMeanOverDirectionsFromMaps) {
     }
 }
 
-TEST(StretchedSurface, HasItsMeanOverDirectionsFromLinesAlongTwo) {
+TEST(AnisotropicSurface, SpectrumFromLinesAlongTwoDirectionsIsTheMean) {
     auto both = lines({2.0, 0.0}, 20, false);
     const auto one = departure(fit_of(both), 2.0);
     EXPECT_LT(one.mean, -0.3);
@@ -131,7 +131,7 @@ TEST(StretchedSurface, HasItsMeanOverDirectionsFromLinesAlongTwo) {
     EXPECT_NEAR(middle.value, 2.0, 3.0 * middle.standard_error);
 }
 
-TEST(StretchedSurface, IsNotSeenWhereThereIsNone) {
+TEST(AnisotropicSurface, IsNotReportedForIsotropicSurfaces) {
     EXPECT_TRUE(fit_of(maps({}, 40)).stretch.empty());
     auto both = lines({}, 50, false);
     for (auto& scan : lines({}, 60, true)) both.push_back(scan);
@@ -142,7 +142,7 @@ TEST(StretchedSurface, IsNotSeenWhereThereIsNone) {
 }
 
 // A map rotated by 90° on the stage gives the same surface.
-TEST(StretchedSurface, TurnsWithItsMaps) {
+TEST(AnisotropicSurface, IsInvariantUnderRotationOfMaps) {
     auto straight = maps({2.0, 0.0}, 70);
     auto turned = straight;
     for (std::size_t i = 0; i < 2; ++i) {

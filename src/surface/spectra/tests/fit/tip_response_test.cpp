@@ -39,14 +39,14 @@ double at(const Array1D& x, const Array1D& y, double wavevector) {
     return y[i];
 }
 
-TEST(TipResponse, OfATipThatFitsEverywhereIsOne) {
+TEST(TipResponse, OfATipThatReachesEveryPointIsOne) {
     const auto response = tip_response(gentle(0.01), simulation(50e-9));
     EXPECT_LT(response.log_transfer.abs().maxCoeff(), 2e-3);
 }
 
 // The same ratio from other surfaces, dilated as a whole and summed over modes without smoothing: four patches of
 // sixteen lines a correlation length apart and thirteen modes determine it to 3.5 %, the simulation of T to as much.
-TEST(TipResponse, IsTheRatioOfPowersOfOtherSurfacesReadByTheTip) {
+TEST(TipResponse, PredictsThePowerRatioOfOtherDilatedSurfaces) {
     auto options = simulation(1e-6);
     options.repetitions = 4;
     options.size_response = false;
@@ -142,7 +142,7 @@ double line_density(const TipResponse& response, const spectra::SpectralDensity&
 // A sphere follows long waves, but long waves of a line are mostly oblique short ones, which the sphere replaces by its
 // own power; this is unchanged if long waves are raised ninefold. The same strips with and without determine the ratio
 // to a tenth.
-TEST(TipResponse, AddsPowerOfItsOwnToLongWaves) {
+TEST(TipResponse, IncludesPowerAddedToLongWaves) {
     const auto response = tip_response(rough(1.0), {.probe = sphere({.value = 5e-6}),
                                                     .step = 20e-9,
                                                     .points = 512,
@@ -189,7 +189,7 @@ double knee(double q) {
 // Where T decreases from 0.8 to 0.3, steep in ln q: the followed and the added part are interpolated there, and every
 // interpolation below its curve loses power. Line-by-line readings of the sphere on the patches of the simulation have
 // no such loss; the rest are deviations of the patches from C_iso in the followed part, 0.5 %.
-TEST(TipResponse, LosesNoPowerWhereItFalls) {
+TEST(TipResponse, LosesNoPowerByInterpolation) {
     constexpr Index nx = 2048, ny = 1024, stride_x = 2, stride_y = 8, first = 9, last = 25;
     constexpr int patches = 8;
     constexpr double step = 25e-9, radius = 5e-6, length = nx * step;
@@ -229,7 +229,7 @@ TEST(TipResponse, LosesNoPowerWhereItFalls) {
 }
 
 // Smoothing is linear, so differences of ln T between two radii, or two amplitudes, are exactly the derivatives.
-TEST(TipResponse, HasTheDerivativesOfItsOwnDifferences) {
+TEST(TipResponse, DerivativesEqualDifferences) {
     const auto C_iso = gentle(0.1);
     const auto response = tip_response(C_iso, simulation(1e-6)), blunter = tip_response(C_iso, simulation(1.1e-6)),
                higher = tip_response([&](double q) { return 1.2 * C_iso(q); }, simulation(1e-6));
@@ -245,7 +245,7 @@ TEST(TipResponse, HasTheDerivativesOfItsOwnDifferences) {
 }
 
 // A sphere touches peaks and cannot enter valleys: it loses less of peaks, and reads heights more skewed than they are.
-TEST(TipResponse, LosesLessOfPeaksThanOfValleys) {
+TEST(TipResponse, KeepsMoreOfPeaksThanOfValleys) {
     auto peaks = simulation(1e-6), valleys = peaks, gaussian = peaks;
     peaks.skewness = 0.8;
     valleys.skewness = -0.8;
@@ -260,7 +260,7 @@ TEST(TipResponse, LosesLessOfPeaksThanOfValleys) {
     EXPECT_GT(added_skewness(C_iso, gaussian), 0.02);
 }
 
-TEST(TipResponse, OnceMoreKeepsTheDerivatives) {
+TEST(TipResponse, UpdateKeepsTheDerivatives) {
     const auto first = tip_response(gentle(0.02), simulation(1e-6));
     const auto again = tip_response(gentle(0.021), simulation(1e-6), first);
     EXPECT_TRUE((again.followed_response == first.followed_response).all());
@@ -288,7 +288,7 @@ TEST(TipResponse, IsTheSameForAnyNumberOfThreads) {
 }
 
 // Two repetitions a and b: the mean is uncertain by ± (a − b)/2, each mode with its own sign.
-TEST(TipResponse, KnowsTheNoiseOfItsSimulation) {
+TEST(TipResponse, StatesTheNoiseOfItsSimulation) {
     auto options = simulation(1e-6);
     EXPECT_EQ(tip_response(gentle(0.1), options).simulation_errors.rows(), 0);
     options.repetitions = 2;
@@ -306,7 +306,7 @@ TEST(TipResponse, RefusesImpossibleTips) {
 }
 
 // A line read every pixel: aliases are weighted with their C1D. Two waves, one of them an alias of the other.
-TEST(SampledResponse, WeighsAliasesByTheirPower) {
+TEST(SampledResponse, WeightsAliasesByTheirPower) {
     TipResponse response;
     response.wavevector = Array1D::LinSpaced(2, 1e6, 9e6);
     response.log_transfer = Array1D(2);
@@ -320,7 +320,7 @@ TEST(SampledResponse, WeighsAliasesByTheirPower) {
     EXPECT_NEAR(std::exp(found.log_transfer[0]), (3.0 + 0.5) / 4.0, 1e-12);
 }
 
-TEST(SimulationStep, IsTheFinerOfWaveAndTipButNoFinerThanAsked) {
+TEST(SimulationStep, IsTheSmallerOfWaveAndTipAboveTheRequestedMinimum) {
     EXPECT_DOUBLE_EQ(simulation_step(sphere({.value = 10e-9}), 1e-6, 2e-10, 1024), 0.5e-9);
     EXPECT_DOUBLE_EQ(simulation_step(sphere({.value = 5e-6}), 1e-6, 2e-10, 1024), 20e-9);
     EXPECT_DOUBLE_EQ(simulation_step(sphere({.value = 1e-9}), 1e-6, 2e-10, 1024), 2e-10);

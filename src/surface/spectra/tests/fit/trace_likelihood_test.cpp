@@ -79,7 +79,7 @@ double mean_square(const std::vector<double>& values) {
     return sum;
 }
 
-TEST(LikelihoodOfTraces, HoldTheTruthThroughNoiseBlurAndSmoothing) {
+TEST(LikelihoodOfTraces, CoversTrueSpectraWithNoiseBlurAndSmoothing) {
     constexpr int sets = 3;
     std::vector<double> sums;
     for (std::uint64_t set = 0; set < sets; ++set) {
@@ -95,14 +95,14 @@ TEST(LikelihoodOfTraces, HoldTheTruthThroughNoiseBlurAndSmoothing) {
     for (const double mean : sums) EXPECT_LT(std::abs(mean), 3.0 / std::sqrt(sets));
 }
 
-TEST(LikelihoodOfTraces, BearNoiseStatedAThirdTooLow) {
+TEST(LikelihoodOfTraces, ToleratesNoiseStatedAThirdTooLow) {
     const auto fit = fitted(true, 1, 0.67);  // two standard deviations of its prior
     EXPECT_TRUE(fit.converged);
     EXPECT_LT(mean_square(departures(fit)), 3.0);
 }
 
 // The fit ends with the waves of the surface (2.5 nm) for any knowledge of the trace; below that blur removes power.
-TEST(LikelihoodOfTraces, AreBiasedAtTheirShortEndWithoutTheirResponse) {
+TEST(LikelihoodOfTraces, IsBiasedAtShortWavesWithoutTraceResponse) {
     EXPECT_LT(departures(fitted(false)).back(), -3.0);
     EXPECT_GT(departures(fitted(true)).back(), -3.0);
 }

@@ -44,14 +44,14 @@ double amplitude_of_truth(double order) {
 
 double log_error(const WhittleFit& fit, double q) { return std::log(spline().value(fit.theta, q) / truth(q)); }
 
-TEST(WhittleFit, FindsASmoothSpectrumFromItsExpectation) {
+TEST(WhittleFit, RecoversASmoothSpectrum) {
     const auto fit = fit_whittle({direct(1e5, 9.9e7, 1e4)}, spline(), {});
     EXPECT_TRUE(fit.converged);
     for (const double q : {2e5, 1e6, 7e6, 9e7}) EXPECT_NEAR(log_error(fit, q), 0.0, 2e-3) << q;
 }
 
 // E = C + σ² N: noise and surface are distinguished where C is below it.
-TEST(WhittleFit, TellsNoiseFromTheSurface) {
+TEST(WhittleFit, SeparatesNoiseFromTheSurface) {
     auto c = direct(1e5, 9.9e7, 1e4);
     constexpr double noise = 1e-34;
     c.noise_response = Array1D::Ones(c.nodes.size());
@@ -64,7 +64,7 @@ TEST(WhittleFit, TellsNoiseFromTheSurface) {
 
 // A tip with ln T = −0.3 (A/A_true), linearised where A was 20 % too large: the fit returns to the true value, because
 // T responds to A.
-TEST(WhittleFit, LetsTheTipAnswerToTheAmplitude) {
+TEST(WhittleFit, AccountsForTheTipResponseToAmplitude) {
     auto c = direct(1e5, 9.9e7, 1e4);
     const double A = amplitude_of_truth(1.0);
     c.periodogram *= std::exp(-0.3);
@@ -91,7 +91,7 @@ PeriodogramClass mostly_added(double freedom) {
     return c;
 }
 
-TEST(WhittleFit, TakesOffWhatATipAdds) {
+TEST(WhittleFit, SubtractsPowerAddedByTheTip) {
     const auto fit = fit_whittle({mostly_added(1e6), direct(1e6, 9.9e7, 1e4)}, spline(), {});
     EXPECT_TRUE(fit.converged);
     for (const double q : {2e5, 5e5, 7e6}) EXPECT_NEAR(log_error(fit, q), 0.0, 5e-3) << q;
@@ -99,7 +99,7 @@ TEST(WhittleFit, TakesOffWhatATipAdds) {
 
 // 1 % of the added power is 7 % of the followed one: an error of 1 % of a band of added power leaves C_iso with an
 // error of 7 %.
-TEST(WhittleFit, KnowsNoMoreThanWhatTheTipAddsIsKnownTo) {
+TEST(WhittleFit, PropagatesTheErrorOfPowerAddedByTheTip) {
     const auto error = [](double known_to) {
         auto c = mostly_added(1e6);
         if (known_to > 0.0) c.added_errors = Array2D::Constant(1, c.nodes.size(), known_to);
@@ -142,11 +142,11 @@ TEST(WhittleFit, CovarianceIsTheScatterOfFits) {
     }
 }
 
-TEST(WhittleFit, RefusesWhereNothingIsSeen) {
+TEST(WhittleFit, RefusesDataWithoutModes) {
     EXPECT_THROW((void)fit_whittle({direct(1e5, 1e8, 0.0)}, spline(), {}), InvalidArgument);
 }
 
-TEST(SplineMoment, IsTheIntegralWithItsDerivative) {
+TEST(SplineMoment, HasTheValueAndDerivativeOfTheIntegral) {
     const auto theta = fit_whittle({direct(1e5, 9.9e7, 1e4)}, spline(), {}).theta;
     for (const double order : {1.0, 5.0}) {
         const auto moment = spline_moment(spline(), theta, order, 1e8);

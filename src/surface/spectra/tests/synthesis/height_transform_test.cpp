@@ -14,7 +14,7 @@ namespace height_transform_test {
 using namespace setae;
 using namespace setae::synthesis;
 
-TEST(JohnsonHeights, HaveTheShapeAskedForOnBothSidesOfTheLognormalLine) {
+TEST(JohnsonHeights, HaveTheRequestedSkewnessAndKurtosis) {
     // the log-normal curve has kurtosis 3, 3.16, 4.83 and 15.9 at these skewnesses
     const HeightShape shapes[] = {{0.0, 1.8},  {0.0, 2.5},  {0.0, 3.01}, {0.0, 12.0}, {0.3, 2.0}, {0.3, 3.15},
                                   {0.3, 3.2},  {0.3, 6.0},  {1.0, 3.2},  {1.0, 4.5},  {1.0, 5.0}, {-1.0, 5.0},
@@ -50,7 +50,7 @@ TEST(JohnsonHeights, OfRandomNumbersHaveMeanZeroAndUnitVariance) {
     EXPECT_LT(std::abs(values.square().mean() - 1.0), 4.0 * std::sqrt(2.5 / n));
 }
 
-TEST(LognormalHeights, HaveTheirSkewnessAndTheKurtosisThatFollows) {
+TEST(LognormalHeights, HaveTheRequestedSkewnessAndItsKurtosis) {
     for (const double skewness : {-2.0, 0.4, 1.0}) {
         const auto found = shape_of(lognormal_heights(skewness));
         EXPECT_NEAR(found.skewness, skewness, 1e-8 * std::abs(skewness));
@@ -58,7 +58,7 @@ TEST(LognormalHeights, HaveTheirSkewnessAndTheKurtosisThatFollows) {
     EXPECT_NEAR(shape_of(lognormal_heights(1.75018965)).kurtosis, 8.89844567, 1e-6);  // σ = ½, closed form
 }
 
-TEST(TransformCorrelation, OfLognormalHeightsIsItsClosedForm) {
+TEST(TransformCorrelation, OfLognormalHeightsMatchesTheClosedForm) {
     const double w = std::exp(0.25), skewness = (w + 2.0) * std::sqrt(w - 1.0);
     const TransformCorrelation correlation(lognormal_heights(skewness));
     for (const double rho : {-1.0, -0.5, 0.0, 0.3, 0.99, 1.0}) {
@@ -77,7 +77,7 @@ TEST(TransformCorrelation, OfUniformHeightsIsTheArcsine) {
         EXPECT_NEAR(correlation.transformed(rho), 6.0 / pi * std::asin(0.5 * rho), 1e-12);
 }
 
-TEST(HeightTransforms, RefuseShapesThatDoNotExist) {
+TEST(HeightTransforms, RefuseImpossibleShapes) {
     EXPECT_THROW((void)johnson_heights({1.0, 1.9}), InvalidArgument);  // below skewness² + 1
     EXPECT_THROW((void)johnson_heights({5.0, 60.0}), InvalidArgument);
     EXPECT_THROW((void)johnson_heights({0.0, 1e9}), InvalidArgument);

@@ -54,7 +54,7 @@ TEST(MultiscaleSurface, HasTheMomentsOfItsSpectrum) {
     EXPECT_NEAR(surface().rms_slope() / spectra::rms_slope(model), 1.0, 1e-3);
 }
 
-TEST(MultiscaleSurface, IsTheSameThroughWindowsOfAnySizeAndPixel) {
+TEST(MultiscaleSurface, IsTheSameInWindowsOfAnySizeAndPixel) {
     const double x = 2.5e-3, y = -1.7e-3;
     const auto coarse = surface().window({x, y, 5, 4, 1e-6}),
                fine = surface().window({x + 2e-6, y + 1e-6, 30, 20, 1e-7});
@@ -79,7 +79,7 @@ TEST(MultiscaleSurface, HasTheSameBytesForAnyNumberOfThreads) {
                     .all());
 }
 
-TEST(MultiscaleSurface, KeepsItsLongerWavelengthsWhereTheShorterAreLeftOut) {
+TEST(MultiscaleSurface, KeepsLongWavesWhenShortWavesAreOmitted) {
     const MultiscaleSurface blurred(spectra::density(model), {{11, 0}, 4e-3, 1e-8, {1}});
     const Array1D x = Array1D::LinSpaced(400, 0.0, 2e-6), y = Array1D::Constant(400, 3e-4);
     const double left_out = std::sqrt((surface().heights_at(x, y) - blurred.heights_at(x, y)).square().mean());
@@ -101,7 +101,7 @@ double increment_variance(double distance) {
     return sum / pi;
 }
 
-TEST(MultiscaleSurface, HasTheStructureFunctionOfItsSpectrumFromNanometresToMicrometres) {
+TEST(MultiscaleSurface, HasTheStructureFunctionOfItsSpectrumOverAllScales) {
     constexpr Index n = 4000;
     for (const double distance : {1e-9, 2e-8, 4e-7}) {
         // pairs far apart, so independent: standard error √(2/n) = 2.2 % of the variance
@@ -111,7 +111,7 @@ TEST(MultiscaleSurface, HasTheStructureFunctionOfItsSpectrumFromNanometresToMicr
     }
 }
 
-TEST(MultiscaleSurface, AliasesLikeAnInstrumentWhereItsPixelIsCoarse) {
+TEST(MultiscaleSurface, HasAliasesForCoarsePixels) {
     // steps of 20 roll-off wavelengths have independent heights: a white spectrum of the whole variance
     constexpr Index n = 4096;
     const auto line = surface().line({0.0, 0.0, 0.3, n, 4e-5});
@@ -123,7 +123,7 @@ TEST(MultiscaleSurface, AliasesLikeAnInstrumentWhereItsPixelIsCoarse) {
             << lag;
 }
 
-TEST(MultiscaleSurface, RefusesWavelengthsAndWindowsThatAreNone) {
+TEST(MultiscaleSurface, RefusesInvalidWavelengthsAndWindows) {
     const auto C = spectra::density(model);
     EXPECT_THROW(MultiscaleSurface(C, {{}, 1e-9, 1e-6}), InvalidArgument);
     EXPECT_THROW(MultiscaleSurface(C, {{}, 1e-6, 0.0}), InvalidArgument);

@@ -36,7 +36,7 @@ RC_GTEST_PROP(RandomSurface, ScalesWithTheRootOfTheSpectrum, (std::uint64_t seed
     RC_ASSERT((twice.heights == 2.0 * once.heights).all());
 }
 
-RC_GTEST_PROP(NormalNumbers, AreFiniteAndTheSameWhereverTheFillBegins,
+RC_GTEST_PROP(NormalNumbers, AreFiniteAndIndependentOfTheFirstIndex,
               (std::uint64_t seed, std::uint64_t stream, std::uint64_t counter)) {
     const numerics::RandomKey key{seed, stream};
     const auto numbers = numerics::normal_numbers(key, counter, 9);

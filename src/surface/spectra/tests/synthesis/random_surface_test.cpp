@@ -86,7 +86,7 @@ TEST(RandomSurface, WithGaussianAmplitudesHasTheSpectrumOnAverage) {
     EXPECT_NEAR(kurtosis / n, 2.0, 4.0 * std::sqrt(20.0 / (n * surfaces)));
 }
 
-TEST(RandomSurface, HasZeroMeanAndTheRoughnessExpected) {
+TEST(RandomSurface, HasZeroMeanAndTheExpectedRoughness) {
     const auto C_iso = spectra::density(model);
     const SurfaceOptions options{.key = {9}, .amplitudes = Amplitudes::exact};
     const auto map = random_surface(C_iso, grid, options);
@@ -135,7 +135,7 @@ TEST(RandomSurface, IsTheSameBytesForAnyNumberOfThreads) {
     EXPECT_FALSE((one.heights == other.heights).any());
 }
 
-TEST(RandomSurface, IsScaledToTheRmsHeightAskedFor) {
+TEST(RandomSurface, IsScaledToTheRequestedRmsHeight) {
     const auto map = random_surface(spectra::density(model), grid, {.key = {1}, .exact_rms_height = 5e-9});
     EXPECT_NEAR(std::sqrt(map.heights.square().mean()), 5e-9, 1e-22);
     EXPECT_TRUE(map.periodic);
@@ -168,7 +168,7 @@ TEST(RandomSurface, StretchedHasLongerFeaturesAlongTheDirection) {
     }
 }
 
-TEST(RandomSurface, RefusesGridsAndSpectraThatAreNone) {
+TEST(RandomSurface, RefusesInvalidGridsAndSpectra) {
     const auto C_iso = spectra::density(model);
     EXPECT_THROW((void)random_surface(C_iso, {1, 8, 1e-6, 1e-6}), InvalidArgument);
     EXPECT_THROW((void)random_surface(C_iso, {8, 8, 0.0, 1e-6}), InvalidArgument);
@@ -208,7 +208,7 @@ TEST(RandomLine, OnAFinerGridIsTheSameLineWithMoreModes) {
         EXPECT_LT(std::abs(mode_of(coarse, k) - mode_of(fine, k)), 1e-12 * std::abs(mode_of(fine, k)) + 1e-22);
 }
 
-TEST(RandomLine, HasTheRoughnessExpectedAndTheOneAskedFor) {
+TEST(RandomLine, HasTheExpectedOrRequestedRoughness) {
     const auto C1D = spectra::tabulated_density(Array1D{{1e6, 1e9}}, Array1D{{1e-20, 1e-23}});
     const auto expected = expected_roughness(C1D, LineGrid{500, 1e-5});
     const auto scan = random_line(C1D, {500, 1e-5}, {.key = {8}, .amplitudes = Amplitudes::exact});

@@ -65,7 +65,7 @@ Ensemble ensemble(int samples, const Make& make) {
     return result;
 }
 
-TEST(NonGaussianSurface, WithTheIdentityIsTheRandomSurface) {
+TEST(NonGaussianSurface, WithTheIdentityEqualsTheGaussianSurface) {
     for (const auto amplitudes : {Amplitudes::gaussian, Amplitudes::exact}) {
         const SurfaceOptions options{.key = {5, 1}, .amplitudes = amplitudes, .threads = {1}};
         const auto gaussian = random_surface(spectra::density(model), grid, options);
@@ -77,7 +77,7 @@ TEST(NonGaussianSurface, WithTheIdentityIsTheRandomSurface) {
     }
 }
 
-TEST(NonGaussianSurface, HasTheSpectrumAndTheShapeAskedFor) {
+TEST(NonGaussianSurface, HasTheRequestedSpectrumAndHeightDistribution) {
     constexpr int samples = 12;
     const auto transform = lognormal_heights(1.5);
     double dropped = 0.0;
@@ -106,14 +106,14 @@ TEST(NonGaussianSurface, HasTheSpectrumAndTheShapeAskedFor) {
     EXPECT_GT(plain_deviation, 0.15);  // correction by the spectrum of the parent
 }
 
-TEST(NonGaussianSurface, DropsWhatNoGaussianParentHas) {
+TEST(NonGaussianSurface, ReportsTheSpectrumThatNoTransformCanHave) {
     // alternating ridges: an autocorrelation down to −1, which skew heights cannot have
     const auto ridge = [](double q) { return std::abs(q - 2.0 * pi / 1.25e-7) < 1e5 ? 1e-30 : 0.0; };
     const auto made = non_gaussian_surface(ridge, {64, 64, 1e-6, 1e-6}, lognormal_heights(3.0), {.threads = {1}});
     EXPECT_GT(made.dropped_share, 0.05);
 }
 
-TEST(NonGaussianSurface, MeetsAnExactRmsHeightWithZeroMeanForAnyNumberOfThreads) {
+TEST(NonGaussianSurface, HasExactRmsHeightAndZeroMeanForAnyNumberOfThreads) {
     SurfaceOptions options{.key = {2, 2}, .exact_rms_height = 3e-9, .threads = {1}};
     const auto single = non_gaussian_surface(spectra::density(model), grid, lognormal_heights(-1.0), options);
     EXPECT_NEAR(std::sqrt(single.map.heights.square().mean()), 3e-9, 1e-20);
@@ -125,7 +125,7 @@ TEST(NonGaussianSurface, MeetsAnExactRmsHeightWithZeroMeanForAnyNumberOfThreads)
                     .all());
 }
 
-TEST(TransformedHeights, ReplaceEveryHeightAndKeepUndefinedOnes) {
+TEST(TransformedHeights, ReplaceDefinedHeightsOnly) {
     topography::HeightMap map{Array2D::Constant(2, 3, 2e-9), {1.0, 1.5}};
     map.heights(0, 1) = NAN;
     map.heights(1, 2) = -4e-9;

@@ -20,6 +20,7 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -218,6 +219,7 @@ inline void put_matrix(const Eigen::MatrixXd& matrix, const Row& row, Sink& sink
 template <class T>
 void put_present(const T& value, const Row& row, Sink& sink) {
     if constexpr (std::is_same_v<T, bool>) sink.flag(row, value);
+    else if constexpr (std::is_same_v<T, std::uint64_t>) sink.whole(row, value);
     else if constexpr (std::is_integral_v<T>) sink.whole(row, static_cast<long long>(value));
     else if constexpr (std::is_floating_point_v<T>) put_number(value, row, sink);
     else if constexpr (std::is_same_v<T, TracedValue>) sink.quantity(row, value.estimate());
@@ -447,6 +449,21 @@ inline constexpr std::array rows_of_quantity{
 /// Fields of every quantity, which a Sink writes.
 inline constexpr Description quantity_description{"quantity", "a number with symbol, unit and error",
                                                   detail::rows_of_quantity};
+
+namespace detail {
+inline constexpr std::array rows_of_value{
+    of_kind(Kind::number, "value", "the number in SI units", Missing::never),
+    of_kind(Kind::text, "unit", "unit of the number", Missing::never),
+};
+inline constexpr std::array rows_of_values{
+    of_kind(Kind::numbers, "values", "the numbers in SI units", Missing::never),
+    of_kind(Kind::text, "unit", "unit of the numbers", Missing::never),
+};
+}  // namespace detail
+
+/// Fields of a number with unit and of numbers with unit, which a Sink writes.
+inline constexpr Description value_description{"value", "a number with its unit", detail::rows_of_value};
+inline constexpr Description values_description{"values", "numbers with their unit", detail::rows_of_values};
 
 /// The fields of a quantity that `from` has from a result, among its own.
 template <class T, class From>

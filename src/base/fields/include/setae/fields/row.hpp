@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string_view>
 
@@ -60,6 +61,8 @@ public:
 
     virtual void flag(const Row& row, bool value) = 0;
     virtual void whole(const Row& row, long long value) = 0;
+    /// Seeds have 64 bits without a sign.
+    virtual void whole(const Row& row, std::uint64_t value) = 0;
     virtual void number(const Row& row, double value) = 0;
     virtual void value(const Row& row, double value) = 0;
     virtual void quantity(const Row& row, const Estimate& value) = 0;

@@ -11,7 +11,6 @@
 
 #include "setae/answers/contact_problem.hpp"
 #include "setae/fields/option.hpp"
-#include "setae/output/json.hpp"
 #include "setae/patches/survey.hpp"
 #include "setae/study/contact_answers.hpp"
 #include "setae/study/study_result.hpp"
@@ -74,8 +73,11 @@ using PatchProgress = std::function<void(std::size_t done, std::size_t of)>;
 /// The table at the width of a terminal: for a study, the energy gained in the contact of its pairs.
 [[nodiscard]] tables::TidyTable patch_screen_table(const PatchSurveyAnswer& answer);
 
-/// "answer", "rows" and "skipped".
-[[nodiscard]] output::Json to_json(const PatchSurveyAnswer& answer);
+/// Gained energy by the full-contact balance (Eq. 7), divided by W; at least 0.
+[[nodiscard]] double balance_of(const patches::SurveyRow& row);
+
+/// The results of a pair with the simulated cell of its row.
+[[nodiscard]] study::ContactAnswers answers_with(const patches::SurveyRow& row, const PatchPair& pair);
 
 }  // namespace setae::answers
 

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -26,10 +27,21 @@ template <fields::HasRows T>
     return described(&result, fields::Described<T>::description);
 }
 
+/// A list of such objects.
+template <fields::HasRows T>
+[[nodiscard]] Json described(const std::vector<T>& results) {
+    Json list = Json::array();
+    for (const auto& result : results) list.push_back(described(result));
+    return list;
+}
+
 /// JSON Schema of an object with these fields; described types that have a name are referred to in "#/$defs/NAME".
 [[nodiscard]] Json schema_of(const fields::Description& description);
 
 /// Adds the schema of a described type under its name, and those of all named types in it.
 void add_named_schemas(const fields::Description& description, std::map<std::string, Json>& schemas);
+
+/// Adds the schemas that those of every described type refer to: "number", "value", "values" and "quantity".
+void add_schemas_of_numbers(std::map<std::string, Json>& schemas);
 
 }  // namespace setae::output
