@@ -10,12 +10,7 @@
 
 #include "schemas/described_outputs.hpp"
 #include "schemas/schema_texts.hpp"
-#include "setae/answers/replicates.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/loops/analysis.hpp"
-#include "setae/loops/crack_speed_fit.hpp"
-#include "setae/loops/global_fit.hpp"
-#include "setae/loops/model_fits.hpp"
 #include "setae/output/field_json.hpp"
 #include "setae/output/study_schemas.hpp"
 
@@ -115,12 +110,6 @@ Json JsonSchemas::shared_parts() const {
     std::map<std::string, Json> described;
     output::add_schemas_of_numbers(described);
     output::add_study_schemas(described);
-    output::add_named_schemas(fields::Described<ReplicateSummary>::description, described);
-    output::add_named_schemas(fields::Described<loops::LoopAnalysis>::description, described);
-    output::add_named_schemas(fields::Described<loops::ModelComparison>::description, described);
-    output::add_named_schemas(fields::Described<loops::ModelFit>::description, described);
-    output::add_named_schemas(fields::Described<loops::GlobalFit>::description, described);
-    output::add_named_schemas(fields::Described<loops::CrackSpeedFit>::description, described);
     for (const auto& output : outputs_) output::add_named_schemas(*output.description, described);
     return described;
 }

@@ -44,7 +44,7 @@ struct setae::fields::Described<setae::imaging::CameraScale> {
     static constexpr std::array rows{
         field<&T::width>("width", "width of the pictures in pixels"),
         field<&T::height>("height", "height of the pictures in pixels"),
-        field<&T::notes>("notes", "further remarks"),
+        field<&T::notes>("notes", "notes"),
         quantity<&T::pixel_size>("pixel_size", "s", "m", "size of a pixel at the centre of the picture"),
         quantity<&T::aspect>("aspect", "h/w", "1",
                              "height of a pixel divided by its width; null where only one direction is known")

@@ -55,7 +55,7 @@ struct Described<tables::ColumnGuess::Shown> {
         field<&T::name>("name", "name in the file; may be empty"),
         field<&T::unit>("unit", "unit in the file; may be empty"),
         field<&T::first_values>("first_values", "first values of the column, as in the file"),
-        field<&T::note>("note", "remark on the column; may be empty"),
+        field<&T::note>("note", "note on the column; may be empty"),
     };
     static constexpr Description description{"", "column of a foreign table", rows};
 };

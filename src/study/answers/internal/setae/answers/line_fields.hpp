@@ -222,7 +222,7 @@ struct Described<answers::LineAnswer> {
         made_value<T>("void_area", "m2", "area of all voids", [](const T& of) { return void_areas(of.recorded); }),
         made<T>("left_out", "frames that were left out, with the reason",
                 [](const T& of) -> const auto& { return of.recorded.left_out; }),
-        field<&T::notes>("notes", "further remarks"),
+        field<&T::notes>("notes", "notes"),
         inner<&T::recorded>(),
         inner<&T::shape>(),
         inner<&T::advancing_rate>(),

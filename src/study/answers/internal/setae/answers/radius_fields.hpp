@@ -169,7 +169,7 @@ struct Described<imaging::ContactRadii> {
                 [](const T& of) { return to_string(of.polarity); })
             .one_of(Asked<answers::RadiusRequest>::polarities),
         field<&T::summary>("summary", "number of frames per result"),
-        field<&T::notes>("notes", "further remarks"),
+        field<&T::notes>("notes", "notes"),
         made<T>("frames", "one entry per frame",
                 [](const T& of) {
                     std::vector<answers::RadiusFrame> frames;
