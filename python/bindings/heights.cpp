@@ -39,9 +39,9 @@ struct Processed {
 };
 
 Processed as_processed(answers::ProcessedFile processed, const processing::Pipeline& pipeline) {
-    const auto json =
-        output::as_text(answers::processing_json(pipeline, output::Json::array({answers::to_json(processed)})));
-    return {std::make_shared<Heights>(std::move(processed.result.measurement)), json};
+    const answers::ProcessingRecords records{study::step_lines(pipeline), {answers::record_of(processed)}};
+    return {std::make_shared<Heights>(std::move(processed.result.measurement)),
+            output::as_text(output::described(records))};
 }
 
 /// The channels of a request: of a container all channels of heights, of other files the first.

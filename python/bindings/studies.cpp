@@ -11,7 +11,7 @@
 #include "setae/bytes/protected_inputs.hpp"
 #include "setae/output/budget.hpp"
 #include "setae/output/field_json.hpp"
-#include "setae/output/hysteresis_output.hpp"
+#include "setae/output/hysteresis_fields.hpp"
 #include "setae/output/json.hpp"
 #include "setae/output/next_measurement_output.hpp"
 #include "setae/output/screen.hpp"
@@ -128,8 +128,9 @@ void bind_studies(nb::module_& module) {
                     if (trials > 0)
                         options = {.runs = trials, .seed = seed, .threads = {threads}, .cancelled = &cancelled};
                     const auto& known = study.result.hysteresis;
-                    return output::as_text(output::to_json(
-                        known && !options ? *known : study::hysteresis_of(study.result, options, {threads})));
+                    const auto found =
+                        known && !options ? *known : study::hysteresis_of(study.result, options, {threads});
+                    return output::as_text(output::described(output::HysteresisEntry{&found}));
                 });
             },
             nb::arg("trials"), nb::arg("seed"), nb::arg("threads"))

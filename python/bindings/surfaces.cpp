@@ -8,9 +8,9 @@
 #include "request.hpp"
 #include "setae/answers/adhesion_fields.hpp"
 #include "setae/answers/diagnosis.hpp"
-#include "setae/answers/functions_of_scale.hpp"
 #include "setae/answers/parameters.hpp"
 #include "setae/answers/power_spectrum_fields.hpp"
+#include "setae/answers/scale_fields.hpp"
 #include "setae/answers/texture.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/output/field_json.hpp"
@@ -82,7 +82,7 @@ void bind_texture(nb::module_& module) {
             return unlocked([&](const auto&) {
                 const auto answer = answers::texture_of(surface_of(items), request, {}, every_measurement);
                 if (answer.list.empty()) throw InvalidArgument(fmt::format("{}", fmt::join(answer.failures, "; ")));
-                return output::as_text(answers::to_json(answer));
+                return output::as_text(output::described(answers::texture_entries(answer)));
             });
         },
         nb::arg("items"), nb::arg("request"), nb::arg("every_measurement"),
@@ -164,7 +164,7 @@ void bind_surfaces(nb::module_& module) {
                 const auto parameters =
                     answers::parameters({surface_of(items), analysis.analysis(), every_measurement});
                 (void)analysed(parameters.surface);
-                return output::as_text(answers::to_json(parameters));
+                return output::as_text(output::described(answers::parameter_entries(parameters)));
             });
         },
         nb::arg("items"), nb::arg("analysis"), nb::arg("every_measurement"), "as printed by `setae params --json`");
@@ -173,7 +173,9 @@ void bind_surfaces(nb::module_& module) {
     nb::class_<Scales>(module, "FunctionsOfScale")
         .def_prop_ro("columns", [](nb::handle self) { return columns(nb::cast<const Scales&>(self).table, self); })
         .def_prop_ro("units", [](const Scales& found) { return units(found.table); })
-        .def("json", [](const Scales& found) { return output::as_text(answers::to_json(found)); });
+        .def("json", [](const Scales& found) {
+            return output::as_text(output::described(&found, answers::description_of(found.function)));
+        });
     using ScaleRequest = answers::ScaleRequest;
     nb::class_<ScaleRequest> scales(module, "ScaleRequest");
     scales.def(nb::init<>()).def_rw("every_measurement", &ScaleRequest::every_measurement);
@@ -205,7 +207,7 @@ void bind_surfaces(nb::module_& module) {
                 const auto found = answers::diagnosis(suspects, {tip_radius}, {}, every_measurement);
                 if (found.failures.size() == items.size())
                     throw InvalidArgument(fmt::format("{}", fmt::join(found.failures, "; ")));
-                return output::as_text(answers::to_json(found));
+                return output::as_text(output::described(found.findings));
             });
         },
         nb::arg("items"), nb::arg("tip_radius"), nb::arg("every_measurement"), "as printed by `setae check --json`");

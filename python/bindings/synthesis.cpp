@@ -6,7 +6,8 @@
 #include "request.hpp"
 #include "setae/answers/blind_tip.hpp"
 #include "setae/answers/heights_file.hpp"
-#include "setae/answers/synthesis.hpp"
+#include "setae/answers/synthesis_fields.hpp"
+#include "setae/output/field_json.hpp"
 
 namespace setae::python {
 namespace {
@@ -38,7 +39,8 @@ void bind_synthesis(nb::module_& module) {
                 if (!output.empty()) answers::require_heights_ending(output);
                 auto made = answers::synthesis_of(request);
                 if (!output.empty()) answers::write_heights(output, made.measurement);
-                auto json = output::as_text(answers::to_json(made, output));
+                const answers::SynthesisEntry entry{&made, output};
+                auto json = output::as_text(output::described(&entry, answers::description_of(made)));
                 return Made{std::make_shared<Heights>(std::move(made.measurement)), std::move(json)};
             });
         },
@@ -64,7 +66,7 @@ void bind_synthesis(nb::module_& module) {
         [](const Item& item, const answers::BlindTipRequest& request) {
             return unlocked([&](const auto&) {
                 auto answer = answers::blind_tip(item.path, prepared_of(item).measurement, request);
-                auto json = output::as_text(answers::to_json(answer));
+                auto json = output::as_text(output::described(answer));
                 return TipAndSurface{std::make_shared<Heights>(std::move(answer.tip)),
                                      std::make_shared<Heights>(std::move(answer.surface)), std::move(json)};
             });

@@ -4,16 +4,17 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "convert/heights_output.hpp"
 #include "convert/output_jobs.hpp"
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
+#include "setae/answers/converted_files.hpp"
 #include "setae/answers/surface_request.hpp"
 #include "setae/bytes/protected_inputs.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/output/field_json.hpp"
 
 namespace setae::cli::convert_command {
 namespace {
@@ -57,7 +58,7 @@ std::string numbered(const std::string& path, std::size_t channel) {
 
 /// Files written with which warnings, and whether a file failed.
 struct Outcome {
-    output::Json files = output::Json::array();
+    answers::ConvertedFiles converted;
     std::vector<Alert> alerts;
     bool failed = false;
 };
@@ -75,8 +76,7 @@ void convert_file(const Arguments& arguments, const Job& job, Outcome& outcome) 
         write_heights(output, measurement);
         for (const auto& alerts : {channel.info.alerts, topography::metadata(measurement).alerts})
             outcome.alerts.insert(outcome.alerts.end(), alerts.begin(), alerts.end());
-        outcome.files.push_back(
-            {{"input", job.input}, {"output", output}, {"channel", channel.info.name}, {"unit", "m"}});
+        outcome.converted.files.push_back({job.input, output, channel.info.name});
     });
     outcome.failed = outcome.failed || code != ExitCode::done;
 }
@@ -93,9 +93,11 @@ ExitCode run(const Arguments& arguments) {
         convert_file(arguments, jobs[current], outcome);
     });
     show(outcome.alerts);
-    if (outcome.files.empty()) return ExitCode::nothing_done;
+    const auto& converted = outcome.converted;
+    if (converted.files.empty()) return ExitCode::nothing_done;
     const bool one = !arguments.into_folder() && !arguments.all_channels;
-    if (arguments.common.json) print_json(one ? outcome.files.front() : output::Json{{"files", outcome.files}});
+    if (arguments.common.json)
+        print_json(one ? output::described(converted.files.front()) : output::described(converted));
     return code != ExitCode::done || outcome.failed ? ExitCode::some_failed : ExitCode::done;
 }
 

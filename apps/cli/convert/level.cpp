@@ -4,7 +4,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "convert/heights_output.hpp"
 #include "convert/output_jobs.hpp"
@@ -18,6 +17,7 @@
 #include "setae/answers/surface_request.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/file_figures/level_figure.hpp"
+#include "setae/output/field_json.hpp"
 #include "setae/study/pipeline_file.hpp"
 
 namespace setae::cli::level_command {
@@ -51,8 +51,8 @@ std::vector<Job> jobs_of(const Arguments& arguments) {
 }
 
 /// Processes, writes and prints one file, and adds its alerts; returns the record of its processing.
-output::Json level_file(const Arguments& arguments, const processing::Pipeline& pipeline, const Job& job,
-                        std::vector<Alert>& alerts) {
+answers::ProcessingRecord level_file(const Arguments& arguments, const processing::Pipeline& pipeline, const Job& job,
+                                     std::vector<Alert>& alerts) {
     const auto processed = answers::processed_file(job.input, arguments.file.read_options(), arguments.file.channel,
                                                    pipeline, arguments.common.workers());
     const auto& [file, channel, before, result] = processed;
@@ -71,7 +71,7 @@ output::Json level_file(const Arguments& arguments, const processing::Pipeline& 
         add(record.alerts);
     }
     if (!arguments.common.json) print(lines);
-    return answers::to_json(processed, job.output);
+    return answers::record_of(processed, job.output);
 }
 
 ExitCode run(const Arguments& arguments) {
@@ -92,16 +92,16 @@ ExitCode run(const Arguments& arguments) {
         throw InvalidArgument("no file; expected at least one measurement");
     }
     const auto jobs = jobs_of(arguments);
-    output::Json files = output::Json::array();
+    answers::ProcessingRecords records{.pipeline = study::step_lines(pipeline), .files = {}};
     std::vector<Alert> alerts;
     std::size_t index = 0;
     const auto code = for_each_item(arguments.paths, [&](const std::string&) {
         const auto current = index++;
         if (!jobs[current].output.empty()) require_own_output(jobs, current);
-        files.push_back(level_file(arguments, pipeline, jobs[current], alerts));
+        records.files.push_back(level_file(arguments, pipeline, jobs[current], alerts));
     });
     show(alerts);
-    if (arguments.common.json) print_json(answers::processing_json(pipeline, files));
+    if (arguments.common.json) print_json(output::described(records));
     return code;
 }
 

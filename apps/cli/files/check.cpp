@@ -4,13 +4,13 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
 #include "setae/answers/diagnosis.hpp"
 #include "setae/core/words.hpp"
+#include "setae/output/field_json.hpp"
 
 namespace setae::cli::check_command {
 namespace {
@@ -58,7 +58,7 @@ ExitCode run(const Arguments& arguments) {
     const auto diagnosis = answers::diagnosis(suspects, arguments.request, arguments.common.workers());
     for (const auto& failure : diagnosis.failures) print_message(failure);
     if (arguments.common.json) {
-        print_json(answers::to_json(diagnosis));
+        print_json(output::described(diagnosis.findings));
     } else {
         if (!diagnosis.faultless.empty()) print(listed(diagnosis.faultless) + ": nothing found\n");
         std::vector<Alert> alerts;

@@ -4,16 +4,17 @@
 #include <memory>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
 #include "setae/answers/diagnosis.hpp"
+#include "setae/answers/profile_fields.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/number_text.hpp"
 #include "setae/core/table.hpp"
 #include "setae/core/units.hpp"
+#include "setae/output/field_json.hpp"
 #include "setae/processing/line_profile.hpp"
 #include "setae/tables/table_file.hpp"
 
@@ -81,15 +82,7 @@ ExitCode run(const Arguments& arguments) {
     table.metadata["lines_averaged"] = std::to_string(profile.tracks);
     if (!arguments.output.empty()) tables::write_csv(arguments.output, table);
     if (arguments.common.json) {
-        output::Json json, units;
-        for (const auto& column : table.columns) {
-            json[column.name] = output::numbers(column.values);
-            units[column.name] = column.unit;
-        }
-        json["units"] = units;
-        json["lines_averaged"] = profile.tracks;
-        json["file"] = arguments.path;
-        print_json(json);
+        print_json(output::described(answers::ProfileEntry{table, profile.tracks, arguments.path}));
     } else if (arguments.output.empty()) {
         print(tables::as_csv(table));
     }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <memory>
 
-#include <nlohmann/json.hpp>
-
 #include "convert/heights_output.hpp"
 #include "program/command.hpp"
 #include "program/messages.hpp"
@@ -11,6 +9,7 @@
 #include "setae/answers/blind_tip.hpp"
 #include "setae/answers/diagnosis.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/output/field_json.hpp"
 #include "setae/output/quantity_table.hpp"
 #include "setae/study/pipeline_file.hpp"
 
@@ -51,7 +50,7 @@ ExitCode run(const Arguments& arguments) {
     if (!arguments.output.empty()) write_heights(arguments.output, answer.tip);
     if (!arguments.reconstruction.empty()) write_heights(arguments.reconstruction, answer.surface);
     if (arguments.common.json) {
-        print_json(answers::to_json(answer));
+        print_json(output::described(answer));
         return ExitCode::done;
     }
     print(output::quantity_table("", answer.quantities, output_size().width));

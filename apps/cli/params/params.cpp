@@ -6,7 +6,6 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "params/parameter_text.hpp"
 #include "params/texture_options.hpp"
@@ -21,6 +20,7 @@
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/file_figures/parameter_figure.hpp"
+#include "setae/output/field_json.hpp"
 #include "setae/output/quantity_table.hpp"
 
 namespace setae::cli::params_command {
@@ -95,7 +95,8 @@ ExitCode run_standard(const Arguments& arguments) {
     for (const auto& failure : answer.failures) print_message(failure);
     if (answer.list.empty()) return ExitCode::nothing_done;
     const auto others = show_reading_warnings(answer.alerts);
-    if (arguments.common.json || arguments.texture.format == "json") print_json(answers::to_json(answer));
+    if (arguments.common.json || arguments.texture.format == "json")
+        print_json(output::described(answers::texture_entries(answer)));
     else print(parameter_text(answer.list, arguments.texture.format, output_size().width));
     show(others);
     return answer.failures.empty() ? ExitCode::done : ExitCode::some_failed;
@@ -134,7 +135,7 @@ ExitCode run(const Arguments& arguments) {
     if (!arguments.output.empty())
         write_figure(file_figures::parameter_figure(surface, arguments.figure.look()), arguments.output,
                      arguments.common.json);
-    if (arguments.common.json) print_json(answers::to_json(parameters));
+    if (arguments.common.json) print_json(output::described(answers::parameter_entries(parameters)));
     show(others);
     return code;
 }

@@ -2,12 +2,13 @@
 #include <memory>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
+#include "setae/answers/kept_results.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/output/field_json.hpp"
 #include "setae/study/provenance.hpp"
 #include "study/run_arguments.hpp"
 
@@ -39,11 +40,8 @@ ExitCode run(const Arguments& arguments) {
     const bool show = arguments.what == "show";
     const auto content = show ? store.content() : store.remove(arguments.what == "prune");
     if (arguments.common.json)
-        print_json({{"folder", store.folder()},
-                    {show ? "entries" : "removed_entries", content.entries},
-                    {"of_other_versions", content.of_other_versions},
-                    {show ? "bytes" : "removed_bytes", content.bytes},
-                    {"version", study::version()}});
+        print_json(show ? output::described(answers::KeptResults{store.folder(), content})
+                        : output::described(answers::RemovedResults{store.folder(), content}));
     else if (show)
         print(fmt::format("{}: {} results, {}; {} of other versions than {}\n", store.folder(), content.entries,
                           megabytes(content.bytes), content.of_other_versions, study::version()));

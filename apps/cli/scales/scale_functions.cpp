@@ -2,15 +2,14 @@
 // sdrp, acf and vbw: functions of a distance, of one measurement or combined from several.
 #include <memory>
 
-#include <nlohmann/json.hpp>
-
 #include "plot/figure_output.hpp"
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
 #include "psd/surface_options.hpp"
-#include "setae/answers/functions_of_scale.hpp"
+#include "setae/answers/scale_fields.hpp"
 #include "setae/file_figures/scale_figure.hpp"
+#include "setae/output/field_json.hpp"
 #include "setae/tables/table_file.hpp"
 
 namespace setae::cli {
@@ -77,7 +76,7 @@ ExitCode run(const ScaleArguments& arguments, answers::ScaleFunction function) {
                                               arguments.figure.look());
         },
         arguments.common.json);
-    if (arguments.common.json) print_json(answers::to_json(found));
+    if (arguments.common.json) print_json(output::described(&found, answers::description_of(found.function)));
     else if (arguments.output.empty()) print(tables::as_csv(found.table));
     if (!arguments.common.json) show(alerts);
     return found.failures.empty() ? ExitCode::done : ExitCode::some_failed;

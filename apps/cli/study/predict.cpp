@@ -16,7 +16,9 @@
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/file_figures/predicted_loop_figure.hpp"
+#include "setae/output/field_json.hpp"
 #include "setae/output/file_names.hpp"
+#include "setae/output/hysteresis_fields.hpp"
 #include "setae/output/hysteresis_output.hpp"
 #include "setae/parallel/cancellation.hpp"
 #include "setae/study/hysteresis.hpp"
@@ -134,7 +136,7 @@ ExitCode predict(const PredictArguments& arguments, const cache::Store& store, P
         write_tables(hysteresis, arguments.output);
         failures += write_figures(figures_of(hysteresis, result, arguments.figure.look()), arguments, store);
     }
-    if (arguments.common.json) print_json(output::to_json(hysteresis));
+    if (arguments.common.json) print_json(output::described(output::HysteresisEntry{&hysteresis}));
     else print(output::hysteresis_text(hysteresis, output_size().width));
     return failures == 0 ? ExitCode::done : ExitCode::some_failed;
 }

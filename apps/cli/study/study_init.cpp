@@ -4,15 +4,16 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "program/command.hpp"
 #include "program/data_folder.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
+#include "setae/answers/draft_fields.hpp"
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
+#include "setae/output/field_json.hpp"
 #include "setae/study/study_draft.hpp"
 
 namespace setae::cli::study_init_command {
@@ -50,14 +51,6 @@ void print_summary(const study::StudyDraft& draft, const std::string& file) {
     print(fmt::format("setae study {} --dry-run lists missing metadata\n", shell_word(file)));
 }
 
-output::Json json_of(const study::StudyDraft& draft, const std::string& file) {
-    output::Json json{{"study", file},        {"surfaces", draft.surfaces},       {"measurements", draft.measurements},
-                      {"loops", draft.loops}, {"micrographs", draft.micrographs}, {"left_out", output::Json::array()}};
-    json["passed_over"] = draft.own;
-    for (const auto& left : draft.left_out) json["left_out"].push_back({{"file", left.path}, {"reason", left.reason}});
-    return json;
-}
-
 ExitCode run(const Arguments& arguments) {
     if (arguments.paths.empty()) throw InvalidArgument("no folder; expected at least one with measurements or loops");
     if (!arguments.force && std::filesystem::exists(arguments.output))
@@ -69,7 +62,7 @@ ExitCode run(const Arguments& arguments) {
         throw InvalidArgument("no measurement, loop, spectrum or micrograph found; nothing was written");
     }
     bytes::write_whole_file(arguments.output, draft.text);
-    if (arguments.common.json) print_json(json_of(draft, arguments.output));
+    if (arguments.common.json) print_json(output::described(answers::DraftEntry{arguments.output, &draft}));
     else print_summary(draft, arguments.output);
     return ExitCode::done;
 }

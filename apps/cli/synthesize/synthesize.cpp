@@ -2,14 +2,15 @@
 #include <memory>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "convert/heights_output.hpp"
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
 #include "program/terminal.hpp"
+#include "setae/answers/synthesis_fields.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/output/field_json.hpp"
 #include "setae/output/quantity_table.hpp"
 #include "synthesize/synthesis_options.hpp"
 
@@ -44,7 +45,8 @@ ExitCode run(const Arguments& arguments) {
     const auto made = answers::synthesis_of(arguments.options, arguments.common.workers());
     write_heights(arguments.output, made.measurement);
     if (arguments.common.json) {
-        print_json(answers::to_json(made, arguments.output));
+        const answers::SynthesisEntry entry{&made, arguments.output};
+        print_json(output::described(&entry, answers::description_of(made)));
         return ExitCode::done;
     }
     const auto points = topography::shape(made.measurement);

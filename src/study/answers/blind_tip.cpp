@@ -4,11 +4,11 @@
 #include <algorithm>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
+#include "setae/output/json.hpp"
 
 namespace setae::answers {
 
@@ -54,17 +54,6 @@ BlindTipAnswer blind_tip(const std::string& file, const topography::Measurement&
                          format_value(radius, "m", 3), format_value(pixel, "m", 3)),
              "use the pixel size as an upper limit of the radius, or scan with smaller pixels"});
     return answer;
-}
-
-output::Json to_json(const BlindTipAnswer& answer) {
-    const auto& [tip, converged, rounds] = answer.blind;
-    output::Json json{{"file", answer.file}, {"rounds", rounds}, {"converged", converged}};
-    for (const auto& q : answer.quantities) json["quantities"].push_back(output::to_json(q));
-    json["tip"] = {{"pixel_size", tip.pixel_size}, {"unit", "m"}};
-    for (Index i = 0; i < tip.heights.rows(); ++i)
-        json["tip"]["heights"].push_back(output::numbers(Array1D(tip.heights.row(i).transpose())));
-    json["alerts"] = output::to_json(answer.alerts);
-    return json;
 }
 
 }  // namespace setae::answers

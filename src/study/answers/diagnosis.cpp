@@ -4,8 +4,6 @@
 #include <iterator>
 #include <utility>
 
-#include <nlohmann/json.hpp>
-
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
 
@@ -67,17 +65,6 @@ Diagnosis diagnosis(const std::vector<Suspect>& suspects, const DiagnosisRequest
     }
     if (all.size() > 1) append(diagnosis.findings, diagnostics::diagnose_overlap(all, options));
     return diagnosis;
-}
-
-output::Json to_json(const Diagnosis& diagnosis) {
-    output::Json list = output::Json::array();
-    for (const auto& finding : diagnosis.findings) {
-        output::Json json = output::to_json(std::vector<Alert>{finding.alert}).front();
-        json["effects"] = output::Json::array();
-        for (const auto& effect : finding.effects) json["effects"].push_back(output::to_json(effect));
-        list.push_back(std::move(json));
-    }
-    return list;
 }
 
 }  // namespace setae::answers

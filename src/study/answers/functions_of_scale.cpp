@@ -6,9 +6,7 @@
 #include <variant>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
-#include "setae/answers/columns.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
 #include "setae/scales/autocorrelation.hpp"
@@ -191,22 +189,11 @@ std::vector<double> distances_of(const std::string& text) {
 
 FunctionsOfScale functions_of_scale(ScaleFunction function, const ScaleRequest& request, parallel::Threads threads) {
     auto found = functions_of(request, threads, scale_command(function));
+    found.function = function;
     if (found.functions.empty()) return found;
     combine(found, request);
     found.table = table_of(found, request);
     return found;
-}
-
-output::Json to_json(const FunctionsOfScale& found) {
-    auto json = columns_json(found.table);
-    json["measurements"] = output::Json::array();
-    for (const auto& function : found.functions)
-        json["measurements"].push_back({{"file", function.metadata.file},
-                                        {"name", function.metadata.name},
-                                        {"reliable_from", output::number(function.reliable_from)}});
-    if (found.combined) json["contributors"] = found.combined->contributors;
-    json["alerts"] = output::to_json(found.alerts);
-    return json;
 }
 
 }  // namespace setae::answers

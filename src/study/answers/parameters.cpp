@@ -8,11 +8,11 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "setae/core/constants.hpp"
 #include "setae/core/uncertain_text.hpp"
 #include "setae/core/units.hpp"
+#include "setae/output/json.hpp"
 
 namespace setae::answers {
 namespace {
@@ -116,21 +116,20 @@ std::string headline_text(const Parameters& parameters) {
     return text + "\n";
 }
 
-output::Json to_json(const Parameters& parameters) {
-    output::Json json = output::Json::array();
-    for (const auto& group : parameters.groups) {
+std::vector<ParameterEntry> parameter_entries(const Parameters& parameters) {
+    std::vector<ParameterEntry> entries;
+    for (const auto& group : parameters.groups)
         for (const auto& q : group.quantities) {
-            auto entry = output::to_json(q);
-            entry["file"] = group.file;
-            entry["measurement"] = group.name;
-            if (group.channel) entry["channel"] = *group.channel;
-            entry["purpose"] = is_of_lines(q) ? of_lines : group.purpose;
-            entry["headline"] = is_to_quote(q);
-            if (is_to_quote(q) && !parameters.levelling.empty()) entry["levelling"] = parameters.levelling;
-            json.push_back(std::move(entry));
+            const bool headline = is_to_quote(q);
+            entries.push_back({.quantity = q,
+                               .file = group.file,
+                               .measurement = group.name,
+                               .channel = group.channel,
+                               .purpose = is_of_lines(q) ? of_lines : group.purpose,
+                               .headline = headline,
+                               .levelling = headline ? parameters.levelling : std::string()});
         }
-    }
-    return json;
+    return entries;
 }
 
 }  // namespace setae::answers

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/answers/processed_file.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include "setae/study/pipeline_file.hpp"
 
 namespace setae::answers {
@@ -17,15 +15,8 @@ ProcessedFile processed_file(const std::string& file, const formats::ReadOptions
     return processed;
 }
 
-output::Json to_json(const ProcessedFile& processed, const std::string& output) {
-    return {{"input", processed.file},
-            {"output", output.empty() ? output::Json(nullptr) : output::Json(output)},
-            {"channel", processed.channel.name},
-            {"steps", output::to_json(processed.result.records)}};
-}
-
-output::Json processing_json(const processing::Pipeline& pipeline, const output::Json& files) {
-    return {{"pipeline", study::step_lines(pipeline)}, {"files", files}};
+ProcessingRecord record_of(const ProcessedFile& processed, const std::string& output) {
+    return {processed.file, output, processed.channel.name, processed.result.records};
 }
 
 }  // namespace setae::answers

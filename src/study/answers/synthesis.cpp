@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "setae/answers/words.hpp"
 #include "setae/core/constants.hpp"
@@ -14,6 +13,7 @@
 #include "setae/core/summation.hpp"
 #include "setae/core/text.hpp"
 #include "setae/core/units.hpp"
+#include "setae/output/json.hpp"
 #include "setae/spectra/self_affine.hpp"
 #include "setae/spectra/spectral_density.hpp"
 #include "setae/synthesis/random_surface.hpp"
@@ -212,19 +212,6 @@ Synthesis synthesis_of(const SynthesisRequest& request, parallel::Threads thread
                         output::quantity("rms_height_made", "h_rms", made.rms_height, "m"),
                         output::quantity("rms_slope_made", "h'_rms", made.rms_slope, "1")};
     return found;
-}
-
-output::Json to_json(const Synthesis& synthesis, const std::string& output) {
-    const auto& plan = synthesis.plan;
-    output::Json json{{"output", output.empty() ? output::Json(nullptr) : output::Json(output)},
-                      {"points", topography::shape(synthesis.measurement)},
-                      {"periodic", !plan.window},
-                      {"seed", plan.options.key.seed}};
-    if (const auto* map = std::get_if<topography::HeightMap>(&synthesis.measurement)) json["size"] = map->size;
-    else json["size"] = std::get<topography::LineScan>(synthesis.measurement).size;
-    for (const auto& q : synthesis.quantities) json["quantities"].push_back(output::to_json(q));
-    if (!plan.alerts.empty()) json["alerts"] = output::to_json(plan.alerts);
-    return json;
 }
 
 }  // namespace setae::answers

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include <nlohmann/json.hpp>
-
 #include "setae/answers/words.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
@@ -106,18 +104,11 @@ TextureAnswer texture_of(const study::SurfaceInput& surface, const TextureReques
     return answer;
 }
 
-output::Json to_json(const TextureAnswer& answer) {
-    output::Json json = output::Json::array();
+std::vector<TextureEntry> texture_entries(const TextureAnswer& answer) {
+    std::vector<TextureEntry> entries;
     for (const auto& measured : answer.list)
-        for (const auto& row : measured.parameters) {
-            auto entry = output::to_json(row.quantity);
-            entry["filter"] = row.filter;
-            entry["status"] = row.ok() ? "ok" : "warn";
-            entry["file"] = measured.file;
-            entry["measurement"] = measured.measurement;
-            json.push_back(std::move(entry));
-        }
-    return json;
+        for (const auto& parameter : measured.parameters) entries.push_back({&measured, &parameter});
+    return entries;
 }
 
 }  // namespace setae::answers

@@ -2,14 +2,26 @@
 #include "schemas/described_outputs.hpp"
 
 #include "setae/answers/adhesion_fields.hpp"
+#include "setae/answers/blind_tip.hpp"
 #include "setae/answers/container_fields.hpp"
 #include "setae/answers/contents_fields.hpp"
+#include "setae/answers/converted_files.hpp"
+#include "setae/answers/diagnosis.hpp"
+#include "setae/answers/draft_fields.hpp"
 #include "setae/answers/format_list.hpp"
+#include "setae/answers/kept_results.hpp"
 #include "setae/answers/lens.hpp"
+#include "setae/answers/parameters.hpp"
 #include "setae/answers/patch_survey_fields.hpp"
 #include "setae/answers/power_spectrum_fields.hpp"
+#include "setae/answers/processed_file.hpp"
+#include "setae/answers/profile_fields.hpp"
+#include "setae/answers/scale_fields.hpp"
+#include "setae/answers/synthesis_fields.hpp"
+#include "setae/answers/texture.hpp"
 #include "setae/fields/describe.hpp"
 #include "setae/output/contour_fields.hpp"
+#include "setae/output/hysteresis_fields.hpp"
 #include "setae/study_figures/figure_fields.hpp"
 
 namespace setae::answers::schemas {
@@ -20,18 +32,41 @@ constexpr DescribedOutput one(std::string_view command) {
     return {.command = command, .description = &fields::Described<T>::description};
 }
 
+/// A list of such results.
+template <fields::HasRows T>
+constexpr DescribedOutput list(std::string_view command) {
+    return {.command = command, .description = &fields::Described<T>::description, .is_list = true};
+}
+
 constexpr DescribedOutput outputs[]{
+    {.command = "acf", .description = &acf_description},
     one<Adhesion>("adhesion"),
+    one<KeptResults>("cache"),
+    one<RemovedResults>("cache"),
+    list<diagnostics::Finding>("check"),
     one<CheckedContainers>("container check"),
     one<WrittenContainer>("container write"),
     one<output::ContourEntry>("contour"),
+    one<ConvertedFile>("convert"),
+    one<ConvertedFiles>("convert"),
     one<FormatList>("formats"),
     one<Contents>("info"),
     one<Lens>("jkr lens"),
     one<PatchSurveyAnswer>("lab conform"),
+    one<ProcessingRecords>("level"),
+    list<ParameterEntry>("params"),
+    list<TextureEntry>("params"),
     one<study_figures::PlottedFigure>("plot"),
     one<study_figures::FigureList>("plot"),
+    one<output::HysteresisEntry>("predict"),
+    one<ProfileEntry>("profile"),
     one<PowerSpectrum>("psd"),
+    {.command = "sdrp", .description = &sdrp_description},
+    one<DraftEntry>("study init"),
+    {.command = "synthesize", .description = &surface_description},
+    {.command = "synthesize", .description = &line_description},
+    one<BlindTipAnswer>("tip"),
+    {.command = "vbw", .description = &vbw_description},
 };
 
 }  // namespace

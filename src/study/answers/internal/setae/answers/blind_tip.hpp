@@ -3,12 +3,13 @@
 
 #include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "setae/core/quantity.hpp"
 #include "setae/core/units.hpp"
+#include "setae/fields/describe.hpp"
 #include "setae/fields/option.hpp"
-#include "setae/output/json.hpp"
 #include "setae/topography/blind_tip.hpp"
 #include "setae/topography/certainty.hpp"
 
@@ -38,10 +39,35 @@ struct BlindTipAnswer {
 [[nodiscard]] BlindTipAnswer blind_tip(const std::string& file, const topography::Measurement& measurement,
                                        const BlindTipRequest& request, parallel::Threads threads = {});
 
-/// "file", "rounds", "converged", "quantities", "tip" and "alerts".
-[[nodiscard]] output::Json to_json(const BlindTipAnswer& answer);
-
 }  // namespace setae::answers
+
+template <>
+struct setae::fields::Described<setae::answers::BlindTipAnswer> {
+    using T = answers::BlindTipAnswer;
+    static constexpr std::array rows_of_tip{
+        made<T>("pixel_size", "width and height of a pixel",
+                [](const T& of) -> const auto& { return of.blind.tip.pixel_size; })
+            .in_unit("m"),
+        made<T>("unit", "unit of pixel size and heights", [](const T&) { return std::string_view("m"); }),
+        made<T>("heights", "heights of the tip below the apex, one list per x; `infinity` outside the tip",
+                [](const T& of) { return Eigen::MatrixXd(of.blind.tip.heights.matrix()); })
+            .in_unit("m"),
+    };
+    static constexpr Description heights_of_tip{"", "heights of the tip", rows_of_tip};
+    static constexpr std::array rows{
+        field<&T::file>("file", "name of the file as it was given"),
+        made<T>("rounds", "number of passes over the map", [](const T& of) { return of.blind.rounds; }),
+        made<T>("converged", "whether the last pass changed nothing", [](const T& of) { return of.blind.converged; }),
+        field<&T::quantities>("quantities", "radius and height of the tip, and share of the surface that is certain"),
+        part<T>("tip", "heights of the tip", heights_of_tip),
+        field<&T::alerts>("alerts", "warnings"),
+        inner<&T::blind>(),
+        inner<&T::tip>(),
+        inner<&T::surface>(),
+    };
+    static constexpr Description description{"", "tip shape determined from a scan", rows};
+};
+static_assert(setae::fields::complete<setae::answers::BlindTipAnswer>);
 
 template <>
 struct setae::fields::Asked<setae::answers::BlindTipRequest> {

@@ -249,7 +249,7 @@ struct Described<answers::ListedFile> {
                     return is_curve ? std::optional(of.content.curves) : std::nullopt;
                 }),
         fields_of<T>(of_study, [](const T& of) -> const auto& { return of.content.study; }),
-        made<T>("note", "remark on the file", [](const T& of) -> const auto& { return of.content.note; })
+        made<T>("note", "note on the file", [](const T& of) -> const auto& { return of.content.note; })
             .with(Missing::left_out),
         inner<&T::content>(),
         inner<&T::channels>(),

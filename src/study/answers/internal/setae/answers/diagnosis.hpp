@@ -8,7 +8,7 @@
 
 #include "setae/answers/surface_request.hpp"
 #include "setae/diagnostics/diagnose.hpp"
-#include "setae/output/json.hpp"
+#include "setae/fields/describe.hpp"
 
 namespace setae::answers {
 
@@ -40,10 +40,19 @@ struct Diagnosis {
 [[nodiscard]] Diagnosis diagnosis(const std::vector<Suspect>& suspects, const DiagnosisRequest& request,
                                   parallel::Threads threads = {}, bool every_measurement = false);
 
-/// Warnings with "effects".
-[[nodiscard]] output::Json to_json(const Diagnosis& diagnosis);
-
 }  // namespace setae::answers
+
+template <>
+struct setae::fields::Described<setae::diagnostics::Finding> {
+    using T = diagnostics::Finding;
+    static constexpr std::array rows{
+        fields_of<T>([](const T& of) -> const Alert& { return of.alert; }),
+        field<&T::effects>("effects", "effects on results"),
+        inner<&T::alert>(),
+    };
+    static constexpr Description description{"", "problems of measurements", rows};
+};
+static_assert(setae::fields::complete<setae::diagnostics::Finding>);
 
 template <>
 struct setae::fields::Asked<setae::answers::DiagnosisRequest> {

@@ -10,7 +10,6 @@
 #include "setae/core/table.hpp"
 #include "setae/core/units.hpp"
 #include "setae/fields/option.hpp"
-#include "setae/output/json.hpp"
 #include "setae/scales/function_of_scale.hpp"
 #include "setae/study/surface_analysis.hpp"
 
@@ -34,6 +33,7 @@ struct ScaleRequest {
 
 /// A function of a distance, of each measurement and combined from several.
 struct FunctionsOfScale {
+    ScaleFunction function = ScaleFunction::differences;
     std::vector<scales::FunctionOfScale> functions;    ///< none where every measurement failed
     std::optional<scales::CombinedFunction> combined;  ///< for several measurements, or where bins are requested
     Table table;                                       ///< the one that is shown
@@ -44,9 +44,6 @@ struct FunctionsOfScale {
 /// @throws InvalidArgument for a table of a spectrum; what the functions throw where every measurement is requested.
 [[nodiscard]] FunctionsOfScale functions_of_scale(ScaleFunction function, const ScaleRequest& request,
                                                   parallel::Threads threads = {});
-
-/// Columns by name, "units", "measurements", "contributors" and "alerts".
-[[nodiscard]] output::Json to_json(const FunctionsOfScale& found);
 
 }  // namespace setae::answers
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "setae/core/quantity.hpp"
-#include "setae/output/json.hpp"
+#include "setae/fields/describe.hpp"
 #include "setae/study/surface_analysis.hpp"
 
 namespace setae::answers {
@@ -42,8 +43,35 @@ struct Parameters {
 /// @throws what reading throws where every measurement is requested.
 [[nodiscard]] Parameters parameters(const ParametersRequest& request, parallel::Threads threads = {});
 
-/// A list of quantities, each with "file", "measurement", "channel", "purpose" and "headline": whether it is one to
-/// quote. Those carry "levelling", too.
-[[nodiscard]] output::Json to_json(const Parameters& parameters);
+/// A parameter with its origin.
+struct ParameterEntry {
+    Quantity quantity;
+    std::string file, measurement;
+    std::optional<std::size_t> channel;
+    std::string purpose;
+    bool headline = false;  ///< whether it is one to quote
+    std::string levelling;  ///< of one to quote
+};
+
+/// Parameters of all groups.
+[[nodiscard]] std::vector<ParameterEntry> parameter_entries(const Parameters& parameters);
 
 }  // namespace setae::answers
+
+template <>
+struct setae::fields::Described<setae::answers::ParameterEntry> {
+    using T = answers::ParameterEntry;
+    static constexpr std::array rows{
+        quantity_fields<T>([](const T& of) -> const Quantity& { return of.quantity; }),
+        field<&T::file>("file", "name of the file as it was given; `combined` for several measurements"),
+        field<&T::measurement>("measurement", "name of the measurement"),
+        field<&T::channel>("channel", "number of the channel within the file, counted from 0"),
+        field<&T::purpose>("purpose", "purpose of the number: to be reported, or to be compared with another number"),
+        field<&T::headline>("headline", "whether it is one of the numbers to report"),
+        field<&T::levelling>("levelling", "trend that was removed from the heights before, for a number to report")
+            .with(Missing::left_out),
+        inner<&T::quantity>(),
+    };
+    static constexpr Description description{"", "parameters of measurements and of their spectrum", rows};
+};
+static_assert(setae::fields::complete<setae::answers::ParameterEntry>);

@@ -10,7 +10,6 @@
 #include "setae/core/quantity.hpp"
 #include "setae/core/units.hpp"
 #include "setae/fields/option.hpp"
-#include "setae/output/json.hpp"
 #include "setae/parallel/for_each.hpp"
 #include "setae/synthesis/transformed_heights.hpp"
 
@@ -65,9 +64,6 @@ struct Synthesis {
 
 /// @throws as SynthesisRequest::plan().
 [[nodiscard]] Synthesis synthesis_of(const SynthesisRequest& request, parallel::Threads threads = {});
-
-/// "output" (the file it was written to, or null), "points", "size", "periodic", "seed" and "quantities".
-[[nodiscard]] output::Json to_json(const Synthesis& synthesis, const std::string& output);
 
 }  // namespace setae::answers
 

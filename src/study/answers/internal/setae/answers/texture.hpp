@@ -8,9 +8,8 @@
 #include <vector>
 
 #include "setae/core/units.hpp"
+#include "setae/fields/describe.hpp"
 #include "setae/fields/option.hpp"
-
-#include "setae/output/json.hpp"
 #include "setae/parallel/for_each.hpp"
 #include "setae/study/surface_analysis.hpp"
 #include "setae/texture/profile_parameters.hpp"
@@ -58,10 +57,34 @@ struct TextureAnswer {
 [[nodiscard]] TextureAnswer texture_of(const study::SurfaceInput& surface, const TextureRequest& request,
                                        parallel::Threads threads = {}, bool every_measurement = false);
 
-/// A list of quantities, each with "filter", "status", "file" and "measurement".
-[[nodiscard]] output::Json to_json(const TextureAnswer& answer);
+/// A parameter of a standard, and its measurement.
+struct TextureEntry {
+    const MeasuredTexture* measured;
+    const texture::TextureParameter* parameter;
+};
+
+/// Parameters of all measurements.
+[[nodiscard]] std::vector<TextureEntry> texture_entries(const TextureAnswer& answer);
 
 }  // namespace setae::answers
+
+template <>
+struct setae::fields::Described<setae::answers::TextureEntry> {
+    using T = answers::TextureEntry;
+    static constexpr std::array<std::string_view, 2> states{"ok", "warn"};
+    static constexpr std::array rows{
+        quantity_fields<T>([](const T& of) -> const Quantity& { return of.parameter->quantity; }),
+        made<T>("filter", "filters of the heights", [](const T& of) -> const auto& { return of.parameter->filter; }),
+        made<T>("status", "`warn` for a parameter with warnings",
+                [](const T& of) { return states[of.parameter->ok() ? 0 : 1]; })
+            .one_of(states),
+        made<T>("file", "name of the file as it was given",
+                [](const T& of) -> const auto& { return of.measured->file; }),
+        made<T>("measurement", "name of the measurement",
+                [](const T& of) -> const auto& { return of.measured->measurement; }),
+    };
+    static constexpr Description description{"", "with `--standard` the parameters of the standard", rows};
+};
 
 template <>
 struct setae::fields::Asked<setae::answers::TextureRequest> {

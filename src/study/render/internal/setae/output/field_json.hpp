@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -24,6 +25,14 @@ void add_fields(Json& json, const T& result) {
 template <fields::HasRows T>
 [[nodiscard]] Json described(const T& result) {
     return described(&result, fields::Described<T>::description);
+}
+
+/// A list of such objects.
+template <fields::HasRows T>
+[[nodiscard]] Json described(const std::vector<T>& results) {
+    Json list = Json::array();
+    for (const auto& result : results) list.push_back(described(result));
+    return list;
 }
 
 /// JSON Schema of an object with these fields; described types that have a name are referred to in "#/$defs/NAME".

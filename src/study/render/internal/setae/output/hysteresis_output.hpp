@@ -6,15 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "setae/output/json.hpp"
 #include "setae/study/hysteresis.hpp"
 #include "setae/tables/tidy_table.hpp"
 
 namespace setae::output {
-
-/// "answer", "measured_pairs", "conforming_pairs", "rankings" (conforming_pairs, all_pairs, loop_areas: models best
-/// first), "deciding_pair", "trials" on request, "pairs".
-[[nodiscard]] Json to_json(const study::Hysteresis& hysteresis);
 
 /// "87.9 ± 4.4 mJ/m²": the parameter of a model that has one, as fitted.
 [[nodiscard]] std::string fitted_number(const hysteresis::ModelScore& score);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+// Predicted hysteresis, as JSON has it.
+
 #include <limits>
 #include <string>
 
