@@ -7,17 +7,17 @@
 
 #include "heights.hpp"
 #include "request.hpp"
-#include "setae/answers/adhesive_contact.hpp"
-#include "setae/answers/adhesive_sweep.hpp"
-#include "setae/answers/contact_comparison.hpp"
-#include "setae/answers/contact_front.hpp"
+#include "setae/answers/comparison_fields.hpp"
 #include "setae/answers/contact_line.hpp"
 #include "setae/answers/contact_surface.hpp"
-#include "setae/answers/hard_wall.hpp"
-#include "setae/answers/persson_contact.hpp"
+#include "setae/answers/front_fields.hpp"
+#include "setae/answers/persson_fields.hpp"
+#include "setae/answers/solve_fields.hpp"
+#include "setae/answers/sweep_fields.hpp"
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/half_space/hard_wall.hpp"
+#include "setae/output/field_json.hpp"
 #include "setae/processing/pipeline.hpp"
 
 namespace setae::python {
@@ -69,7 +69,7 @@ void bind_persson(nb::module_& module) {
     nb::class_<Contact>(module, "PerssonContact")
         .def_prop_ro("columns", [](nb::handle self) { return columns(nb::cast<const Contact&>(self).table(), self); })
         .def_prop_ro("units", [](const Contact& contact) { return units(contact.table()); })
-        .def("json", [](const Contact& contact) { return output::as_text(answers::to_json(contact)); });
+        .def("json", [](const Contact& contact) { return output::as_text(output::described(contact)); });
     module.def(
         "persson",
         [](const std::vector<std::shared_ptr<Item>>& items, const answers::AnalysisRequest& request,
@@ -91,7 +91,7 @@ void bind_comparison(nb::module_& module) {
     nb::class_<Comparison>(module, "ContactComparison")
         .def_prop_ro("columns", [](nb::handle self) { return columns(nb::cast<const Comparison&>(self).load, self); })
         .def_prop_ro("units", [](const Comparison& comparison) { return units(comparison.load); })
-        .def("json", [](const Comparison& comparison) { return output::as_text(answers::to_json(comparison)); });
+        .def("json", [](const Comparison& comparison) { return output::as_text(output::described(comparison)); });
     module.def(
         "contact_compare",
         [](const std::vector<std::shared_ptr<Item>>& items, const answers::AnalysisRequest& request,
@@ -130,7 +130,7 @@ SolvedContact pressed(const Item& item, const answers::HardWallRequest& request,
         if (cancelled) throw Interrupted();
     };
     auto answer = answers::hard_wall(item.path, prepared.measurement, request, {}, stop_where_asked);
-    auto json = output::as_text(answers::to_json(answer, prepared.records));
+    auto json = output::as_text(output::described(answers::ContactOutput{&answer, &prepared.records}));
     return {std::move(answer.contact.pressures), std::move(answer.contact.gaps), std::move(answer.quantities),
             std::move(json)};
 }
@@ -142,7 +142,7 @@ SolvedContact attracted(const Item& item, const answers::HardWallRequest& reques
     (void)attraction.interaction();
     const auto prepared = contact_surface_of(item, made, edges, answers::BeyondMap::itself);
     auto answer = answers::adhesive_contact(item.path, prepared.measurement, request, attraction);
-    auto json = output::as_text(answers::to_json(answer, prepared.records));
+    auto json = output::as_text(output::described(answers::ContactOutput{&answer, &prepared.records}));
     return {answer.cell.pressures(), answer.cell.gaps(), std::move(answer.quantities), std::move(json)};
 }
 
@@ -155,7 +155,7 @@ Sweep swept(const Item& item, const answers::SweepRequest& request, const answer
         return true;
     };
     auto answer = answers::adhesive_sweep(item.path, prepared.measurement, request, {}, go_on);
-    auto json = output::as_text(answers::to_json(answer, prepared.records));
+    auto json = output::as_text(output::described(answers::ContactOutput{&answer, &prepared.records}));
     return {std::move(answer.steps), std::move(answer.quantities), std::move(json), std::move(answer.maps), {}};
 }
 
@@ -178,7 +178,7 @@ Sweep front_of(const Item& item, const answers::FrontRequest& request, answers::
         return true;
     };
     auto answer = answers::contact_front(item.path, surfaces, request, {}, go_on);
-    auto json = output::as_text(answers::to_json(answer, records));
+    auto json = output::as_text(output::described(answers::ContactOutput{&answer, &records}));
     return {std::move(answer.steps), std::move(answer.quantities), std::move(json), {}, std::move(answer.edge)};
 }
 

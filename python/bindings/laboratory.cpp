@@ -4,9 +4,10 @@
 #include "request.hpp"
 #include "setae/answers/camera_scale.hpp"
 #include "setae/answers/contact_line.hpp"
-#include "setae/answers/contact_radii.hpp"
 #include "setae/answers/contour.hpp"
 #include "setae/answers/lens.hpp"
+#include "setae/answers/line_fields.hpp"
+#include "setae/answers/radius_fields.hpp"
 #include "setae/answers/replicates.hpp"
 #include "setae/bytes/whole_file.hpp"
 #include "setae/contact_line/line_table.hpp"
@@ -33,7 +34,7 @@ void bind_lens(nb::module_& module) {
         "camera_scale",
         [](const std::vector<std::string>& pictures, const std::string& pitch) {
             return unlocked([&](const auto&) {
-                return output::as_text(answers::to_json(answers::camera_scale(pictures, {pitch})));
+                return output::as_text(output::described(answers::camera_scale(pictures, {pitch})));
             });
         },
         nb::arg("pictures"), nb::arg("pitch"), "as printed by `setae jkr camera --json`");
@@ -48,7 +49,7 @@ void bind_replicates(nb::module_& module) {
         "replicates",
         [](const Request& request) {
             return unlocked(
-                [&](const auto&) { return output::as_text(answers::to_json(answers::replicate_summary(request))); });
+                [&](const auto&) { return output::as_text(output::described(answers::replicate_summary(request))); });
         },
         nb::arg("request"), "as printed by `setae jkr summary --json`");
 }
@@ -84,7 +85,7 @@ void bind_radii(nb::module_& module) {
                 const imaging::FrameSource source(frames, request.frame_options());
                 const auto radii = imaging::measure_contact_radii(source, options);
                 return Radii{imaging::as_table(radii), imaging::as_csv(radii),
-                             output::as_text(answers::to_json(radii))};
+                             output::as_text(output::described(radii))};
             });
         },
         nb::arg("frames"), nb::arg("request"));
@@ -115,7 +116,7 @@ void bind_line(nb::module_& module) {
                 const auto answer = answers::contact_line_answer(answers::recorded_edge(files, asked), asked);
                 const auto& kept = answer.recorded;
                 return Edge{answers::as_table(answer), contact_line::as_table(kept.line, kept.frames),
-                            answers::line_csv(kept), output::as_text(answers::to_json(answer))};
+                            answers::line_csv(kept), output::as_text(output::described(answer))};
             });
         },
         nb::arg("files"), nb::arg("request"));

@@ -4,9 +4,10 @@
 #include <nlohmann/json.hpp>
 
 #include "request.hpp"
-#include "setae/answers/force_curves.hpp"
+#include "setae/answers/curve_fields.hpp"
+#include "setae/answers/loop_fields.hpp"
 #include "setae/answers/machine_stiffness.hpp"
-#include "setae/output/force_map_output.hpp"
+#include "setae/output/field_json.hpp"
 
 namespace setae::python {
 namespace {
@@ -53,10 +54,10 @@ void bind_force_curves(nb::module_& module) {
         [](const std::string& file, const answers::LoopFiles& files, const answers::LoopBodies& bodies,
            const answers::CurveRequest& request) {
             return unlocked([&](const auto&) {
-                const bool several = request.concerns_map(file, files);
-                return output::as_text(several
-                                           ? output::to_json(answers::fit_map(file, files, bodies, request))
-                                           : answers::to_json(file, answers::fit_curve(file, files, bodies, request)));
+                if (request.concerns_map(file, files))
+                    return output::as_text(output::described(answers::fit_map(file, files, bodies, request)));
+                const auto analysis = answers::fit_curve(file, files, bodies, request);
+                return output::as_text(output::described(answers::FittedCurve{file, &analysis}));
             });
         },
         nb::arg("file"), nb::arg("files"), nb::arg("bodies"), nb::arg("request"),
@@ -85,7 +86,8 @@ void bind_loops(nb::module_& module) {
         "machine_stiffness",
         [](const Loop& loop) {
             return unlocked([&](const auto&) {
-                return output::as_text(answers::to_json(loop.file, answers::machine_stiffness(loop.opened)));
+                return output::as_text(
+                    output::described(answers::StiffnessOfFile{loop.file, answers::machine_stiffness(loop.opened)}));
             });
         },
         nb::arg("loop"), "as printed by `setae jkr stiffness --json`");
@@ -95,8 +97,8 @@ void bind_loops(nb::module_& module) {
            const answers::LoopModelsRequest& models) {
             return unlocked([&](const auto&) {
                 const auto analysed = answers::analysed_loop(loop.opened, loop.file, bodies, settings);
-                return LoopAnswer{output::as_text(answers::fit_json(analysed, models.options())),
-                                  output::as_text(answers::energy_json(analysed))};
+                return LoopAnswer{output::as_text(output::described(answers::fitted(analysed, models.options()))),
+                                  output::as_text(output::described(answers::LoopEnergies{&analysed}))};
             });
         },
         nb::arg("loop"), nb::arg("bodies"), nb::arg("settings"), nb::arg("models"));

@@ -11,9 +11,10 @@
 #include "program/print_json.hpp"
 #include "program/terminal.hpp"
 #include "psd/surface_options.hpp"
-#include "setae/answers/contact_comparison.hpp"
+#include "setae/answers/comparison_fields.hpp"
 #include "setae/file_figures/comparison_figure.hpp"
 #include "setae/output/comparison_answer.hpp"
+#include "setae/output/field_json.hpp"
 #include "setae/platform/terminal.hpp"
 
 namespace setae::cli::contact_compare_command {
@@ -60,7 +61,7 @@ ExitCode run(const Arguments& arguments) {
         [&] { return file_figures::comparison_figure(load, arguments.surface.files.front(), arguments.figure.look()); },
         arguments.common.json);
     if (arguments.common.json) {
-        print_json(answers::to_json(comparison));
+        print_json(output::described(comparison));
         return code;
     }
     print(output::comparison_answer(load, comparison.band, comparison.surfaces, output_size().width));

@@ -12,13 +12,14 @@
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
 #include "program/terminal.hpp"
-#include "setae/answers/contact_front.hpp"
 #include "setae/answers/contact_line.hpp"
+#include "setae/answers/front_fields.hpp"
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/layout.hpp"
 #include "setae/core/units.hpp"
 #include "setae/file_figures/front_figure.hpp"
+#include "setae/output/field_json.hpp"
 #include "setae/output/quantity_table.hpp"
 #include "setae/platform/terminal.hpp"
 
@@ -88,7 +89,7 @@ ExitCode run(const Arguments& arguments) {
         arguments.common.json);
     if (!arguments.save_line.empty()) bytes::write_whole_file(arguments.save_line, answers::edge_csv(answer.edge));
     if (arguments.common.json) {
-        print_json(answers::to_json(answer, surfaces.front().records));
+        print_json(output::described(answers::ContactOutput{&answer, &surfaces.front().records}));
         return ExitCode::done;
     }
     const auto width = output_size().width;

@@ -10,8 +10,9 @@
 #include "program/print_json.hpp"
 #include "program/terminal.hpp"
 #include "psd/surface_options.hpp"
-#include "setae/answers/persson_contact.hpp"
+#include "setae/answers/persson_fields.hpp"
 #include "setae/file_figures/persson_figure.hpp"
+#include "setae/output/field_json.hpp"
 #include "setae/output/persson_answer.hpp"
 
 namespace setae::cli::contact_persson_command {
@@ -55,7 +56,7 @@ ExitCode run(const Arguments& arguments) {
         [&] { return file_figures::persson_figure(table, arguments.surface.files.front(), arguments.figure.look()); },
         arguments.common.json);
     if (arguments.common.json) {
-        print_json(answers::to_json(contact));
+        print_json(output::described(contact));
         return code;
     }
     print(output::persson_answer(contact.load, contact.scales, contact.contact_modulus, output_size().width));

@@ -9,13 +9,14 @@
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
 #include "program/terminal.hpp"
-#include "setae/answers/adhesive_contact.hpp"
+#include "setae/answers/solve_fields.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/layout.hpp"
 #include "setae/core/units.hpp"
 #include "setae/half_space/adhesive_quantities.hpp"
 #include "setae/half_space/contact_quantities.hpp"
 #include "setae/half_space/hard_wall.hpp"
+#include "setae/output/field_json.hpp"
 #include "setae/output/quantity_table.hpp"
 #include "setae/platform/terminal.hpp"
 
@@ -64,7 +65,7 @@ ExitCode press(const processing::PipelineResult& processed, const Arguments& arg
     arguments.maps.write(problem.grid, problem.edges == half_space::Edges::periodic, file,
                          {{"", {"", contact.pressures, contact.gaps}}}, arguments.common.json);
     if (arguments.common.json) {
-        print_json(answers::to_json(solved, processed.records));
+        print_json(output::described(answers::ContactOutput{&solved, &processed.records}));
         return ExitCode::done;
     }
     const auto width = output_size().width;
@@ -85,7 +86,7 @@ ExitCode attract(const processing::PipelineResult& processed, const Arguments& a
     arguments.maps.write(solved.grid, true, solved.file, {{"", {"", solved.cell.pressures(), solved.cell.gaps()}}},
                          arguments.common.json);
     if (arguments.common.json) {
-        print_json(answers::to_json(solved, processed.records));
+        print_json(output::described(answers::ContactOutput{&solved, &processed.records}));
         return ExitCode::done;
     }
     const auto width = output_size().width;

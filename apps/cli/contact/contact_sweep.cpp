@@ -12,11 +12,12 @@
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
 #include "program/terminal.hpp"
-#include "setae/answers/adhesive_sweep.hpp"
+#include "setae/answers/sweep_fields.hpp"
 #include "setae/core/layout.hpp"
 #include "setae/core/units.hpp"
 #include "setae/file_figures/sweep_figure.hpp"
 #include "setae/half_space/adhesive_quantities.hpp"
+#include "setae/output/field_json.hpp"
 #include "setae/output/quantity_table.hpp"
 #include "setae/platform/terminal.hpp"
 
@@ -104,7 +105,7 @@ ExitCode run(const Arguments& given) {
     write_states(answer, arguments);
     arguments.finish();
     if (arguments.common.json) {
-        print_json(answers::to_json(answer, processed.records));
+        print_json(output::described(answers::ContactOutput{&answer, &processed.records}));
         return ExitCode::done;
     }
     const auto width = output_size().width;

@@ -12,6 +12,7 @@
 #include "setae/answers/camera_scale.hpp"
 #include "setae/core/uncertain_text.hpp"
 #include "setae/core/units.hpp"
+#include "setae/output/field_json.hpp"
 
 namespace setae::cli::jkr_camera_command {
 namespace {
@@ -54,7 +55,7 @@ std::string as_text(const imaging::CameraScale& scale) {
 
 ExitCode run(const Arguments& arguments) {
     const auto scale = answers::camera_scale(arguments.files, arguments.ruling);
-    if (arguments.common.json) print_json(answers::to_json(scale));
+    if (arguments.common.json) print_json(output::described(scale));
     else print(as_text(scale));
     return ExitCode::done;
 }

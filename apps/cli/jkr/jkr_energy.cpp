@@ -13,11 +13,13 @@
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
 #include "program/terminal.hpp"
+#include "setae/answers/loop_fields.hpp"
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/display_unit.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/uncertain_text.hpp"
 #include "setae/core/units.hpp"
+#include "setae/output/field_json.hpp"
 #include "setae/output/loop_tables.hpp"
 #include "setae/study_figures/loop_figures.hpp"
 #include "setae/tables/table_file.hpp"
@@ -151,7 +153,7 @@ ExitCode run(const Arguments& arguments) {
     const auto code = for_each_loop(arguments.request, arguments.common.workers(), [&](const AnalysedLoop& loop) {
         output::add_energies(energies, output::labels_stated_in(loop.opened.table, loop.file), loop.analysis);
         if (arguments.common.json) {
-            list.push_back(answers::energy_json(loop));
+            list.push_back(output::described(answers::LoopEnergies{&loop}));
         } else {
             print_energy_budget(loop);
             alerts.insert(alerts.end(), loop.analysis.alerts.begin(), loop.analysis.alerts.end());

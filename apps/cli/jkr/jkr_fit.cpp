@@ -18,14 +18,16 @@
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
 #include "program/terminal.hpp"
+#include "setae/answers/curve_fields.hpp"
+#include "setae/answers/loop_fields.hpp"
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/layout.hpp"
 #include "setae/core/uncertain_text.hpp"
 #include "setae/core/units.hpp"
 #include "setae/file_figures/loop_figure.hpp"
+#include "setae/output/field_json.hpp"
 #include "setae/output/file_names.hpp"
-#include "setae/output/fit_json.hpp"
 #include "setae/output/force_map_output.hpp"
 #include "setae/output/loop_answer.hpp"
 #include "setae/output/loop_tables.hpp"
@@ -197,7 +199,7 @@ void fit_curves_of(const std::string& file, const std::string& name, const Argum
     const auto written =
         arguments.output.empty() ? std::vector<std::string>{} : output::write_force_map(map, arguments.output, name);
     if (arguments.common.json) {
-        list.push_back(output::to_json(map));
+        list.push_back(output::described(map));
         return;
     }
     print_map(map);
@@ -219,7 +221,7 @@ ExitCode fit_curves(const Arguments& arguments, const std::vector<std::string>& 
         }
         const auto analysis =
             answers::fit_curve(file, arguments.request.loops, arguments.request.bodies, arguments.curve);
-        if (arguments.common.json) list.push_back(answers::to_json(file, analysis));
+        if (arguments.common.json) list.push_back(output::described(answers::FittedCurve{file, &analysis}));
         else print_curve(file, analysis);
     });
 }
@@ -269,7 +271,7 @@ ExitCode fit_loops(const Arguments& arguments, const LoopAnalysisRequest& reques
                          arguments.common.json);
         if (models.shared()) add_to_shared_fit(loop, models, shared);
         if (arguments.common.json) {
-            list.push_back(answers::fit_json(loop, models));
+            list.push_back(output::described(answers::fitted(loop, models)));
             return;
         }
         output::add_loop_row(rows, unique_name(files, loop.file), loop.analysis);
@@ -299,6 +301,13 @@ void check_output(const std::string& output, const std::vector<std::string>& cur
                                           loops.size(), output));
 }
 
+/// The fits to loops, and the fit with the parameters that they share.
+output::Json shared_json(const loops::GlobalFit& fit, const output::Json& loops) {
+    auto json = output::described(answers::SharedLoops{&fit});
+    json["loops"] = loops;
+    return json;
+}
+
 ExitCode run(const Arguments& arguments) {
     output::Json list = output::Json::array();
     auto loops = arguments.request;
@@ -313,7 +322,7 @@ ExitCode run(const Arguments& arguments) {
     if (!loops.loops.files.empty()) codes.push_back(fit_loops(arguments, loops, list, global));
     if (arguments.common.json && !list.empty()) {
         const auto results = list.size() == 1 ? list.front() : list;
-        print_json(global ? output::Json{{"loops", results}, {"shared", output::to_json(*global)}} : results);
+        print_json(global ? shared_json(*global, results) : results);
     } else if (global) {
         print_shared(*global);
     }

@@ -15,12 +15,14 @@
 #include "program/data_folder.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
+#include "setae/answers/import_fields.hpp"
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 #include "setae/core/uncertain_text.hpp"
 #include "setae/core/units.hpp"
+#include "setae/output/field_json.hpp"
 #include "setae/tables/clocks.hpp"
 #include "setae/tables/column_guess.hpp"
 #include "setae/tables/loop_file.hpp"
@@ -82,26 +84,6 @@ tables::TableOptions table_options(const Arguments& arguments) {
 bool is_foreign_table(const std::string& file) {
     const auto source = bytes::file_source(file);
     return !tables::is_loop_file(source) && !tables::force_curve_format(source);
-}
-
-output::Json json_of(const tables::ColumnGuess& guess) {
-    output::Json json{{"columns", output::Json::array()}, {"roles", output::Json::array()}};
-    for (const auto& column : guess.columns)
-        json["columns"].push_back({{"name", column.name},
-                                   {"unit", column.unit},
-                                   {"first_values", column.first_values},
-                                   {"note", column.note}});
-    for (const auto& role : guess.roles) {
-        output::Json candidates = output::Json::array();
-        for (const auto& candidate : role.candidates)
-            candidates.push_back({{"column", candidate.column + 1},
-                                  {"confidence", candidate.confidence},
-                                  {"reason", candidate.reason},
-                                  {"from_area", candidate.derivation == tables::Derivation::radius_of_area},
-                                  {"negative", candidate.derivation == tables::Derivation::negative}});
-        json["roles"].push_back({{"role", role.role}, {"candidates", candidates}});
-    }
-    return json;
 }
 
 /// Range of each column, with unit and prefix.
@@ -189,20 +171,13 @@ void import(const Arguments& arguments, const std::string& file, output::Json& l
         tables::write_loop(output, opened.table, metadata);
     }
     if (arguments.common.json) {
-        output::Json json{{"file", file},
-                          {"samples", opened.table.rows()},
-                          {"metadata", metadata},
-                          {"alerts", output::to_json(opened.alerts)}};
-        for (const auto& column : opened.table.columns)
-            json["columns"].push_back({{"name", column.name}, {"unit", column.unit}});
-        if (mapped.guess) json["guess"] = json_of(*mapped.guess);
-        if (mapped.mapping) json["mapping"] = tables::as_toml(*mapped.mapping);
-        if (opened.clock)
-            json["clock"] = {
-                {"offset", output::to_json(output::quantity("clock_offset", "t0", opened.clock->offset, "s"))},
-                {"doubt", opened.clock->doubt}};
-        if (!output.empty()) json["output"] = output;
-        list.push_back(json);
+        list.push_back(output::described(answers::ImportedLoop{
+            .file = file,
+            .opened = &opened,
+            .metadata = metadata,
+            .guess = mapped.guess,
+            .mapping = mapped.mapping ? std::optional(tables::as_toml(*mapped.mapping)) : std::nullopt,
+            .output = output.empty() ? std::nullopt : std::optional(output)}));
         return;
     }
     print(fmt::format("{}: {}{}", file, summary(opened.table), first_rows(opened.table)));

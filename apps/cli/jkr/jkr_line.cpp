@@ -16,12 +16,14 @@
 #include "program/print_json.hpp"
 #include "program/terminal.hpp"
 #include "setae/answers/line_comparison.hpp"
+#include "setae/answers/line_fields.hpp"
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/layout.hpp"
 #include "setae/core/uncertain_text.hpp"
 #include "setae/core/units.hpp"
 #include "setae/file_figures/contact_line_figure.hpp"
+#include "setae/output/field_json.hpp"
 
 namespace setae::cli::jkr_line_command {
 namespace {
@@ -150,10 +152,10 @@ ExitCode run(const Arguments& arguments) {
     if (!arguments.other_edge.empty()) {
         const auto comparison =
             answers::beside(answer, answers::recorded_edge({arguments.other_edge}, arguments), arguments);
-        if (arguments.common.json) print_json(answers::to_json(answer, comparison));
+        if (arguments.common.json) print_json(output::described(answers::ComparedLine{&answer, &comparison}));
         else print(comparison_text(answer, comparison, arguments));
     } else if (arguments.common.json) {
-        print_json(answers::to_json(answer));
+        print_json(output::described(answer));
     } else {
         print(as_text(answer));
     }

@@ -10,10 +10,11 @@
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
-#include "setae/answers/contact_radii.hpp"
+#include "setae/answers/radius_fields.hpp"
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
+#include "setae/output/field_json.hpp"
 
 namespace setae::cli::jkr_radius_command {
 namespace {
@@ -65,7 +66,7 @@ ExitCode run(const Arguments& arguments) {
     const auto radii = imaging::measure_contact_radii(source, options);
     if (!arguments.output.empty()) bytes::write_whole_file(arguments.output, imaging::as_csv(radii));
     if (!arguments.overlay.empty()) write_overlays(arguments, source, radii);
-    if (arguments.common.json) print_json(answers::to_json(radii));
+    if (arguments.common.json) print_json(output::described(radii));
     else if (arguments.output.empty()) print(imaging::as_csv(radii));
     report_frames(radii);
     const auto& s = radii.summary;

@@ -14,6 +14,7 @@
 #include "setae/answers/machine_stiffness.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/uncertain_text.hpp"
+#include "setae/output/field_json.hpp"
 
 namespace setae::cli::jkr_stiffness_command {
 namespace {
@@ -49,7 +50,7 @@ ExitCode run(const Arguments& arguments) {
     output::Json all = output::Json::array();
     const ExitCode code = for_each_item(arguments.loops.files, [&](const std::string& file) {
         const auto found = answers::machine_stiffness(arguments.loops.open(file));
-        if (arguments.common.json) all.push_back(answers::to_json(file, found));
+        if (arguments.common.json) all.push_back(output::described(answers::StiffnessOfFile{file, found}));
         else print(as_text(file, found));
     });
     if (arguments.common.json) print_json(arguments.loops.files.size() == 1 && all.size() == 1 ? all.front() : all);

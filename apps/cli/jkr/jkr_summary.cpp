@@ -15,6 +15,7 @@
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/figures/figure.hpp"
+#include "setae/output/field_json.hpp"
 #include "setae/output/replicate_report.hpp"
 #include "setae/study_figures/forest_plot.hpp"
 
@@ -73,7 +74,7 @@ ExitCode run(const Arguments& arguments) {
     const auto summary = answers::replicate_summary(arguments.request);
     const auto& [tables, model] = summary;
     const auto figure = study_figures::forest_plot(tables.data, model, {.quantity = tables.data.quantity});
-    const auto json = answers::to_json(summary);
+    const auto json = output::described(summary);
     for (const auto& bad : tables.bad_rows)
         print_message(fmt::format("{}: {}; this row is excluded", bad.place, bad.reason));
     if (!arguments.figure.empty()) write_figure(arguments.figure, tables, figure);

@@ -25,7 +25,7 @@ public:
     /// Inputs of the measured value of a pair, and of its line.
     void add_inputs_of(const PairPoint& pair) {
         for (const auto* inputs :
-             {&pair.measured_inputs, &pair.measured_noise, &pair.slope_inputs, &pair.offset_inputs})
+             {&pair.in_unitputs, &pair.measured_noise, &pair.slope_inputs, &pair.offset_inputs})
             add(*inputs);
     }
 

@@ -23,7 +23,7 @@ PairPoint held(PairPoint pair, const std::string& input, double shift) {
         value += shift * direction_of(inputs, input);
         inputs.erase(input);
     };
-    move(pair.measured.value, pair.measured_inputs);
+    move(pair.measured.value, pair.in_unitputs);
     move(pair.slope, pair.slope_inputs);
     move(pair.offset, pair.offset_inputs);
     return pair;
@@ -32,7 +32,7 @@ PairPoint held(PairPoint pair, const std::string& input, double shift) {
 bool has_one_direction(const std::vector<PairPoint>& pairs, const std::string& input) {
     bool any = false;
     for (const auto& pair : pairs)
-        for (const auto* inputs : {&pair.measured_inputs, &pair.slope_inputs, &pair.offset_inputs}) {
+        for (const auto* inputs : {&pair.in_unitputs, &pair.slope_inputs, &pair.offset_inputs}) {
             const double direction = direction_of(*inputs, input);
             if (std::isnan(direction)) return false;
             any = any || direction != 0.0;

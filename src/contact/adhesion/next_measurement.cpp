@@ -26,7 +26,7 @@ PairPoint with(PairPoint pair, const Candidate& candidate) {
     }
     const bool spectrum = candidate.kind == Kind::spectrum;
     const auto name = spectrum ? roughness::spectrum_input(candidate.name) : candidate.name;
-    for (auto* inputs : {&pair.measured_inputs, &pair.slope_inputs, &pair.offset_inputs})
+    for (auto* inputs : {&pair.in_unitputs, &pair.slope_inputs, &pair.offset_inputs})
         shrink(*inputs, name, spectrum ? std::sqrt(0.5) : 0.5);
     return pair;
 }

@@ -10,7 +10,7 @@ using Eigen::MatrixXd, Eigen::VectorXd;
 PairInputs::PairInputs(const std::vector<PairPoint>& pairs) : pairs_(pairs), size_(static_cast<Index>(pairs.size())) {
     std::vector<const Components*> values;  // part by part
     for (const auto part :
-         {&PairPoint::measured_inputs, &PairPoint::measured_noise, &PairPoint::slope_inputs, &PairPoint::offset_inputs})
+         {&PairPoint::in_unitputs, &PairPoint::measured_noise, &PairPoint::slope_inputs, &PairPoint::offset_inputs})
         for (const auto& pair : pairs) values.push_back(&(pair.*part));
     const MatrixXd rows = component_rows(values);
     products_.noalias() = rows * rows.transpose();

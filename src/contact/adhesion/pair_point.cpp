@@ -51,7 +51,7 @@ Component own_noise(const PairPoint& pair, double derivative) {
 }
 
 Components residual_inputs(const PairPoint& pair, double work) {
-    return combined({{predicted_over_measured(pair, work), pair.measured_inputs},
+    return combined({{predicted_over_measured(pair, work), pair.in_unitputs},
                      {1.0, pair.measured_noise},
                      {-share_through_floor(pair, work), pair.prediction_inputs(work)}});
 }

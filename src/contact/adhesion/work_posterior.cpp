@@ -65,7 +65,7 @@ public:
           scatter(labels_of(of), prior_scale(of)),
           coarse(labels_of(of), prior_scale(of), coarse_nodes) {
         std::vector<const Components*> values;
-        for (const auto part : {&PairPoint::slope_inputs, &PairPoint::offset_inputs, &PairPoint::measured_inputs,
+        for (const auto part : {&PairPoint::slope_inputs, &PairPoint::offset_inputs, &PairPoint::in_unitputs,
                                 &PairPoint::measured_noise})
             for (const auto& pair : pairs) values.push_back(&(pair.*part));
         const MatrixXd rows = component_rows(values);
@@ -476,7 +476,7 @@ BalanceDraws WorkPosterior::draw(const std::vector<PairPoint>& lines, int count,
             const auto& pair = b.pairs[B::to(i)];
             change[B::slope * b.size + i] = deviates.moved(pair.slope_inputs);
             change[B::offset * b.size + i] = deviates.moved(pair.offset_inputs);
-            change[B::measured * b.size + i] = deviates.moved(pair.measured_inputs);
+            change[B::measured * b.size + i] = deviates.moved(pair.in_unitputs);
             change[B::fitted * b.size + i] = deviates.moved(pair.measured_noise);
         }
         VectorXd missing = place.at.residual - place.at.jacobian * change;
@@ -490,7 +490,7 @@ BalanceDraws WorkPosterior::draw(const std::vector<PairPoint>& lines, int count,
             const auto& pair = b.pairs[B::to(i)];
             deviates.pull(pair.slope_inputs, by_change[B::slope * b.size + i]);
             deviates.pull(pair.offset_inputs, by_change[B::offset * b.size + i]);
-            deviates.pull(pair.measured_inputs, by_change[B::measured * b.size + i]);
+            deviates.pull(pair.in_unitputs, by_change[B::measured * b.size + i]);
             deviates.pull(pair.measured_noise, by_change[B::fitted * b.size + i]);
         }
         deviates.take_pulls();

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
@@ -55,20 +54,6 @@ AdhesiveContactAnswer adhesive_contact(const std::string& file, const topography
              "resolve the range of the attraction with more points"});
     auto quantities = half_space::adhesive_quantities(cell, state);
     return {file, body, interaction, surface.grid, std::move(cell), state, std::move(quantities), std::move(alerts)};
-}
-
-output::Json to_json(const AdhesiveContactAnswer& answer, const std::vector<processing::StepRecord>& processing) {
-    const auto& state = answer.state;
-    auto json = quantities_json(answer.quantities);
-    json["status"] = half_space::name_of(state.converged ? half_space::SolveStatus::converged
-                                                         : half_space::SolveStatus::not_converged);
-    json["residual"] = state.residual;
-    json["iterations"] = state.iterations;
-    json["transform_pairs"] = state.transforms;
-    add_problem(json, answer.grid, answer.body);
-    add_interaction(json, answer.interaction, answer.body, answer.grid);
-    add_input(json, answer.file, processing, answer.alerts);
-    return json;
 }
 
 }  // namespace setae::answers

@@ -7,9 +7,7 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
-#include "setae/answers/columns.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
 #include "setae/half_space/adhesive_quantities.hpp"
@@ -96,17 +94,6 @@ SweepAnswer adhesive_sweep(const std::string& file, const topography::Measuremen
         answer.alerts.push_back({"CONTACT_NOT_CONVERGED", file, "some steps of the sweep did not converge",
                                  "resolve the range of the attraction with more points"});
     return answer;
-}
-
-output::Json to_json(const SweepAnswer& answer, const std::vector<processing::StepRecord>& processing) {
-    auto json = quantities_json(answer.quantities);
-    json["status"] = answer.loop.complete ? "complete" : "not_converged";
-    json["steps"] = columns_json(answer.steps);
-    for (const auto& maps : answer.maps) json["maps"].push_back({{"name", maps.name}, {"step", maps.step}});
-    add_problem(json, answer.grid, answer.body);
-    add_interaction(json, answer.interaction, answer.body, answer.grid);
-    add_input(json, answer.file, processing, answer.alerts);
-    return json;
 }
 
 }  // namespace setae::answers

@@ -6,9 +6,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
-#include "setae/answers/columns.hpp"
 #include "setae/answers/contact_problem.hpp"
 #include "setae/answers/made_surface.hpp"
 #include "setae/answers/pressures.hpp"
@@ -124,25 +122,6 @@ ContactComparison compare_contact(const study::SurfaceResult& surface, const Com
                                                  comparison.largest_duality_gap, request.tolerance),
                                      "raise `tolerance`, or resolve the surface's shortest waves with more points"});
     return comparison;
-}
-
-output::Json to_json(const ContactComparison& comparison) {
-    const auto& [scales, grid, band, load, body, factor, surfaces, seed, height, slope, made, gap, alerts] = comparison;
-    auto json = columns_json(load);
-    add_problem(json, grid, body);
-    json["surfaces"] = surfaces;
-    json["seed"] = seed;
-    json["band"] = {{"lower", band.lower}, {"upper", band.upper}, {"unit", "1/m"}};
-    json["rms_height"] = height;
-    json["rms_slope"] = slope;
-    json["rms_height_of_surfaces"] = made.rms_height;
-    json["rms_slope_of_surfaces"] = made.rms_slope;
-    json["energy_factor"] = factor;
-    json["largest_duality_gap"] = gap;
-    json["units"]["rms_height"] = json["units"]["rms_height_of_surfaces"] = "m";
-    json["units"]["rms_slope"] = json["units"]["rms_slope_of_surfaces"] = "1";
-    json["alerts"] = output::to_json(alerts);
-    return json;
 }
 
 }  // namespace setae::answers

@@ -8,9 +8,7 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
-#include "setae/answers/columns.hpp"
 #include "setae/answers/made_surface.hpp"
 #include "setae/contact/jkr.hpp"
 #include "setae/contact_line/line_table.hpp"
@@ -20,6 +18,7 @@
 #include "setae/core/uncertain_text.hpp"
 #include "setae/core/units.hpp"
 #include "setae/core/words.hpp"
+#include "setae/output/json.hpp"
 
 namespace setae::answers {
 namespace {
@@ -285,12 +284,6 @@ std::vector<Alert> alerts_of(const FrontAnswer& answer, const HeightMap& map) {
     return alerts;
 }
 
-output::Json run_json(const FrontRun& run) {
-    output::Json json;
-    for (const auto& reading : readings()) json[reading.name] = output::number(reading.value(run));
-    return json;
-}
-
 }  // namespace
 
 double FrontRun::pinning_coefficient() const {
@@ -376,28 +369,11 @@ std::string front_sentence(const FrontAnswer& answer) {
                        fmt::format("{:.0f} jumps", value("jumps").value));
 }
 
-output::Json to_json(const FrontAnswer& answer, const std::vector<processing::StepRecord>& processing) {
-    auto json = quantities_json(answer.quantities);
-    if (answer.runs.size() > 1)
-        for (const auto& q : answer.quantities)
-            if (q.estimate.uncertain()) json["standard_errors"][q.quantity] = q.estimate.standard_error;
-    json["radius"] = answer.contact.radius;
-    json["contact_modulus"] = answer.contact.contact_modulus;
-    json["work_of_adhesion"] = answer.contact.work_of_adhesion;
-    json["shortest_wavelength"] = answer.shortest_wavelength;
-    for (const auto& [name, unit] : {std::pair{"radius", "m"},
-                                     {"contact_modulus", "Pa"},
-                                     {"work_of_adhesion", "J/m2"},
-                                     {"shortest_wavelength", "m"}})
-        json["units"][name] = unit;
-    json["status"] = std::ranges::all_of(answer.runs, [](const FrontRun& run) { return run.loop.complete; })
-                         ? "complete"
-                         : "not_converged";
-    json["runs"] = output::Json::array();
-    for (const auto& run : answer.runs) json["runs"].push_back(run_json(run));
-    json["steps"] = columns_json(answer.steps);
-    add_input(json, answer.file, processing, answer.alerts);
-    return json;
+std::vector<Quantity> quantities_of(const FrontRun& run) {
+    std::vector<Quantity> quantities;
+    for (const auto& reading : readings())
+        quantities.push_back(output::quantity(reading.name, reading.symbol, reading.value(run), reading.unit));
+    return quantities;
 }
 
 }  // namespace setae::answers

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "setae/contact/elasticity.hpp"
 #include "setae/contact/jkr.hpp"
@@ -118,61 +117,6 @@ void add_release_rate(LineAnswer& answer, const Array1D& displacement, const Lin
     answer.retracting_rate = release_rate(rates.bottomRows(after), noise.tail(after));
 }
 
-output::Json rate_json(const std::optional<ReleaseRate>& rate) {
-    if (!rate) return nullptr;
-    return {{"frames", rate->frames},
-            {"mean", {{"value", rate->mean}, {"unit", "J/m2"}}},
-            {"scatter", {{"value", rate->scatter}, {"unit", "J/m2"}}},
-            {"noise", {{"value", rate->noise}, {"unit", "J/m2"}}},
-            {"energy_share", rate->energy_share()}};
-}
-
-output::Json tail_json(const std::optional<contact_line::PowerLawTail>& tail, const char* quantity, const char* symbol,
-                       const char* unit) {
-    if (!tail) return nullptr;
-    return {{"exponent", output::to_json(output::quantity(quantity, symbol, tail->exponent, "1"))},
-            {"smallest", {{"value", tail->smallest}, {"unit", unit}}},
-            {"count", tail->count},
-            {"distance", tail->distance}};
-}
-
-output::Json clusters_json(const std::vector<contact_line::Cluster>& clusters) {
-    output::Json json{{"count", clusters.size()}};
-    for (const char* key : {"area", "along", "across", "angle", "radius"}) json[key] = output::Json::array();
-    for (const auto& c : clusters) {
-        json["area"].push_back(c.area);
-        json["along"].push_back(c.along);
-        json["across"].push_back(c.across);
-        json["angle"].push_back(c.angle);
-        json["radius"].push_back(c.radius);
-    }
-    return json;
-}
-
-output::Json motion_json(const std::optional<LineMotion>& motion) {
-    if (!motion) return nullptr;
-    output::Json json;
-    json["mean_speed"] = {{"value", motion->passage.mean_speed}, {"unit", "m/s"}};
-    json["ring_width"] = {{"value", motion->passage.width}, {"unit", "m"}};
-    json["speed_tail"] = tail_json(motion->speed_tail, "exponent of the speeds' tail", "eta", "1");
-    json["jump_tail"] = tail_json(motion->jump_tail, "exponent of the jumps' areas", "tau", "m2");
-    json["jumps"] = clusters_json(motion->jumps);
-    json["arrests"] = clusters_json(motion->arrests);
-    return json;
-}
-
-output::Json roughness_json(const std::optional<contact_line::LineRoughness>& roughness) {
-    if (!roughness) return nullptr;
-    output::Json json;
-    json["exponent"] =
-        output::to_json(output::quantity("roughness exponent of the edge", "zeta", roughness->exponent, "1"));
-    json["amplitude"] = {{"value", roughness->amplitude}, {"unit", "m2"}};
-    json["modes"] = {roughness->smallest_mode, roughness->largest_mode};
-    json["power"] = output::numbers(roughness->power);
-    json["structure"] = output::numbers(roughness->structure);
-    return json;
-}
-
 }  // namespace
 
 Array1D areas_of(const std::vector<contact_line::Cluster>& clusters) {
@@ -257,17 +201,26 @@ LineAnswer contact_line_answer(RecordedEdge edge, const LineRequest& request) {
     return answer;
 }
 
+Array1D void_counts(const RecordedLine& recorded) {
+    return Array1D::NullaryExpr(recorded.line.frames(), [&](Index i) {
+        return static_cast<double>(recorded.voids[static_cast<std::size_t>(i)].size());
+    });
+}
+
+Array1D void_areas(const RecordedLine& recorded) {
+    return Array1D::NullaryExpr(recorded.line.frames(), [&](Index i) {
+        double area = 0.0;
+        for (const auto& hole : recorded.voids[static_cast<std::size_t>(i)])
+            area += hole.area * recorded.pixel_size * recorded.pixel_size;
+        return area;
+    });
+}
+
 Table as_table(const LineAnswer& answer) {
     const auto& recorded = answer.recorded;
     const Index frames = recorded.line.frames();
-    Array1D numbers(frames), voids(frames), void_area(frames);
-    for (Index i = 0; i < frames; ++i) {
-        const auto& holes = recorded.voids[static_cast<std::size_t>(i)];
-        numbers[i] = static_cast<double>(recorded.frames[static_cast<std::size_t>(i)]);
-        voids[i] = static_cast<double>(holes.size());
-        void_area[i] = 0.0;
-        for (const auto& hole : holes) void_area[i] += hole.area * recorded.pixel_size * recorded.pixel_size;
-    }
+    const Array1D numbers = Array1D::NullaryExpr(
+        frames, [&](Index i) { return static_cast<double>(recorded.frames[static_cast<std::size_t>(i)]); });
     Table table;
     table.columns = {{"time", "s", recorded.line.time},
                      {"frame", "1", numbers},
@@ -275,28 +228,9 @@ Table as_table(const LineAnswer& answer) {
                      {"area", "m2", answer.shape.area},
                      {"perimeter", "m", answer.shape.perimeter},
                      {"deviation", "m", answer.shape.deviation},
-                     {"voids", "1", voids},
-                     {"void_area", "m2", void_area}};
+                     {"voids", "1", void_counts(recorded)},
+                     {"void_area", "m2", void_areas(recorded)}};
     return table;
-}
-
-output::Json to_json(const LineAnswer& answer) {
-    const auto& recorded = answer.recorded;
-    output::Json json{{"frames", recorded.frames}, {"angles", recorded.line.angles()}};
-    json["place_error"] = {{"value", recorded.line.place_error}, {"unit", "m"}};
-    json["roughness"] = roughness_json(answer.roughness);
-    json["advancing"] = motion_json(answer.advancing);
-    json["receding"] = motion_json(answer.receding);
-    if (answer.advancing_rate || answer.retracting_rate)
-        json["release_rate"] = {{"advancing", rate_json(answer.advancing_rate)},
-                                {"receding", rate_json(answer.retracting_rate)}};
-    const auto table = as_table(answer);
-    for (const auto& column : table.columns)
-        if (column.name != "frame")
-            json[column.name] = {{"values", output::numbers(column.values)}, {"unit", column.unit}};
-    json["left_out"] = recorded.left_out;
-    json["notes"] = answer.notes;
-    return json;
 }
 
 }  // namespace setae::answers

@@ -2,7 +2,6 @@
 #include "setae/answers/contact_problem.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
@@ -60,33 +59,14 @@ TouchingSurface touching_surface(const std::string& file, const topography::Meas
     return result;
 }
 
-output::Json quantities_json(const std::vector<Quantity>& quantities) {
-    output::Json json, units;
-    for (const auto& q : quantities) {
-        json[q.quantity] = output::number(q.estimate.value);
-        units[q.quantity] = q.unit;
-    }
-    json["units"] = units;
-    return json;
-}
-
-void add_problem(output::Json& json, const half_space::Grid& grid, const half_space::Body& body) {
-    json["points"] = {grid.nx, grid.ny};
-    json["size"] = {grid.size_x, grid.size_y};
-    json["contact_modulus"] = body.contact_modulus;
-    json["units"]["size"] = "m";
-    json["units"]["contact_modulus"] = "Pa";
-}
-
-void add_interaction(output::Json& json, const half_space::Interaction& interaction, const half_space::Body& body,
-                     const half_space::Grid& grid) {
-    json["work_of_adhesion"] = interaction.work_of_adhesion;
-    json["interaction_range"] = interaction.range;
-    json["law"] = half_space::name_of(interaction.law);
-    json["grid_ratio"] = half_space::resolution_of(interaction, body, grid).squared_ratio;
-    json["units"]["work_of_adhesion"] = "J/m2";
-    json["units"]["interaction_range"] = "m";
-    json["units"]["grid_ratio"] = "1";
+std::vector<std::pair<std::string, std::string>> units_by_name(
+    const std::vector<Quantity>& quantities, std::initializer_list<const fields::Description*> numbers) {
+    std::vector<std::pair<std::string, std::string>> units;
+    for (const auto& q : quantities) units.emplace_back(q.quantity, q.unit);
+    for (const auto* description : numbers)
+        for (const auto& row : description->rows)
+            if (!row.unit.empty()) units.emplace_back(row.name, row.unit);
+    return units;
 }
 
 std::vector<Alert> alerts_of_grid(const std::string& file, const half_space::Interaction& interaction,
@@ -98,13 +78,6 @@ std::vector<Alert> alerts_of_grid(const std::string& file, const half_space::Int
                          "right to 1 %; at 1, opening needs a sixth too much work",
                          resolution.squared_ratio),
              fmt::format("pixels of {} or less, or a longer `range`", format_value(resolution.pixel_of_warning, "m"))}};
-}
-
-void add_input(output::Json& json, const std::string& file, const std::vector<processing::StepRecord>& processing,
-               const std::vector<Alert>& alerts) {
-    json["file"] = file;
-    json["processing"] = output::to_json(processing);
-    json["alerts"] = output::to_json(alerts);
 }
 
 }  // namespace setae::answers

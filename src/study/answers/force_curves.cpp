@@ -4,15 +4,12 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "setae/bytes/source.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
 #include "setae/loops/shared_inputs.hpp"
-#include "setae/output/fit_json.hpp"
-#include "setae/output/force_map_output.hpp"
 
 namespace setae::answers {
 namespace {
@@ -90,12 +87,6 @@ study::ForceMap fit_map(const std::string& file, const LoopFiles& loops, const L
                         const CurveRequest& curve, parallel::Threads threads) {
     return study::fit_force_map(file, loops.source(file).force_curve, curve.bodies(bodies, {}), curve.options(),
                                 threads);
-}
-
-output::Json to_json(const std::string& file, const loops::ForceCurveAnalysis& analysis) {
-    return {{"file", file},
-            {"segments", output::to_json(analysis.segments)},
-            {"summary", output::to_json(analysis.summary)}};
 }
 
 }  // namespace setae::answers

@@ -2,7 +2,6 @@
 #include "setae/answers/hard_wall.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
@@ -55,24 +54,6 @@ HardWallAnswer hard_wall(const std::string& file, const topography::Measurement&
                           "raise `tolerance`, or resolve the surface's shortest waves with more points"});
     quantities = half_space::contact_quantities(problem, contact, stiffness);
     return answer;
-}
-
-output::Json to_json(const HardWallAnswer& answer, const std::vector<processing::StepRecord>& processing) {
-    const auto& [file, problem, contact, stiffness, quantities, alerts] = answer;
-    auto json = quantities_json(quantities);
-    const auto& certificate = contact.certificate;
-    json["units"]["penetration"] = "m";
-    json["status"] = half_space::name_of(contact.status);
-    json["duality_gap"] = certificate.duality_gap;
-    json["penetration"] = certificate.penetration;
-    json["level_error"] = certificate.level_error;
-    json["load_error"] = certificate.load_error;
-    json["iterations"] = contact.iterations;
-    json["transform_pairs"] = contact.transform_pairs;
-    json["mean_displacement"] = half_space::name_of(contact.mean_displacement);
-    add_problem(json, problem.grid, problem.body);
-    add_input(json, file, processing, alerts);
-    return json;
 }
 
 }  // namespace setae::answers

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "setae/core/constants.hpp"
 #include "setae/core/uncertain_text.hpp"
@@ -126,15 +125,6 @@ tables::TidyTable comparison_table(const LineAnswer& answer, const LineCompariso
         table.rows.push_back({statement.quantity, std::move(mine), std::move(theirs)});
     }
     return table;
-}
-
-output::Json to_json(const LineAnswer& answer, const LineComparison& comparison) {
-    auto json = to_json(answer);
-    json["beside"] = to_json(comparison.other);
-    json["shared_frames"] = comparison.frames;
-    json["edge_difference"] =
-        comparison.difference ? output::Json{{"value", *comparison.difference}, {"unit", "m"}} : output::Json();
-    return json;
 }
 
 }  // namespace setae::answers

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "setae/bytes/archive_folder.hpp"
 #include "setae/bytes/source.hpp"
@@ -15,7 +14,6 @@
 #include "setae/core/units.hpp"
 #include "setae/loops/machine_stiffness.hpp"
 #include "setae/loops/model_fits.hpp"
-#include "setae/output/fit_json.hpp"
 #include "setae/study/file_content.hpp"
 #include "setae/study/force_map.hpp"
 #include "setae/study/own_outputs.hpp"
@@ -259,17 +257,8 @@ study::LoopModels models_of(const AnalysedLoop& loop, const study::LoopModelOpti
     return study::loop_models(loop.analysis, loop.bodies, loop.options, models);
 }
 
-output::Json fit_json(const AnalysedLoop& loop, const study::LoopModelOptions& models) {
-    auto json = output::to_json(loop.analysis);
-    json["file"] = loop.file;
-    if (models.any()) json["models"] = output::to_json(models_of(loop, models));
-    return json;
-}
-
-output::Json energy_json(const AnalysedLoop& loop) {
-    auto json = output::energies_json(loop.analysis);
-    json["file"] = loop.file;
-    return json;
+FittedLoop fitted(const AnalysedLoop& loop, const study::LoopModelOptions& models) {
+    return {&loop, models.any() ? std::optional(models_of(loop, models)) : std::nullopt};
 }
 
 }  // namespace setae::answers

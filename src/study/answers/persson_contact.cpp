@@ -5,9 +5,7 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
-#include "setae/answers/columns.hpp"
 #include "setae/answers/pressures.hpp"
 #include "setae/answers/surface_request.hpp"
 #include "setae/core/errors.hpp"
@@ -50,20 +48,6 @@ PerssonContact persson_contact(const study::SurfaceResult& surface, const Persso
     contact.load = persson::load_table(pressures, contact.scales, options);
     if (pressures.size() == 1) contact.along_scales = persson::scale_table(pressures[0], contact.scales, options);
     return contact;
-}
-
-output::Json to_json(const PerssonContact& contact) {
-    const auto& scales = contact.scales;
-    const Index last = scales.wavevector.size() - 1;
-    auto json = columns_json(contact.load);
-    if (contact.along_scales) json["scales"] = columns_json(*contact.along_scales);
-    json["contact_modulus"] = contact.contact_modulus;
-    json["energy_factor"] = contact.energy_factor;
-    json["rms_pressure"] = std::sqrt(scales.pressure_variance[last]);
-    json["full_contact_energy"] = scales.stored_energy[last];
-    json["band"] = {{"lower", scales.wavevector[0]}, {"upper", scales.wavevector[last]}, {"unit", "1/m"}};
-    json["alerts"] = output::to_json(contact.alerts);
-    return json;
 }
 
 }  // namespace setae::answers

@@ -3,10 +3,6 @@
 
 #include <algorithm>
 
-#include <nlohmann/json.hpp>
-
-#include "setae/output/field_json.hpp"
-
 namespace setae::answers {
 namespace {
 
@@ -46,7 +42,5 @@ ReplicateSummary replicate_summary(const ReplicateRequest& request) {
         data, {.pooling = request.each_surface ? statistics::Pooling::none : statistics::Pooling::surfaces});
     return summary;
 }
-
-output::Json to_json(const ReplicateSummary& summary) { return output::described(summary); }
 
 }  // namespace setae::answers

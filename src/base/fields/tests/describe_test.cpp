@@ -363,6 +363,20 @@ TEST(Fields, ThatAreEmptyMayBeMissing) {
     EXPECT_EQ(sink.text_, "always=;null=null();texts=[;texts=;]given_text=;given_list=[;]");
 }
 
+TEST(Fields, MayBePlainNumbersOfQuantities) {
+    static constexpr std::array possible_rows{number("force", "N", "a force"),
+                                              number("work", "J", "a work").with(Missing::left_out)};
+    static constexpr Description possible_numbers{"", "numbers", possible_rows};
+    static constexpr std::array rows{numbers_among<Held>(possible_numbers, [](const Held& of) { return of.list; })};
+    static constexpr Description description{"", "quantities without symbols", rows};
+    Recorded sink;
+    Held held;
+    put(&held, description, sink);
+    EXPECT_EQ(sink.text_, "force=3;");
+    held.list.front().quantity = "speed";
+    EXPECT_THROW(put(&held, description, sink), InternalError);
+}
+
 TEST(Fields, MayBeColumnsOfATable) {
     static constexpr std::array possible_rows{column("distance", "m", "a distance")};
     static constexpr Description possible_columns{"", "columns", possible_rows};

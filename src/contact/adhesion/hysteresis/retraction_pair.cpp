@@ -137,7 +137,7 @@ PairPoint retraction_point(const RetractionModel& model, const RetractionPair& p
     point.elastomer = pair.soft.name;
     point.quantity = "W_ret";
     point.measured = measured.value;
-    point.measured_inputs = measured.inputs;
+    point.in_unitputs = measured.inputs;
     point.floored = false;
     const auto slope = functions.traced(
         [&](const Roughness& rough, const std::vector<double>& in) { return functions.line(model, rough, in).slope; });

@@ -136,7 +136,7 @@ TEST(FreeEnergies, IntervalsCoverTrueValues) {
             const double truth = W * point.pair.slope - (gamma_1 + gamma) * (point.pair.slope - 1.0) -
                                  modulus * stored(static_cast<int>(i / 4));
             point.pair.measured.value = truth * (1.0 + gain) + noise * normal(random);
-            point.pair.measured_inputs = one("lens", 0.02 * point.pair.measured.value);
+            point.pair.in_unitputs = one("lens", 0.02 * point.pair.measured.value);
             point.pair.offset_inputs = one("gamma", gamma_error * (point.pair.slope - 1.0));
             point.contact_modulus.components = one("E of " + point.pair.elastomer, 0.02 * point.contact_modulus.value);
         }

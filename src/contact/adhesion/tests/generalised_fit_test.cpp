@@ -93,11 +93,11 @@ TEST(GeneralisedFit, IsUnbiasedForASharedGainError) {
     std::normal_distribution<double> normal;
     for (auto& p : list) {
         p.measured.value += 0.002 * normal(random);
-        p.measured_inputs = one("lens", 0.1 * p.measured.value);
+        p.in_unitputs = one("lens", 0.1 * p.measured.value);
     }
     const auto fit = fit_generalised(list, ModelScatter{});
     auto plain = list;
-    for (auto& p : plain) p.measured_inputs.clear();
+    for (auto& p : plain) p.in_unitputs.clear();
     const auto without = fit_generalised(plain, ModelScatter{});
     // offsets do not scale with the gain: y (1 + g) = W r − o is fitted by W (1 + g) and what of o looks like r
     EXPECT_NEAR(fit.work_of_adhesion.value / without.work_of_adhesion.value, 1.0, 0.02);
@@ -131,7 +131,7 @@ Coverage coverage_of(bool correlated, double surface_effect) {
             const auto name = [&](const char* what) {
                 return correlated ? std::string(what) : what + std::to_string(i);
             };
-            p.measured_inputs = one(name("lens"), 0.02 * p.measured.value);
+            p.in_unitputs = one(name("lens"), 0.02 * p.measured.value);
             p.slope_inputs = one(name("spectrum") + p.surface, 0.02);
             p.offset_inputs =
                 combined({{gamma_1, p.slope_inputs}, {1.0, one(name("gamma"), gamma_error * (p.slope - 1.0))}});
@@ -178,7 +178,7 @@ TEST(GeneralisedFit, DerivativesMatchFiniteDifferences) {
     auto list = pairs(4, 3, 0.001);
     for (auto& p : list) {
         p.offset_inputs = one("gamma", gamma_error * (p.slope - 1.0));
-        p.measured_inputs = one("lens", 0.01 * p.measured.value);
+        p.in_unitputs = one("lens", 0.01 * p.measured.value);
         p.slope_inputs = one("spectrum " + p.surface, 0.01);
     }
     const auto fit = fit_generalised(list, ModelScatter{});
@@ -190,7 +190,7 @@ TEST(GeneralisedFit, DerivativesMatchFiniteDifferences) {
                 return at == of.end() ? 0.0 : by * at->second.directions[0];
             };
             // the study says what it said; the data come from an input that is off
-            p.measured.value += part(p.measured_inputs) / p.measured.value * p.prediction(fit.work_of_adhesion.value);
+            p.measured.value += part(p.in_unitputs) / p.measured.value * p.prediction(fit.work_of_adhesion.value);
             p.measured.value -= part(p.slope_inputs) * fit.work_of_adhesion.value - part(p.offset_inputs);
         }
         return fit_generalised(there, ModelScatter{}).work_of_adhesion.value;

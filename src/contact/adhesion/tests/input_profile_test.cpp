@@ -62,11 +62,11 @@ TEST(InputProfile, ChangesWAsTheDerivative) {
 TEST(InputProfile, OfAnUndeterminedInputHasNoMaximum) {
     auto pairs = pairs_of(0.025, 1e-4);
     for (auto& p : pairs) {
-        p.measured_inputs = one("lens", 0.01 * p.measured.value);
+        p.in_unitputs = one("lens", 0.01 * p.measured.value);
         p.slope_inputs = {{"spectrum", {Array1D::Constant(3, 0.01)}}};
         p.offset = 0.0;  // all measured values go with W alone, as they do with the lens
         p.measured.value = 0.037 * p.slope;
-        p.measured_inputs = one("lens", 0.01 * p.measured.value);
+        p.in_unitputs = one("lens", 0.01 * p.measured.value);
     }
     const auto profiles =
         profile_inputs(pairs, fit_generalised(pairs, ModelScatter{}), {"lens", "spectrum", "nothing"});

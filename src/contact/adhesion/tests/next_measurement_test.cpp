@@ -20,7 +20,7 @@ std::vector<PairPoint> smooth_pairs(double noise, double lens) {
     std::vector<PairPoint> list;
     for (int e = 0; e < 4; ++e) {
         PairPoint p{.surface = "s", .elastomer = "e" + std::to_string(e), .measured = {0.04, noise}, .slope = 1.0};
-        p.measured_inputs = one("lens", lens);
+        p.in_unitputs = one("lens", lens);
         list.push_back(std::move(p));
     }
     return list;

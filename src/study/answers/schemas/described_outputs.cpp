@@ -3,20 +3,33 @@
 
 #include "setae/answers/adhesion_fields.hpp"
 #include "setae/answers/blind_tip.hpp"
+#include "setae/answers/camera_scale.hpp"
+#include "setae/answers/comparison_fields.hpp"
 #include "setae/answers/container_fields.hpp"
 #include "setae/answers/contents_fields.hpp"
 #include "setae/answers/converted_files.hpp"
+#include "setae/answers/curve_fields.hpp"
 #include "setae/answers/diagnosis.hpp"
 #include "setae/answers/draft_fields.hpp"
 #include "setae/answers/format_list.hpp"
+#include "setae/answers/front_fields.hpp"
+#include "setae/answers/import_fields.hpp"
 #include "setae/answers/kept_results.hpp"
 #include "setae/answers/lens.hpp"
+#include "setae/answers/line_fields.hpp"
+#include "setae/answers/loop_fields.hpp"
+#include "setae/answers/machine_stiffness.hpp"
 #include "setae/answers/parameters.hpp"
 #include "setae/answers/patch_survey_fields.hpp"
+#include "setae/answers/persson_fields.hpp"
 #include "setae/answers/power_spectrum_fields.hpp"
 #include "setae/answers/processed_file.hpp"
 #include "setae/answers/profile_fields.hpp"
+#include "setae/answers/radius_fields.hpp"
+#include "setae/answers/replicates.hpp"
 #include "setae/answers/scale_fields.hpp"
+#include "setae/answers/solve_fields.hpp"
+#include "setae/answers/sweep_fields.hpp"
 #include "setae/answers/synthesis_fields.hpp"
 #include "setae/answers/texture.hpp"
 #include "setae/fields/describe.hpp"
@@ -44,6 +57,12 @@ constexpr DescribedOutput outputs[]{
     one<KeptResults>("cache"),
     one<RemovedResults>("cache"),
     list<diagnostics::Finding>("check"),
+    one<ContactComparison>("contact compare"),
+    one<ContactOutput<FrontAnswer>>("contact front"),
+    one<PerssonContact>("contact persson"),
+    one<ContactOutput<HardWallAnswer>>("contact solve"),
+    one<ContactOutput<AdhesiveContactAnswer>>("contact solve"),
+    one<ContactOutput<SweepAnswer>>("contact sweep"),
     one<CheckedContainers>("container check"),
     one<WrittenContainer>("container write"),
     one<output::ContourEntry>("contour"),
@@ -51,7 +70,19 @@ constexpr DescribedOutput outputs[]{
     one<ConvertedFiles>("convert"),
     one<FormatList>("formats"),
     one<Contents>("info"),
+    one<imaging::CameraScale>("jkr camera"),
+    one<LoopEnergies>("jkr energy"),
+    one<FittedLoop>("jkr fit"),
+    one<SharedLoops>("jkr fit"),
+    one<FittedCurve>("jkr fit"),
+    one<study::ForceMap>("jkr fit"),
+    one<ImportedLoop>("jkr import"),
     one<Lens>("jkr lens"),
+    one<LineAnswer>("jkr line"),
+    one<ComparedLine>("jkr line"),
+    one<imaging::ContactRadii>("jkr radius"),
+    one<StiffnessOfFile>("jkr stiffness"),
+    one<ReplicateSummary>("jkr summary"),
     one<PatchSurveyAnswer>("lab conform"),
     one<ProcessingRecords>("level"),
     list<ParameterEntry>("params"),

@@ -10,12 +10,7 @@
 
 #include "schemas/described_outputs.hpp"
 #include "schemas/schema_texts.hpp"
-#include "setae/answers/replicates.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/loops/analysis.hpp"
-#include "setae/loops/crack_speed_fit.hpp"
-#include "setae/loops/global_fit.hpp"
-#include "setae/loops/model_fits.hpp"
 #include "setae/output/field_json.hpp"
 #include "setae/output/study_schemas.hpp"
 
@@ -24,8 +19,6 @@ namespace {
 
 using output::Json;
 
-/// The file of schemas that several commands share.
-constexpr std::string_view shared = "shared";
 constexpr std::string_view place_of_shared = "#/$defs/";
 
 std::string command_of(std::string_view file) {
@@ -96,8 +89,7 @@ JsonSchemas::JsonSchemas(std::span<const DescribedOutput> further) {
 
 std::vector<std::string> JsonSchemas::commands() const {
     std::set<std::string> names;
-    for (const auto& [name, text] : schemas::texts)
-        if (name != shared) names.insert(command_of(name));
+    for (const auto& [name, text] : schemas::texts) names.insert(command_of(name));
     for (const auto& output : outputs_) names.emplace(output.command);
     return {names.begin(), names.end()};
 }
@@ -115,18 +107,10 @@ Json JsonSchemas::own_schema(const std::string& command) const {
 }
 
 Json JsonSchemas::shared_parts() const {
-    auto parts = parsed(shared);
-    std::map<std::string, Json> described;
-    output::add_schemas_of_numbers(described);
-    output::add_study_schemas(described);
-    output::add_named_schemas(fields::Described<ReplicateSummary>::description, described);
-    output::add_named_schemas(fields::Described<loops::LoopAnalysis>::description, described);
-    output::add_named_schemas(fields::Described<loops::ModelComparison>::description, described);
-    output::add_named_schemas(fields::Described<loops::ModelFit>::description, described);
-    output::add_named_schemas(fields::Described<loops::GlobalFit>::description, described);
-    output::add_named_schemas(fields::Described<loops::CrackSpeedFit>::description, described);
-    for (const auto& output : outputs_) output::add_named_schemas(*output.description, described);
-    for (auto& [name, schema] : described) parts[name] = std::move(schema);
+    std::map<std::string, Json> parts;
+    output::add_schemas_of_numbers(parts);
+    output::add_study_schemas(parts);
+    for (const auto& output : outputs_) output::add_named_schemas(*output.description, parts);
     return parts;
 }
 

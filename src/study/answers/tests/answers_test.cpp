@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "setae/answers/adhesion.hpp"
-#include "setae/answers/contact_comparison.hpp"
+#include "setae/answers/comparison_fields.hpp"
 #include "setae/answers/diagnosis.hpp"
 #include "setae/answers/power_spectrum_fields.hpp"
 #include "setae/answers/surface_request.hpp"
@@ -130,7 +130,7 @@ TEST(ContactComparison, TheoryUnderestimatesAreaByAFifthAtLowLoad) {
     auto other = comparison("5 MPa");
     other.seed = 3;
     EXPECT_NE(compare_contact(surface, other).load.at("mean_gap")[0], found.load.at("mean_gap")[0]);
-    EXPECT_EQ(to_json(found)["surfaces"], 3);
+    EXPECT_EQ(output::described(found)["surfaces"], 3);
 }
 
 TEST(ContactComparison, RefusesGridsThatDoNotFitTheSurface) {

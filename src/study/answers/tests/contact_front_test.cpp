@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "setae/answers/contact_front.hpp"
+#include "setae/answers/front_fields.hpp"
 
 #include <cmath>
 #include <limits>
@@ -10,6 +10,7 @@
 #include "setae/contact/jkr.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/output/field_json.hpp"
 #include "setae/spectra/spectral_density.hpp"
 #include "setae/synthesis/random_surface.hpp"
 
@@ -44,6 +45,11 @@ double value_of(const FrontAnswer& answer, const char* name) {
     return std::ranges::find(answer.quantities, name, &Quantity::quantity)->estimate.value;
 }
 
+output::Json json_of(const FrontAnswer& answer) {
+    const std::vector<processing::StepRecord> none;
+    return output::described(ContactOutput{&answer, &none});
+}
+
 // hardly any roughness: JKR's own loop, and works of adhesion as told
 TEST(ContactFront, OfANearlySmoothSurfaceIsJkr) {
     auto request = asked();
@@ -69,7 +75,7 @@ TEST(ContactFront, OfARoughSurfaceHasHysteresis) {
     EXPECT_GT(value_of(answer, "energy_loss"), value_of(answer, "smooth_sphere_loss"));
     EXPECT_GT(value_of(answer, "jumps"), 10.0);
     ASSERT_EQ(answer.runs.size(), 2U);
-    const auto json = to_json(answer, {});
+    const auto json = json_of(answer);
     EXPECT_GT(json["standard_errors"]["pinning_coefficient"].get<double>(), 0.0);
     EXPECT_EQ(json["runs"].size(), 2U);
 }
@@ -78,8 +84,8 @@ TEST(ContactFront, IsTheSameForAnyNumberOfThreads) {
     auto request = asked();
     request.steps = 30;
     const std::vector<topography::Measurement> maps{rough(0.03, 1), rough(0.03, 2)};
-    EXPECT_EQ(to_json(contact_front("map", maps, request, {1}), {}).dump(),
-              to_json(contact_front("map", maps, request, {2}), {}).dump());
+    EXPECT_EQ(json_of(contact_front("map", maps, request, {1})).dump(),
+              json_of(contact_front("map", maps, request, {2})).dump());
 }
 
 TEST(ContactFront, TurnsAtTheForceOnAStageAndUnderADeadLoad) {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "json_support.hpp"
 #include "json_writer.hpp"
 #include "setae/output/field_json.hpp"
 #include "surface_fields.hpp"
@@ -72,12 +71,6 @@ Quantity quantity(std::string name, std::string symbol, const Estimate& estimate
     auto q = quantity(std::move(name), std::move(symbol), estimate.value, std::move(unit));
     q.estimate = estimate;
     return q;
-}
-
-Json matrix(const Eigen::MatrixXd& values) {
-    Json rows = Json::array();
-    for (Index i = 0; i < values.rows(); ++i) rows.push_back(numbers(values.row(i).array()));
-    return rows;
 }
 
 }  // namespace setae::output

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "json_support.hpp"
+#include "setae/output/json.hpp"
 #include "setae/roughness/spectral_moments.hpp"
 #include "setae/study/surface_analysis.hpp"
 

@@ -11,13 +11,13 @@
 #include <utility>
 #include <vector>
 
-#include "loop_model_fields.hpp"
 #include "pair_fields.hpp"
 #include "setae/adhesion/input_profile.hpp"
 #include "setae/adhesion/left_out.hpp"
 #include "setae/fields/describe.hpp"
 #include "setae/output/budget.hpp"
 #include "setae/output/hysteresis_fields.hpp"
+#include "setae/output/loop_model_fields.hpp"
 #include "setae/output/replicate_fields.hpp"
 #include "setae/output/verdict.hpp"
 #include "setae/study/study_result.hpp"

@@ -8,9 +8,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
 
-#include "json/json_support.hpp"
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/statistics.hpp"
@@ -42,20 +40,6 @@ std::vector<double> sorted_values(const study::ForceMap& map, const loops::Curve
             values.push_back(((*curve.summary).*quantity.value)->value);
     std::sort(values.begin(), values.end());
     return values;
-}
-
-Json grid_json(const tables::MapGrid& grid) {
-    return {{"columns", grid.columns},       {"rows", grid.rows},   {"width", number(grid.width)},
-            {"height", number(grid.height)}, {"x", number(grid.x)}, {"y", number(grid.y)},
-            {"angle", number(grid.angle)}};
-}
-
-Json curve_json(const study::MappedCurve& curve) {
-    Json json{{"number", curve.number}, {"x", number(curve.x)}, {"y", number(curve.y)}};
-    if (curve.pixel) json["pixel"] = *curve.pixel;
-    if (curve.summary) json.update(to_json(*curve.summary));
-    else json["reason"] = curve.summary.reason;
-    return json;
 }
 
 }  // namespace
@@ -94,21 +78,6 @@ tables::TidyTable spread_table(const study::ForceMap& map) {
         table.rows.push_back(std::move(row));
     }
     return table;
-}
-
-Json to_json(const loops::ForceCurveSummary& summary) {
-    Json json{{"fitted_segment", summary.fitted_segment}};
-    for (const auto& q : loops::curve_quantities())
-        add_outcome(json, q.name, summary.*q.value,
-                    [&](const Estimate& e) { return to_json(quantity(q.name, q.symbol, e, q.unit)); });
-    return json;
-}
-
-Json to_json(const study::ForceMap& map) {
-    Json json{{"file", map.file}, {"format", map.format}, {"curves", Json::array()}};
-    if (map.grid) json["grid"] = grid_json(*map.grid);
-    for (const auto& curve : map.curves) json["curves"].push_back(curve_json(curve));
-    return json;
 }
 
 std::vector<std::string> write_force_map(const study::ForceMap& map, const std::string& folder,

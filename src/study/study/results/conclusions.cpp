@@ -129,7 +129,7 @@ std::vector<PairPoint> Concluding::points(Balance balance, const ParametersOf& p
                                 point.slope, point.offset));
             point.measured = *pair.approach;
             point.measured.value = std::max(0.0, point.measured.value);
-            point.measured_inputs = pair.approach_inputs;
+            point.in_unitputs = pair.approach_inputs;
             point.measured_noise = pair.approach_fits;
             found.push_back(std::move(point));
         });
@@ -159,7 +159,7 @@ Outcome<adhesion::LossFits> Concluding::fit_losses() const {
         point.elastomer = pair.elastomer;
         point.quantity = "E_loss";
         point.measured = *pair.loss;
-        point.measured_inputs = pair.loss_inputs;
+        point.in_unitputs = pair.loss_inputs;
         point.slope = rough.parameters.area_ratio() * *pair.contact_area;
         const RoughSide side{pair.surface, rough.parameters, rough.spread};
         const auto ratio = side.traced([](const SpectralParameters& p) { return p.area_ratio(); });

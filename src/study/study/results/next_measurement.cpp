@@ -55,7 +55,7 @@ std::vector<std::string> stated_inputs(const StudyResult& result, const Conclusi
     std::set<std::string> names, spectra;
     for (const auto& surface : result.surfaces) spectra.insert(roughness::spectrum_input(surface.name));
     for (const auto& pair : conclusions.modified->pairs)
-        for (const auto* inputs : {&pair.measured_inputs, &pair.slope_inputs, &pair.offset_inputs})
+        for (const auto* inputs : {&pair.in_unitputs, &pair.slope_inputs, &pair.offset_inputs})
             for (const auto& [name, component] : *inputs)
                 if (!spectra.contains(name) && component.variance() > 0.0) names.insert(name);
     for (const auto& e : result.experiments) names.erase(fit_name(e.input.file));

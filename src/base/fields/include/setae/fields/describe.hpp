@@ -500,6 +500,25 @@ consteval Row quantities_among(const Description& possible, From) {
             }};
 }
 
+/// A plain number that every result has, for numbers_among(); its unit stands elsewhere in the output.
+consteval Row number(std::string_view name, std::string_view unit, std::string_view meaning) {
+    return {.name = name, .unit = unit, .meaning = meaning, .kind = Kind::number};
+}
+
+/// Values of quantities that `from` has from a result, each a plain number under its own name, which is one of
+/// `possible`.
+template <class T, class From>
+consteval Row numbers_among(const Description& possible, From) {
+    return {.kind = Kind::object,
+            .inner = &possible,
+            .among = true,
+            .put = [](const void* result, const Row& row, Sink& sink) {
+                const auto& quantities = From{}(*static_cast<const T*>(result));
+                for (const Quantity& value : quantities)
+                    sink.number(row_named(*row.inner, value.quantity), value.estimate.value);
+            }};
+}
+
 /// A column that a table may have: for columns_among().
 consteval Row column(std::string_view name, std::string_view unit, std::string_view meaning) {
     return {.name = name,

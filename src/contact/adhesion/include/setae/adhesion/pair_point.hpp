@@ -27,7 +27,7 @@ struct PairPoint {
     std::string elastomer;
     std::string quantity = "W_app";  ///< measured quantity
     Estimate measured;           ///< measured value; the standard error includes noise and scatter, but not the inputs
-    Components measured_inputs;  ///< inputs shared with other pairs: radius of a lens, calibrations
+    Components in_unitputs;  ///< inputs shared with other pairs: radius of a lens, calibrations
     Components measured_noise;   ///< part of the noise that is shared with other values, such as E of the same fit
     double slope = 0.0;          ///< > 0
     double offset = 0.0;

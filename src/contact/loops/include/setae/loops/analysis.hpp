@@ -466,7 +466,6 @@ struct Described<loops::LoopAnalysis> {
     };
     static constexpr Description force_zero{"force_zero", "zero of force and its drift, which were removed",
                                             force_zero_rows};
-    static constexpr Description loop_models{"loop_models", "fits that have a schema of their own", {}};
     static constexpr std::array rows{
         inherited<loops::ContactAnalysis, T>(),
         field<&T::bulk>("bulk_relaxation",
@@ -482,9 +481,6 @@ struct Described<loops::LoopAnalysis> {
         part<T>("force_zero", "zero of force and its drift, which were removed", force_zero),
         field<&T::cycles>("cycles", "further loading and unloading within one contact"),
         field<&T::alerts>("alerts", "warnings"),
-        written_elsewhere("file", "name of the file as it was given").with(Missing::left_out),
-        written_elsewhere("models", "contact models that are fitted in addition to JKR", loop_models)
-            .with(Missing::left_out),
         inner<&T::corrected>(),
         inner<&T::force_zero>(),
         inner<&T::further_contacts>(),

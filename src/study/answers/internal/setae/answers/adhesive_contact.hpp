@@ -32,8 +32,4 @@ struct AdhesiveContactAnswer {
                                                      const InteractionRequest& attraction,
                                                      parallel::Threads threads = {});
 
-/// Quantities by name, their accuracy, the attraction, "file", "processing" and "alerts".
-[[nodiscard]] output::Json to_json(const AdhesiveContactAnswer& answer,
-                                   const std::vector<processing::StepRecord>& processing);
-
 }  // namespace setae::answers

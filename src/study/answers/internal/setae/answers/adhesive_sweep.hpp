@@ -54,10 +54,6 @@ struct SweepAnswer {
                                          const SweepRequest& request, parallel::Threads threads = {},
                                          const std::function<bool(const SweepProgress&)>& progress = {});
 
-/// Quantities by name, "status", "steps" with a list for each column, "maps" where they are stored, the attraction,
-/// "file", "processing" and "alerts".
-[[nodiscard]] output::Json to_json(const SweepAnswer& answer, const std::vector<processing::StepRecord>& processing);
-
 }  // namespace setae::answers
 
 template <>

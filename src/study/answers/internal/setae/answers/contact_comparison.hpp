@@ -10,7 +10,6 @@
 #include "setae/answers/persson_contact.hpp"
 #include "setae/core/table.hpp"
 #include "setae/half_space/grid.hpp"
-#include "setae/output/json.hpp"
 #include "setae/parallel/for_each.hpp"
 #include "setae/study/surface_analysis.hpp"
 #include "setae/synthesis/random_surface.hpp"
@@ -56,10 +55,6 @@ struct ContactComparison {
 [[nodiscard]] ContactComparison compare_contact(const study::SurfaceResult& surface, const ComparisonRequest& request,
                                                 parallel::Threads threads = {},
                                                 const std::function<void(Index, Index)>& progress = {});
-
-/// Columns of the load by name, "units", "points", "size", "surfaces", "seed", "band", "rms_height", "rms_slope", both
-/// also "of_surfaces", "contact_modulus", "energy_factor", "largest_duality_gap" and "alerts".
-[[nodiscard]] output::Json to_json(const ContactComparison& comparison);
 
 }  // namespace setae::answers
 

@@ -76,9 +76,8 @@ using FrontProgress = std::function<bool(double share)>;
 /// Result of the loops in one sentence.
 [[nodiscard]] std::string front_sentence(const FrontAnswer& answer);
 
-/// Quantities by name, "standard_errors" where there are several surfaces, "runs", "steps" with a list for each column,
-/// "file", "processing" and "alerts".
-[[nodiscard]] output::Json to_json(const FrontAnswer& answer, const std::vector<processing::StepRecord>& processing);
+/// Numbers of one loop.
+[[nodiscard]] std::vector<Quantity> quantities_of(const FrontRun& run);
 
 }  // namespace setae::answers
 

@@ -12,7 +12,6 @@
 #include "setae/core/table.hpp"
 #include "setae/fields/option.hpp"
 #include "setae/imaging/contact_outline.hpp"
-#include "setae/output/json.hpp"
 
 namespace setae::answers {
 
@@ -98,7 +97,9 @@ struct RecordedEdge {
 
 /// One row per frame: time, frame, mean_radius, area, perimeter, deviation, voids, void_area.
 [[nodiscard]] Table as_table(const LineAnswer& answer);
-[[nodiscard]] output::Json to_json(const LineAnswer& answer);
+/// Number of voids in each frame, and their area [m²].
+[[nodiscard]] Array1D void_counts(const RecordedLine& recorded);
+[[nodiscard]] Array1D void_areas(const RecordedLine& recorded);
 
 }  // namespace setae::answers
 

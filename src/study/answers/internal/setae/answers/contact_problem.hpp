@@ -2,16 +2,18 @@
 #pragma once
 
 #include <array>
+#include <initializer_list>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "setae/core/quantity.hpp"
 #include "setae/fields/option.hpp"
+#include "setae/fields/row.hpp"
 #include "setae/half_space/body.hpp"
 #include "setae/half_space/grid.hpp"
 #include "setae/half_space/interaction.hpp"
-#include "setae/output/json.hpp"
 #include "setae/topography/measurement.hpp"
 
 namespace setae::answers {
@@ -47,16 +49,9 @@ struct TouchingSurface {
 /// The surface of a map or a line. file: for messages. @throws InvalidArgument for a profile and undefined heights.
 [[nodiscard]] TouchingSurface touching_surface(const std::string& file, const topography::Measurement& measurement);
 
-/// {"mean_gap": 1e-9, …, "units": {"mean_gap": "m", …}}.
-[[nodiscard]] output::Json quantities_json(const std::vector<Quantity>& quantities);
-/// Adds points, size and contact_modulus.
-void add_problem(output::Json& json, const half_space::Grid& grid, const half_space::Body& body);
-/// Adds the attraction and its resolution by the grid.
-void add_interaction(output::Json& json, const half_space::Interaction& interaction, const half_space::Body& body,
-                     const half_space::Grid& grid);
-/// Adds the file, the processing of its heights, and warnings.
-void add_input(output::Json& json, const std::string& file, const std::vector<processing::StepRecord>& processing,
-               const std::vector<Alert>& alerts);
+/// Units by name of quantities, and of numbers that rows describe.
+[[nodiscard]] std::vector<std::pair<std::string, std::string>> units_by_name(
+    const std::vector<Quantity>& quantities, std::initializer_list<const fields::Description*> numbers = {});
 
 /// A grid on which edges are caught by more than a per cent (half_space::resolution_of).
 [[nodiscard]] std::vector<Alert> alerts_of_grid(const std::string& file, const half_space::Interaction& interaction,

@@ -9,7 +9,6 @@
 #include "setae/answers/camera_pictures.hpp"
 #include "setae/fields/option.hpp"
 #include "setae/imaging/contact_radius.hpp"
-#include "setae/output/json.hpp"
 
 namespace setae::answers {
 
@@ -28,9 +27,6 @@ struct RadiusRequest : CameraPictures {
     /// @throws InvalidArgument for frames left out without a reason.
     [[nodiscard]] imaging::RadiusOptions radius_options(parallel::Threads threads = {}) const;
 };
-
-/// "pixel_size", "frame_rate", "polarity", "summary", "notes" and "frames".
-[[nodiscard]] output::Json to_json(const imaging::ContactRadii& radii);
 
 }  // namespace setae::answers
 

@@ -7,7 +7,6 @@
 #include "setae/answers/loops.hpp"
 #include "setae/fields/option.hpp"
 #include "setae/loops/force_curve_summary.hpp"
-#include "setae/output/json.hpp"
 #include "setae/study/force_map.hpp"
 
 namespace setae::answers {
@@ -39,9 +38,6 @@ struct CurveRequest {
 /// Every curve of a file with several.
 [[nodiscard]] study::ForceMap fit_map(const std::string& file, const LoopFiles& loops, const LoopBodies& bodies,
                                       const CurveRequest& curve, parallel::Threads threads = {});
-
-/// "file", "segments" and "summary".
-[[nodiscard]] output::Json to_json(const std::string& file, const loops::ForceCurveAnalysis& analysis);
 
 }  // namespace setae::answers
 

@@ -42,9 +42,6 @@ struct HardWallAnswer {
                                        const HardWallRequest& request, parallel::Threads threads = {},
                                        const std::function<void(const half_space::SolveProgress&)>& progress = {});
 
-/// Quantities by name, their accuracy, "file", "processing" and "alerts".
-[[nodiscard]] output::Json to_json(const HardWallAnswer& answer, const std::vector<processing::StepRecord>& processing);
-
 }  // namespace setae::answers
 
 template <>

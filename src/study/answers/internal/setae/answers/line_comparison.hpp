@@ -23,7 +23,4 @@ struct LineComparison {
 [[nodiscard]] tables::TidyTable comparison_table(const LineAnswer& answer, const LineComparison& comparison,
                                                  const std::string& name, const std::string& other_name);
 
-/// to_json() of the answer, with the second edge as "beside", "edge_difference" and "shared_frames".
-[[nodiscard]] output::Json to_json(const LineAnswer& answer, const LineComparison& comparison);
-
 }  // namespace setae::answers

@@ -9,7 +9,6 @@
 #include "setae/answers/camera_pictures.hpp"
 #include "setae/fields/option.hpp"
 #include "setae/loops/analysis.hpp"
-#include "setae/output/json.hpp"
 #include "setae/parallel/for_each.hpp"
 #include "setae/study/loop_models.hpp"
 #include "setae/study/open_loop.hpp"
@@ -93,10 +92,12 @@ struct AnalysedLoop {
 
 [[nodiscard]] study::LoopModels models_of(const AnalysedLoop& loop, const study::LoopModelOptions& models);
 
-/// Output of `setae jkr fit` for one loop: its analysis, "file", and "models" on request.
-[[nodiscard]] output::Json fit_json(const AnalysedLoop& loop, const study::LoopModelOptions& models = {});
-/// Output of `setae jkr energy` for one loop.
-[[nodiscard]] output::Json energy_json(const AnalysedLoop& loop);
+/// Output of `setae jkr fit` for one loop: loop_fields.hpp describes it.
+struct FittedLoop {
+    const AnalysedLoop* loop;
+    std::optional<study::LoopModels> models;  ///< on request
+};
+[[nodiscard]] FittedLoop fitted(const AnalysedLoop& loop, const study::LoopModelOptions& models);
 
 }  // namespace setae::answers
 

@@ -11,7 +11,6 @@
 #include "setae/core/table.hpp"
 #include "setae/fields/option.hpp"
 #include "setae/half_space/body.hpp"
-#include "setae/output/json.hpp"
 #include "setae/persson/load_curve.hpp"
 #include "setae/study/surface_analysis.hpp"
 
@@ -48,10 +47,6 @@ struct PerssonContact {
 
 /// surface: that did not fail. @throws as PerssonRequest and persson::load_table().
 [[nodiscard]] PerssonContact persson_contact(const study::SurfaceResult& surface, const PerssonRequest& request);
-
-/// Columns of the load by name, "units", "scales", "contact_modulus", "energy_factor", "rms_pressure",
-/// "full_contact_energy", "band" and "alerts".
-[[nodiscard]] output::Json to_json(const PerssonContact& contact);
 
 }  // namespace setae::answers
 

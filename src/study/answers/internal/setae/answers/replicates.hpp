@@ -7,7 +7,6 @@
 
 #include "setae/fields/describe.hpp"
 #include "setae/fields/option.hpp"
-#include "setae/output/json.hpp"
 #include "setae/output/replicate_fields.hpp"
 #include "setae/statistics/mixed_model.hpp"
 #include "setae/study/replicate_reader.hpp"
@@ -34,8 +33,6 @@ struct ReplicateSummary {
 
 /// @throws as study::read_replicates(), the readers of exclusions and statistics::mixed_model().
 [[nodiscard]] ReplicateSummary replicate_summary(const ReplicateRequest& request);
-
-[[nodiscard]] output::Json to_json(const ReplicateSummary& summary);
 
 }  // namespace setae::answers
 

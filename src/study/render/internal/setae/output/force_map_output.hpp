@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "setae/output/json.hpp"
 #include "setae/study/force_map.hpp"
 #include "setae/tables/tidy_table.hpp"
 
@@ -16,12 +15,6 @@ namespace setae::output {
 
 /// One row a quantity, in the units of the field: of how many curves, quantiles.
 [[nodiscard]] tables::TidyTable spread_table(const study::ForceMap& map);
-
-/// Quantities of a curve as in to_json(Quantity), null with the reason where one is missing.
-[[nodiscard]] Json to_json(const loops::ForceCurveSummary& summary);
-
-/// "file", "format", "grid", "curves".
-[[nodiscard]] Json to_json(const study::ForceMap& map);
 
 /// Writes NAME.csv, curves_table(), and where the file states a grid NAME.gwy, each quantity as a map; makes the
 /// folder.

@@ -12,9 +12,6 @@
 #include "setae/core/arrays.hpp"
 #include "setae/core/quantity.hpp"
 
-namespace setae::loops {
-struct LoopAnalysis;
-}
 namespace setae::processing {
 struct StepRecord;
 }
@@ -55,13 +52,6 @@ using Json = nlohmann::ordered_json;
 [[nodiscard]] Quantity quantity(std::string name, std::string symbol, double value, std::string unit);
 /// Without a standard error > 0 or an interval it is printed as a plain value.
 [[nodiscard]] Quantity quantity(std::string name, std::string symbol, const Estimate& estimate, std::string unit);
-
-/// All results of one loop: "loading", "unloading", "retraction", "pull_off", "loop", "cycles", "alerts"; null with
-/// "…_reason" where a part is missing.
-[[nodiscard]] Json to_json(const loops::LoopAnalysis& analysis);
-
-/// Only its energies: "loop", "ledger", "cycles", "further_contacts", "alerts".
-[[nodiscard]] Json energies_json(const loops::LoopAnalysis& analysis);
 
 /// A surface as in the study's JSON: parameters by the spectrum used, "spectra", "likelihood", "measurements",
 /// "alerts"; or "error".
