@@ -12,7 +12,6 @@
 #include "setae/output/budget.hpp"
 #include "setae/output/field_json.hpp"
 #include "setae/output/hysteresis_fields.hpp"
-#include "setae/output/hysteresis_output.hpp"
 #include "setae/output/json.hpp"
 #include "setae/output/next_measurement_output.hpp"
 #include "setae/output/screen.hpp"

@@ -107,11 +107,11 @@ Json JsonSchemas::own_schema(const std::string& command) const {
 }
 
 Json JsonSchemas::shared_parts() const {
-    std::map<std::string, Json> described;
-    output::add_schemas_of_numbers(described);
-    output::add_study_schemas(described);
-    for (const auto& output : outputs_) output::add_named_schemas(*output.description, described);
-    return described;
+    std::map<std::string, Json> parts;
+    output::add_schemas_of_numbers(parts);
+    output::add_study_schemas(parts);
+    for (const auto& output : outputs_) output::add_named_schemas(*output.description, parts);
+    return parts;
 }
 
 Json JsonSchemas::of(const std::string& command) const {
