@@ -68,6 +68,8 @@ def accepts(request: str, name: str, value: Any) -> bool:
         setattr(getattr(_setae, request)(), name, value)
     except TypeError:
         return False
+    except setae.InvalidArgument:
+        return True  # a text that is no quantity
     return True
 
 

@@ -1,6 +1,6 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
 # ---
 # jupyter:
+#   SPDX-License-Identifier: GPL-3.0-or-later
 #   jupytext:
 #     formats: py:percent
 # ---

@@ -40,15 +40,15 @@ class Diagnosis(Answer):
 
     @property
     def quantities(self) -> tuple[Quantity, ...]:
-        """Effects of all findings."""
+        """Effects of all problems."""
         return tuple(effect for finding in self.findings for effect in finding.effects)
 
     def to_dict(self) -> dict[str, Any]:
-        """The JSON of the findings by their code."""
+        """The JSON of the problems by their code."""
         return {code: [entry for entry in self.data if entry["code"] == code] for code in self}
 
     def to_pandas(self) -> Any:
-        """As a DataFrame of pandas: one row per finding."""
+        """As a DataFrame of pandas: one row per problem."""
         import pandas
 
         return pandas.DataFrame([{name: entry[name] for name in ("code", "subject", "message", "action")} for entry in self._data])

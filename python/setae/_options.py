@@ -89,6 +89,13 @@ def plain_number(value: Any) -> int | float:
     return int(value) if isinstance(value, Integral) else float(value)
 
 
+def refusal(argument: str, given: str, problem: str, expected: str) -> InvalidArgument:
+    """The error for a value of an argument."""
+    error = InvalidArgument(f"{named_argument(argument)}'{given}' {problem}; expected {expected}")
+    error.got, error.expected = given, expected
+    return error
+
+
 def named_argument(argument: str) -> str:
     return f"{argument}: " if argument else ""
 
@@ -102,9 +109,9 @@ def require_unit(given: str, argument: str, example: str) -> None:
         return
     of_given = kind_of_text(given)
     if all(number is not None and number[3] == "" for number in numbers):
-        raise InvalidArgument(f"{named_argument(argument)}'{given}' has no unit; expected {kind} with its unit, such as \"{example}\"")
+        raise refusal(argument, given, "has no unit", f'{kind} with its unit, such as "{example}"')
     if of_given and {of_given, kind} != {"a stiffness", "an energy per area"} and of_given != kind:
-        raise InvalidArgument(f"{named_argument(argument)}'{given}' is {of_given}; expected {kind}, such as \"{example}\"")
+        raise refusal(argument, given, f"is {of_given}", f'{kind}, such as "{example}"')
 
 
 def kind_of_text(given: str) -> str:
@@ -183,8 +190,8 @@ def require_word(given: str, argument: str, documentation: str, default: Any) ->
     if not words or given in (*words, default, ""):
         return
     near = difflib.get_close_matches(given, words, 1)
-    hint = f"did you mean '{near[0]}'?; " if near else ""
-    raise InvalidArgument(f"{argument}: '{given}' is unknown; {hint}expected one of {', '.join(words)}")
+    hint = f"; did you mean '{near[0]}'?" if near else ""
+    raise refusal(argument, given, f"is unknown{hint}", f"one of {', '.join(words)}")
 
 
 def example_of(request: type, name: str) -> str:

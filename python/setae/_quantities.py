@@ -7,6 +7,7 @@ import html
 import math
 import operator
 import re
+import warnings
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, fields, replace
 from fractions import Fraction
@@ -18,7 +19,7 @@ import numpy as np
 
 from . import _setae
 from ._errors import InvalidArgument
-from ._units import SI_UNITS, described, factor, have_one_dimension, kind_of, plain_unit, product, shown_unit, si_unit, unit_of_pint
+from ._units import SI_UNITS, described, factor, have_one_dimension, kind_of, pint_unit, plain_unit, product, registry, shown_unit, si_unit, unit_of_pint
 
 if TYPE_CHECKING:
     from typing_extensions import Self
@@ -223,15 +224,17 @@ class Quantity:
 
     def to_uncertainties(self) -> Any:
         """As number of the package uncertainties, in the unit of the quantity. Calls return the same variable, whose errors are correlated."""
-        from uncertainties import UFloat, ufloat
+        from uncertainties import ufloat
 
-        return self._uncertain if isinstance(self._uncertain, UFloat) else ufloat(self.value, self.standard_error)
+        if self.standard_error != 0.0:
+            return self._uncertain
+        with warnings.catch_warnings():  # a number without error is unusual there
+            warnings.simplefilter("ignore")
+            return ufloat(self.value, 0.0)
 
     def to_pint(self) -> Any:
-        """As a measurement of the package pint."""
-        from ._units import pint_unit, registry
-
-        return (self.value * registry().Quantity(1.0, pint_unit(self.unit))).plus_minus(self.standard_error)
+        """As a measurement of the package pint, with the error of ``to_uncertainties()``."""
+        return registry().Measurement(self.to_uncertainties(), pint_unit(self.unit))
 
     # arithmetic
 

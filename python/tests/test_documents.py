@@ -45,6 +45,13 @@ def test_notebooks_run(notebook, tmp_path):
         assert (tmp_path / "mine/figure_4.csv").read_text().startswith("#")
 
 
+@pytest.mark.parametrize("notebook", NOTEBOOKS, ids=lambda path: path.stem)
+def test_the_licence_of_a_notebook_is_no_cell(notebook):
+    """jupytext takes lines before the first cell as metadata if the file begins with them."""
+    head = notebook.read_text().split("# %%")[0].splitlines()
+    assert head[0] == head[-1] == "# ---" and "#   SPDX-License-Identifier: GPL-3.0-or-later" in head
+
+
 def blocks(page: pathlib.Path) -> str:
     return "\n".join(re.findall(r"^```python\n(.*?)^```", page.read_text(), re.S | re.M))
 

@@ -199,6 +199,7 @@ def test_values_of_pint():
     assert quantity(ureg("1 furlong")).unit == "m" and quantity(ureg("1 furlong")).value == pytest.approx(201.168, rel=1e-5)
     back = W.to_pint()
     assert back.value.to("J/m**2").magnitude == pytest.approx(0.037) and back.error.magnitude == pytest.approx(3.7)
+    assert (W.to_pint() - W.to_pint()).error.magnitude == 0.0
 
 
 def test_numbers_of_uncertainties():
