@@ -386,7 +386,7 @@ def scan(heights: Any, size: Size | None = None, unit: str | None = None, *, x: 
     given = {key: value for key, value in stated.items() if value}
     own = own_scan(heights)
     if own is not None:
-        made = dataclasses.replace(own, **cast(Any, given))
+        made = dataclasses.replace(own, **cast(Any, given)) if given else own
     else:
         from ._arrays import in_memory
 
@@ -438,7 +438,9 @@ def items(measurements: Measured, shared: dict[str, Any]) -> Items:
 
 
 def measurement(entry: Measured, number_of: int, shared: dict[str, Any]) -> Scan:
-    """One measurement: a file, or content in memory, which may be the table of a spectrum."""
+    """One measurement: a scan, a file, or content in memory, which may be the table of a spectrum."""
+    if isinstance(entry, Scan):
+        return entry
     from ._tables import is_table, table_of
 
     if is_path(entry):
@@ -463,10 +465,14 @@ def units_of_columns(unit: str) -> list[str]:
 
 def is_one(value: Any) -> bool:
     """True for a single measurement, False for a list or a container of measurements."""
+    if isinstance(value, (Scan, Answer)) or is_path(value):
+        return True
+    if isinstance(value, (list, tuple)):
+        return False
     from ._tables import is_table
 
     is_sequence = hasattr(value, "__iter__") or (hasattr(value, "__len__") and hasattr(value, "__getitem__"))
-    return not is_sequence or is_path(value) or is_array(value) or is_table(value) or isinstance(value, (Scan, Answer))
+    return not is_sequence or is_array(value) or is_table(value)
 
 
 def is_array(value: Any) -> bool:

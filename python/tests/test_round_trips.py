@@ -285,3 +285,20 @@ def test_the_numbers_survive(tmp_path):
     same(again.gaps, pressed.gaps)
     surface = setae.surface([scan, rough_line()], spectrum="average")
     assert float(setae.surface(surface)["rms_slope"]) == pytest.approx(float(surface["rms_slope"]), rel=0.01)  # of the table, by trapezoids
+
+
+def test_maps_of_the_program_have_coordinates(tmp_path, printed):
+    """OUT.nc of a contact command: pressure and gap on the grid of the heights, read by xarray."""
+    xarray = pytest.importorskip("xarray")
+    pytest.importorskip("scipy")
+    heights, maps = saved(rough_map(), tmp_path / "map.nc"), tmp_path / "contact.nc"
+    printed("contact", "solve", heights, "--contact-modulus", "1 MPa", "--pressure", "10 kPa", "-o", maps)
+    with xarray.open_dataset(maps, engine="scipy") as dataset:
+        dataset.load()
+    solved = setae.contact(heights, **PRESSED)
+    np.testing.assert_array_equal(dataset.gap, solved.gaps)
+    np.testing.assert_array_equal(dataset.pressure, solved.pressures)
+    assert dataset.pressure.attrs["units"] == "Pa" and dataset.gap.dims == ("x", "y")
+    gap = setae.scan(dataset.gap)
+    same(gap.heights, solved.gaps)
+    same(gap.size, rough_map().size)

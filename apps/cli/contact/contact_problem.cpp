@@ -3,6 +3,7 @@
 
 #include <array>
 #include <filesystem>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -10,6 +11,7 @@
 #include "convert/processing_text.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
+#include "setae/formats/netcdf.hpp"
 #include "setae/output/quantity_table.hpp"
 
 namespace setae::cli {
@@ -37,10 +39,13 @@ std::vector<processing::PipelineResult> ContactSurface::realisations(int count, 
 }
 
 void ContactMaps::require_ending() const {
-    if (output.empty() || output.ends_with(".npy") || output.ends_with(".csv") || file_figures::is_figure_path(output))
+    const auto is_table = [this](const char* ending) { return output.ends_with(ending); };
+    if (output.empty() || is_table(".npy") || is_table(".csv") || is_table(".nc") ||
+        file_figures::is_figure_path(output))
         return;
-    throw InvalidArgument(fmt::format("{}: maps of pressure are not heights; expected an ending .npy or .csv, or {}",
-                                      output, file_figures::figure_endings));
+    throw InvalidArgument(
+        fmt::format("{}: maps of pressure are not heights; expected an ending .npy, .csv or .nc, or {}", output,
+                    file_figures::figure_endings));
 }
 
 void ContactMaps::write(const half_space::Grid& grid, bool periodic, const std::string& file,
@@ -51,6 +56,16 @@ void ContactMaps::write(const half_space::Grid& grid, bool periodic, const std::
         std::vector<file_figures::ContactState> drawn;
         for (const auto& [name, state] : states) drawn.push_back(state);
         write_figure(file_figures::contact_map_figure(drawn, size, file, figure.look()), output, quiet);
+        return;
+    }
+    if (output.ends_with(".nc")) {
+        std::vector<formats::GridMap> maps;
+        for (const auto& [name, state] : states) {
+            const auto of = name.empty() ? name : name + "_";
+            maps.push_back({of + "pressure", "Pa", state.pressures});
+            maps.push_back({of + "gap", "m", state.gaps});
+        }
+        formats::write_netcdf(output, maps, size, periodic);
         return;
     }
     const std::filesystem::path path(output);

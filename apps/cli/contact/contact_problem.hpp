@@ -29,7 +29,8 @@ struct ContactSurface : answers::ContactSurfaceRequest {
 };
 
 /// Output of the maps of a contact: OUT.npy means OUT_pressure.npy [Pa] and OUT_gap.npy [m], or
-/// OUT_NAME_pressure.npy for several states; OUT.svg is one figure of all states.
+/// OUT_NAME_pressure.npy for several states; OUT.nc contains the maps of all states with coordinates, OUT.svg is one
+/// figure of all states.
 struct ContactMaps {
     std::string output;  ///< empty: no maps are written
     FigureOption figure;
@@ -37,7 +38,7 @@ struct ContactMaps {
     /// A state and its name; the name is empty if there is only one state.
     using State = std::pair<std::string, file_figures::ContactState>;
 
-    /// @throws InvalidArgument for an ending other than .npy, .csv and those of figures.
+    /// @throws InvalidArgument for an ending other than .npy, .csv, .nc and those of figures.
     void require_ending() const;
     void write(const half_space::Grid& grid, bool periodic, const std::string& file, const std::vector<State>& states,
                bool quiet) const;

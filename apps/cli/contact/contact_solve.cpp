@@ -114,9 +114,9 @@ Action declare(Options& options) {
     options.ask<answers::BodyRequest>(*arguments);
     options.ask<answers::InteractionRequest>(*arguments);
     options.ask<answers::HardWallRequest>(*arguments);
-    options.output(
-        "-o,--output", arguments->maps.output,
-        "maps OUT_pressure [Pa] and OUT_gap [m] with the ending of OUT.npy or OUT.csv; figure OUT.svg, .pdf or .png");
+    options.output("-o,--output", arguments->maps.output,
+                   "maps OUT_pressure [Pa] and OUT_gap [m] with the ending of OUT.npy or OUT.csv, or both in OUT.nc; "
+                   "figure OUT.svg, .pdf or .png");
     arguments->maps.figure.add_to(options);
     options.example(
         "setae contact solve map.npy --size \"1 um x 1 um\" --unit m --contact-modulus \"1 GPa\" --pressure \"10 MPa\"",

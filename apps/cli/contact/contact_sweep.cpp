@@ -127,7 +127,7 @@ Action declare(Options& options) {
     options.output(
         "--maps", arguments->states.output,
         "maps of pressure [Pa] and gap [m] at the first pressure, the turning point, the first and the largest tension: "
-        "OUT_turn_pressure.npy …, with the ending of OUT.npy or OUT.csv; figure OUT.svg, .pdf or .png");
+        "OUT_turn_pressure.npy …, with the ending of OUT.npy or OUT.csv, or all in OUT.nc; figure OUT.svg, .pdf or .png");
     options.output("-o,--output", arguments->output, "steps OUT.csv or OUT.nc; figure OUT.svg, .pdf or .png");
     arguments->figure.add_to(options);
     options.example(

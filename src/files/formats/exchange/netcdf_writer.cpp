@@ -167,6 +167,35 @@ WrittenUnit written_unit(const std::string& unit) {
     return {unit, factor};
 }
 
+/// A coordinate with its dimension.
+struct Axis {
+    const char* name;
+    const char* dimension;
+    Array1D positions;
+    std::optional<double> length;  ///< only for equal steps
+    bool periodic;
+};
+
+Axis equidistant(const char* name, Index points, double length, bool periodic) {
+    return {name, name,
+            length / static_cast<double>(points) * Array1D::LinSpaced(points, 0.0, static_cast<double>(points - 1)),
+            length, periodic};
+}
+
+/// Adds coordinates in a unit. @returns the numbers of their dimensions.
+std::vector<std::uint32_t> put_axes(Dataset& dataset, std::span<const Axis> axes, const WrittenUnit& unit) {
+    std::vector<std::uint32_t> dimensions;
+    for (const auto& axis : axes) {
+        dimensions.push_back(dataset.dimension(axis.dimension, axis.positions.size()));
+        auto& variable = dataset.variable(axis.name, std::span(&dimensions.back(), 1), axis.positions / unit.factor);
+        variable.put("unit", unit.name);
+        if (!axis.length) continue;
+        variable.put("length", *axis.length / unit.factor);
+        variable.put("periodic", axis.periodic ? 1.0 : 0.0);
+    }
+    return dimensions;
+}
+
 /// Heights and coordinates of a topography in the layout of the topography reader. Undefined points are NaN and, if
 /// there are any, marked in a variable "mask".
 class HeightsWriter {
@@ -189,31 +218,8 @@ public:
     }
 
 private:
-    struct Axis {
-        const char* name;
-        const char* dimension;
-        Array1D positions;
-        std::optional<double> length;  ///< only for equal steps
-        bool periodic;
-    };
-
-    static Axis equidistant(const char* name, Index points, double length, bool periodic) {
-        return {name, name,
-                length / static_cast<double>(points) * Array1D::LinSpaced(points, 0.0, static_cast<double>(points - 1)),
-                length, periodic};
-    }
-
     void write(std::span<const Axis> axes, const ArrayView1D& heights) const {
-        std::vector<std::uint32_t> dimensions;
-        for (const auto& axis : axes) {
-            dimensions.push_back(dataset_.dimension(axis.dimension, axis.positions.size()));
-            auto& variable =
-                dataset_.variable(axis.name, std::span(&dimensions.back(), 1), axis.positions / unit_.factor);
-            variable.put("unit", unit_.name);
-            if (!axis.length) continue;
-            variable.put("length", *axis.length / unit_.factor);
-            variable.put("periodic", axis.periodic ? 1.0 : 0.0);
-        }
+        const auto dimensions = put_axes(dataset_, axes, unit_);
         dataset_.variable("heights", dimensions, heights / unit_.factor).put("unit", unit_.name);
         if (heights.isNaN().any()) dataset_.mask("mask", dimensions, heights);
     }
@@ -232,6 +238,23 @@ std::string netcdf_content(const topography::Measurement& measurement, const std
 
 void write_netcdf(const std::string& path, const topography::Measurement& measurement) {
     bytes::write_whole_file(path, netcdf_content(measurement));
+}
+
+void write_netcdf(const std::string& path, std::span<const GridMap> maps, const std::array<double, 2>& size,
+                  bool periodic) {
+    if (maps.empty()) throw InvalidArgument(path + ": NetCDF: no map; expected at least one");
+    const auto rows = maps.front().values.rows(), columns = maps.front().values.cols();
+    for (const auto& map : maps)
+        if (map.values.rows() != rows || map.values.cols() != columns)
+            throw InvalidArgument(fmt::format("{}: NetCDF: map '{}' has {} x {} points; expected {} x {}", path,
+                                              map.name, map.values.rows(), map.values.cols(), rows, columns));
+    Dataset dataset(path);
+    const Axis axes[] = {equidistant("x", rows, size[0], periodic), equidistant("y", columns, size[1], periodic)};
+    const auto dimensions = put_axes(dataset, axes, {"m"});
+    for (const auto& map : maps)
+        dataset.variable(map.name, dimensions, Eigen::Map<const Array1D>(map.values.data(), map.values.size()))
+            .put("units", map.unit);
+    bytes::write_whole_file(path, dataset.bytes());
 }
 
 void write_netcdf(const std::string& path, const Table& table) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -345,7 +346,26 @@ TEST(NetCdf, WrittenTopographiesKeepSizeAndPeriodicity) {
     EXPECT_EQ(profile.heights[2], 2e-9);
 }
 
+<<<<<<< HEAD
 TEST(NetCdf, RefusesTablesThatDoNotFitTheFormat) {
+=======
+TEST(NetCdf, MapsOfOneGridHaveCoordinates) {
+    const TemporaryFolder folder;
+    const Array2D gaps = Array2D::Random(5, 3) * 1e-9;
+    const std::array maps{GridMap{"heights", "m", gaps}, GridMap{"pressure", "Pa", Array2D::Zero(5, 3)}};
+    write_netcdf(folder.path("m.nc"), maps, {2e-6, 1.1e-6}, true);
+    const auto map = std::get<HeightMap>(read(folder.path("m.nc")));
+    EXPECT_TRUE((map.heights == gaps).all());
+    EXPECT_NEAR(map.size[0], 2e-6, 1e-20);
+    EXPECT_NEAR(map.size[1], 1.1e-6, 1e-20);
+    EXPECT_TRUE(map.periodic);
+    EXPECT_NE(bytes::read_file(folder.path("m.nc")).find("pressure"), std::string::npos);
+    const std::array uneven{GridMap{"gap", "m", gaps}, GridMap{"pressure", "Pa", Array2D::Zero(3, 5)}};
+    EXPECT_THROW(write_netcdf(folder.path("m.nc"), uneven, {2e-6, 1e-6}, true), InvalidArgument);
+}
+
+TEST(NetCdf, RefusesTablesItCannotHold) {
+>>>>>>> hf
     const TemporaryFolder folder;
     Table uneven;
     uneven.columns = {{"a", "1", Array1D::Zero(2)}, {"b", "1", Array1D::Zero(3)}};

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <span>
 #include <string>
 
+#include "setae/core/arrays.hpp"
 #include "setae/core/table.hpp"
 #include "setae/topography/measurement.hpp"
 
@@ -13,6 +16,19 @@ namespace setae::formats {
 /// @throws FileError; InvalidArgument for columns of different length or two columns with one name.
 /// Source: NetCDF Users Guide; CF conventions 1.8, sections 3.1 and 3.2.
 void write_netcdf(const std::string& path, const Table& table);
+
+/// Values at the points of a grid, x the first index.
+struct GridMap {
+    std::string name, unit;
+    Array2D values;
+};
+
+/// Writes maps of one grid as NetCDF (classic model, 64-bit offsets): float64 variables name(x, y) with the attribute
+/// "units", coordinates x and y [m] with the attributes "unit", "length" and "periodic". As a whole.
+/// size: extents of the grid [m].
+/// @throws FileError; InvalidArgument for no map, maps of different shape, two maps with one name.
+void write_netcdf(const std::string& path, std::span<const GridMap> maps, const std::array<double, 2>& size,
+                  bool periodic);
 
 /// A topography as the bytes of a NetCDF file (classic model, 64-bit offsets) that open() reads back with its size,
 /// unit and periodicity: float64 variables heights(x[, y]), x and y in `unit`, attributes "unit", "length" and

@@ -32,7 +32,8 @@ struct setae::fields::Described<setae::imaging::RulingFit> {
         quantity<&T::pixel_size>("pixel_size", "s", "m", "size of a pixel across the lines"),
         quantity<&T::angle>("angle", "", "rad", "angle between the normal to the lines and the x axis"),
         quantity<&T::distortion>("distortion", "d", "1", "distortion of the camera lens at the corners"),
-        quantity<&T::rms_residual>("rms_residual", "rms", "m", "root mean square residual of the positions"),
+        quantity<&T::rms_residual>("rms_residual", "rms", "m", "root mean square residual of the positions")
+            .as("rms_residual_of_lengths"),
     };
     static constexpr Description description{"ruling", "ruling in one direction", rows};
 };
