@@ -346,9 +346,6 @@ TEST(NetCdf, WrittenTopographiesKeepSizeAndPeriodicity) {
     EXPECT_EQ(profile.heights[2], 2e-9);
 }
 
-<<<<<<< HEAD
-TEST(NetCdf, RefusesTablesThatDoNotFitTheFormat) {
-=======
 TEST(NetCdf, MapsOfOneGridHaveCoordinates) {
     const TemporaryFolder folder;
     const Array2D gaps = Array2D::Random(5, 3) * 1e-9;
@@ -364,8 +361,7 @@ TEST(NetCdf, MapsOfOneGridHaveCoordinates) {
     EXPECT_THROW(write_netcdf(folder.path("m.nc"), uneven, {2e-6, 1e-6}, true), InvalidArgument);
 }
 
-TEST(NetCdf, RefusesTablesItCannotHold) {
->>>>>>> hf
+TEST(NetCdf, RefusesTablesThatDoNotFitTheFormat) {
     const TemporaryFolder folder;
     Table uneven;
     uneven.columns = {{"a", "1", Array1D::Zero(2)}, {"b", "1", Array1D::Zero(3)}};
