@@ -25,9 +25,6 @@ HERE = pathlib.Path(__file__).parent
 COMMANDS = subprocess.run([PROGRAM, "schema"], capture_output=True, text=True, check=True).stdout.split("\n")[:-1]
 
 
-#: Roughness parameters of heights: S… of a map, R… of a line.
-REAL_SPACE = {"rms_height_real_space", "rms_slope_real_space", "rms_curvature_real_space", "arithmetic_height"}
-
 #: Commands that no test in tests/cli runs with --json.
 OTHERS = [
     "lab loops --runs 2 --snr 30 -o {0}/loops",
@@ -124,26 +121,6 @@ def test_printed_json_matches_the_schema(command: str, printed_json: dict[str, l
         errors = [f"{error.json_path}: {error.message[:200]}" for error in VALIDATORS[command].iter_errors(printed)]
         assert not errors, "\n".join(errors)
         assert not list(wrong_units(printed, schema, schema))
-
-
-def quantities_in(value: Json) -> Iterator[tuple[str, str, str]]:
-    """Name, symbol and unit of each quantity in printed JSON."""
-    if isinstance(value, dict):
-        if isinstance(value.get("quantity"), str) and "symbol" in value and "unit" in value:
-            yield value["quantity"], value["symbol"], value["unit"]
-        for entry in value.values():
-            yield from quantities_in(entry)
-    elif isinstance(value, list):
-        for entry in value:
-            yield from quantities_in(entry)
-
-
-def test_a_printed_quantity_has_one_symbol(printed_json: dict[str, list[Json]]) -> None:
-    symbols: dict[str, set[str]] = {}
-    for printed in printed_json.values():
-        for name, symbol, _ in quantities_in(printed):
-            symbols.setdefault(name, set()).add(symbol)
-    assert not {name: several for name, several in symbols.items() if len(several) > 1 and name not in REAL_SPACE}
 
 
 def names_in(schema: Json) -> Iterator[tuple[str, Json]]:
