@@ -113,7 +113,7 @@ def fenced_lines(body):
 def unmeasured(page):
     """Claims without a table behind them."""
     for number, text in claims(page):
-        if text.startswith(("*", "| ---", "|---")) or re.match(r"\|[^\[]*\|\n$", text) and number + 1 in rules(page):
+        if text.startswith(("*", "![", "| ---", "|---")) or re.match(r"\|[^\[]*\|\n$", text) and number + 1 in rules(page):
             continue
         if not any(is_measured(page, link) for link in LINK.findall(text)):
             yield f"{page}:{number}: no link to a table: {text.splitlines()[0][:80]}"
