@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Output of `setae contact compare`.
-
 #include <array>
 #include <string>
 #include <string_view>
@@ -12,6 +10,7 @@
 #include "setae/answers/contact_comparison.hpp"
 #include "setae/answers/contact_fields.hpp"
 
+/// Output of `setae contact compare`.
 namespace setae::fields {
 
 template <>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Output of `setae contact front`.
-
 #include <algorithm>
 #include <array>
 #include <string>
@@ -12,6 +10,7 @@
 #include "setae/answers/contact_fields.hpp"
 #include "setae/answers/contact_front.hpp"
 
+/// Output of `setae contact front`.
 namespace setae::fields {
 
 template <>

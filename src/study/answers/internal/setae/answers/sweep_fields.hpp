@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Output of `setae contact sweep`.
-
 #include <array>
 #include <string_view>
 
 #include "setae/answers/adhesive_sweep.hpp"
 #include "setae/answers/contact_fields.hpp"
 
+/// Output of `setae contact sweep`.
 namespace setae::fields {
 
 template <>

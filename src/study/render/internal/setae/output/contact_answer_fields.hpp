@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Contact without load by each theory, as JSON has it.
-
 #include "setae/fields/describe.hpp"
 #include "setae/study/contact_answers.hpp"
 
+/// Contact without load by each theory, as JSON has it.
 namespace setae::fields {
 
 template <>

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A processing step that was applied, as JSON has it.
-
 #include "setae/fields/describe.hpp"
 #include "setae/processing/processed.hpp"
 
+/// A processing step that was applied, as JSON has it.
 namespace setae::fields {
 
 template <>
