@@ -9,6 +9,7 @@
 #include "setae/core/layout.hpp"
 #include "setae/core/text.hpp"
 #include "setae/core/units.hpp"
+#include "setae/figures/notes.hpp"
 #include "setae/output/budget.hpp"
 
 namespace setae::study_figures {
@@ -18,7 +19,7 @@ using figures::Mark;
 
 /// The end of a long name is more specific than the beginning: "…E07.surface_energy".
 std::string shortened_name(std::string_view name, FigureWidth width) {
-    const std::size_t longest = width == FigureWidth::single_column ? 36 : 60;
+    const std::size_t longest = width == FigureWidth::single_column ? 28 : 44;
     if (display_width(name) <= longest) return std::string(name);
     while (display_width(name) >= longest) name.remove_prefix(std::max<std::size_t>(1, utf8_length(name)));
     return "…" + std::string(name);
@@ -48,8 +49,7 @@ void budget_of_work(const FigureRequest& request, StudyFigure& drawn) {
     constexpr std::size_t most = 8;
     const auto& budget = *found;
     const auto count = std::min(most, budget.rows.size());
-    const double largest = budget.rows.empty() ? 1.0 : budget.rows.front().share,
-                 end = 160.0 * std::max(0.01, largest);  // space for the text beside the longest bar
+    const double largest = budget.rows.empty() ? 1.0 : budget.rows.front().share, end = 105.0 * std::max(0.01, largest);
     figures::Panel panel{.x = {.quantity = "share of variance", .unit = "%", .from = 0.0, .to = end},
                          .y = {.from = -0.6, .to = static_cast<double>(count) - 0.4},
                          .legend = false};
@@ -66,6 +66,7 @@ void budget_of_work(const FigureRequest& request, StudyFigure& drawn) {
     }
     drawn.figure.panels = {std::move(panel)};
     arrange(drawn.figure, request.options.width, 22.0 + 7.0 * static_cast<double>(count));
+    figures::extend_for_notes(drawn.figure);
     drawn.caption = fmt::format(
         "Contributions of the inputs to the variance of W_int, whose ± is {}{}. The number beside each bar is the remaining ± "
         "if the ± of this input is halved.",

@@ -7,9 +7,11 @@
 
 #include <gtest/gtest.h>
 
+#include "figures/layout.hpp"
 #include "figures/ticks.hpp"
 #include "setae/figures/figure.hpp"
 #include "setae/figures/instrument_look.hpp"
+#include "setae/figures/notes.hpp"
 
 namespace setae::figures::appearance_test {
 namespace {
@@ -142,6 +144,23 @@ TEST(Headings, ContainALetterAndTheContentOfThePanel) {
     const auto script = gnuplot_script(figure, "svg", "a.svg");
     EXPECT_NE(script.find("'{/:Bold A}  force'"), std::string::npos) << script;
     EXPECT_NE(script.find("'{/:Bold B}'"), std::string::npos);
+}
+
+TEST(ExtendForNotes, EndsEveryNoteWithinTheAxes) {
+    for (const double width_mm : {60.0, 85.0, 178.0}) {
+        Panel panel{.x = {.quantity = "share", .unit = "%", .from = 0.0, .to = 50.0},
+                    .y = {.from = 0.0, .to = 2.0, .tick_labels = {"a long name of an input", "b"}}};
+        panel.notes = {{"± 81 µJ/m²", 48.0, 1.0, Note::Side::right}, {"left", 50.0, 0.0, Note::Side::left}};
+        Figure figure{.panels = {panel}, .width_mm = width_mm, .height_mm = 40.0};
+        extend_for_notes(figure);
+        const auto axes = layout_of(figure, 0).axes;
+        const double end = figure.panels[0].x.to.value(), per_mm = end / (axes.right - axes.left);
+        EXPECT_NEAR(48.0 + (10.0 * letters_mm + 1.0) * per_mm, end, 1e-9) << width_mm;
+    }
+    Panel none{.x = {.from = 0.0, .to = 50.0}, .y = {.from = 0.0, .to = 1.0}};
+    Figure figure{.panels = {none}};
+    extend_for_notes(figure);
+    EXPECT_EQ(figure.panels[0].x.to.value(), 50.0);
 }
 
 TEST(PutLegendAbove, MovesPanelsBelowTheLegend) {
