@@ -147,7 +147,7 @@ TEST(Headings, ContainALetterAndTheContentOfThePanel) {
 }
 
 TEST(ExtendForNotes, EndsEveryNoteWithinTheAxes) {
-    for (const double width_mm : {60.0, 85.0, 178.0}) {
+    for (const double width_mm : {75.0, 85.0, 178.0}) {
         Panel panel{.x = {.quantity = "share", .unit = "%", .from = 0.0, .to = 50.0},
                     .y = {.from = 0.0, .to = 2.0, .tick_labels = {"a long name of an input", "b"}}};
         panel.notes = {{"± 81 µJ/m²", 48.0, 1.0, Note::Side::right}, {"left", 50.0, 0.0, Note::Side::left}};
