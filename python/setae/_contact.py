@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from . import _setae
 from ._columns import Columns, Named, edge_of
 from ._errors import InvalidArgument
+from ._given import Given, saved
 from ._options import Path, Size, Text, filled, path, require
 from ._quantities import Quantity, quantity_from
 from ._results import Answer
@@ -353,7 +354,7 @@ class ContactFront(_ContactLoop):
     handle: Any = None
 
     def __getstate__(self) -> dict[str, Any]:
-        return {**super().__getstate__(), "handle": None}
+        return {**super().__getstate__(), "handle": saved(self.save_edge, "edge.csv") if self.edge else None}
 
     def plot(self, ax: Any = None, **style: Any) -> Any:
         """Plots the force against the displacement on axes of matplotlib."""
@@ -365,9 +366,8 @@ class ContactFront(_ContactLoop):
         """Writes the edge as a table."""
         if not self.edge:
             raise InvalidArgument("no edge was kept; expected the argument duration")
-        if self.handle is None:
-            raise InvalidArgument("the edge was computed in another process; expected save_edge() there")
-        self.handle.save_edge(path(file))
+        write = self.handle.save if isinstance(self.handle, Given) else self.handle.save_edge
+        write(path(file))
 
 
 def contact_front(

@@ -60,6 +60,10 @@ class Given:
     def __str__(self) -> str:
         return self.name
 
+    def save(self, file: str) -> None:
+        """Writes the content."""
+        pathlib.Path(file).write_bytes(self.content)
+
     def __getstate__(self) -> dict[str, Any]:
         return {"name": self.name, "content": self.content}
 

@@ -94,10 +94,10 @@ def camera(pictures: Paths, pitch: Text) -> Camera:
 class Recording(Columns):
     """Results of a recording, one row per frame."""
 
-    handle: Any = field(default=None, repr=False)
+    handle: Any = field(default=None, repr=False)  #: object that writes the table: of the library, or its content in another process
 
     def __getstate__(self) -> dict[str, Any]:
-        return {**super().__getstate__(), "handle": None}
+        return {**super().__getstate__(), "handle": saved(self.handle.save, "recording.csv")}
 
     @property
     def alerts(self) -> tuple[Alert, ...]:
@@ -106,8 +106,6 @@ class Recording(Columns):
 
     def save(self, file: Path) -> None:
         """Writes the results as a table."""
-        if self.handle is None:
-            raise InvalidArgument("the recording was analysed in another process; expected save() there")
         self.handle.save(path(file))
 
 

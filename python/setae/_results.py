@@ -10,10 +10,13 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields
 from functools import cached_property
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from ._given import shown
 from ._quantities import Alert, Json, Quantity, alerts_from, is_quantity, number, quantity_from, uncertain
+
+if TYPE_CHECKING:
+    from typing_extensions import Self
 
 #: Parameters of fits whose JSON does not name the rows of the covariance.
 ROWS = (("contact_modulus", "work_of_adhesion", "contact_point"), ("threshold", "reference_speed", "exponent", "contact_modulus"))
@@ -188,6 +191,12 @@ class Result(Mapping[str, Any]):
         if name in self._by_symbol:
             return self._by_symbol[name]
         raise KeyError(unknown(name, self._completions()))
+
+    def __copy__(self) -> Self:
+        """A copy in the same process shares arrays and objects of the library."""
+        copied = object.__new__(type(self))
+        copied.__dict__.update(self.__dict__)
+        return copied
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._data)

@@ -305,7 +305,7 @@ def surface(
     """
     shared = shared_options(instrument, tip_radius, resolution, trend, size, unit, keep_values)
     options = (text(longest, "longest"), text(shortest, "shortest"), text(window), text(contours), text(conversion), memory, bootstrap_resamples)
-    arguments = (measurements, shared, options, text(spectrum), not skip_failed)
+    arguments = (items(measurements, shared).kept, shared, options, text(spectrum), not skip_failed)
     found = computed(*arguments)
     moments = tuple(map(quantity_from, json.loads(found.quantities())))
     return Surface(found.columns, found.units, found.json, moments, arguments, found)

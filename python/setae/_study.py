@@ -5,11 +5,14 @@ from __future__ import annotations
 
 import pathlib
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any
 
 from . import _setae
-from ._options import Path, filled, require
+from ._errors import InvalidArgument
+from ._given import shown
+from ._options import MAPPINGS, Path, filled, require
 from ._quantities import Quantity
 from ._results import Answer
 
@@ -18,7 +21,12 @@ from ._results import Answer
 class Figure:
     """A figure of a study, which notebooks display."""
 
-    handle: _setae.StudyFigure
+    study: StudyResult = field(repr=False)
+    identifier: str
+
+    @property
+    def handle(self) -> _setae.StudyFigure:
+        return self.study._drawings[self.identifier]
 
     @property
     def title(self) -> str:
@@ -47,14 +55,14 @@ class Figure:
         return target
 
     def __repr__(self) -> str:
-        return f"Figure({self.handle.identifier}: {self.title}{'; ' + self.reason if self.reason else ''})"
+        return f"Figure({self.identifier}: {self.title}{'; ' + self.reason if self.reason else ''})"
 
 
 class Figures(Mapping[str, Figure]):
     """Figures of a study by the identifiers of ``setae plot --figure``."""
 
-    def __init__(self, run: _setae.StudyRun) -> None:
-        self._figures = {figure.identifier: Figure(figure) for figure in _setae.figures_of(run)}
+    def __init__(self, study: StudyResult) -> None:
+        self._figures = {identifier: Figure(study, identifier) for identifier in study._drawings}
 
     def __getitem__(self, identifier: str) -> Figure:
         return self._figures[identifier]
@@ -69,18 +77,34 @@ class Figures(Mapping[str, Figure]):
 class StudyResult(Answer):
     """Results of a study, as in study.json: "surfaces", "pairs", "fits", "experiments" …, with figures and report."""
 
-    handle: _setae.StudyRun
     file: str
+    _options: tuple[str, str | None]  #: folder of outputs, and folder of kept results, for the same run in another process
 
     @classmethod
-    def of(cls, run: _setae.StudyRun, file: str) -> StudyResult:
+    def of(cls, file: str, output: str, cache: str | None) -> StudyResult:
+        """Runs a study file; ``cache``: folder of kept results, "" for that of the user, None for no kept results."""
+        run = _setae.run_study(file, output, cache, MAPPINGS)
         result = cls(run.json())
-        object.__setattr__(result, "handle", run)
-        object.__setattr__(result, "file", file)
+        result.__dict__.update(file=file, _options=(output, cache), handle=run)
         return result
 
-    def __reduce__(self) -> Any:
-        raise TypeError("the result of a study cannot be pickled; run the study again, with the results kept in the cache")
+    def __getstate__(self) -> dict[str, Any]:
+        return {"text": self.text, "file": self.file, "_options": self._options}
+
+    @cached_property
+    def handle(self) -> _setae.StudyRun:
+        """The results in the library. Another process takes them from the kept results, or runs the study again.
+
+        :raises InvalidArgument: if the study file or a file of a measurement has changed
+        """
+        run = _setae.run_study(self.file, *self._options, MAPPINGS)
+        if shown(run.json()) != self.text:
+            raise InvalidArgument(f"{self.file}: the study has other results than those that were pickled; expected unchanged files, or a new run")
+        return run
+
+    @cached_property
+    def _drawings(self) -> dict[str, _setae.StudyFigure]:
+        return {figure.identifier: figure for figure in _setae.figures_of(self.handle)}
 
     @property
     def work_of_adhesion(self) -> Quantity | None:
@@ -90,7 +114,7 @@ class StudyResult(Answer):
 
     @property
     def figures(self) -> Figures:
-        return Figures(self.handle)
+        return Figures(self)
 
     def summary(self, width: int = 100) -> str:
         """Every table as text, the verdict first."""

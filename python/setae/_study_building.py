@@ -278,8 +278,7 @@ class Study:
             target = pathlib.Path(output if output is not None else self._content.get("output", "study_results"))
             return self.to_toml(target / "study.toml").run(output=target, cache=cache, keep=keep)
         folder = (path(cache) if cache is not None else "") if keep else None
-        run = _setae.run_study(self._file, "" if output is None else path(output), folder, MAPPINGS)
-        return StudyResult.of(run, self._file)
+        return StudyResult.of(self._file, "" if output is None else path(output), folder)
 
     def __repr__(self) -> str:
         if self._file is not None:
