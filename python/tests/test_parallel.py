@@ -26,7 +26,11 @@ from test_round_trips import CLI_DATA, PRODUCERS, front, line_of_contact, rough_
 HERE = pathlib.Path(__file__).parent
 PRODUCED = [pytest.param(make, id=name) for kind in PRODUCERS.values() for name, make in kind.items()]
 #: Results of other functions, made from a map and the folder of the tutorial.
-MADE = [pytest.param(lambda data, folder, make=make: make(rough_map(), data), id=name) for name, make in MAKERS.items() if name != "ContainerReport"]
+MADE = [
+    pytest.param(lambda data, folder, make=make: make(rough_map(), data), id=name)
+    for name, make in MAKERS.items()
+    if name not in ("ContactFront", "ContainerReport")  # among the producers, and below
+]
 OTHERS = [
     pytest.param(lambda data, folder: setae.check_container(setae_container(folder)), id="ContainerReport"),
     pytest.param(lambda data, folder: setae.loop(data / "loops/rougher_soft.csv", radius="1.25 mm").fit()["loading"], id="part of a fit"),
@@ -62,14 +66,14 @@ def content(value: Any, folder: pathlib.Path) -> list[Any]:
     if isinstance(value, setae.Scan):
         return [value.heights, value.positions, value.size, value.pixel_size, value.periodic, value.unit, str(value.alerts), value.steps, repr(value)]
     if isinstance(value, setae.Loop):
-        return [*value.columns.values(), value.units, value.metadata, value.fit().json()]
+        return [*value.columns.values(), value.units, value.metadata, repr(value.bodies)]
     if isinstance(value, setae.Result):
         return [value.json(), repr(value), list(value), value._repr_html_(), *arrays(value), *written(value, folder)]
     if hasattr(value, "attrs"):  # of pandas and xarray
         return [np.asarray(value.to_array() if hasattr(value, "data_vars") else value), dict(value.attrs)]
     if isinstance(value, dict):
         return [*value.values(), list(value), getattr(value, "units", None)]
-    return [repr(value), getattr(value, "unit", None), getattr(value, "standard_error", None)]
+    return [repr(value), getattr(value, "unit", None), str(getattr(value, "standard_error", None))]
 
 
 def arrays(value: setae.Result) -> Iterator[np.ndarray]:
@@ -134,13 +138,9 @@ def test_a_pickled_study_draws_and_refuses_other_results(data, tmp_path):
     text = (data / "study.toml").read_text().replace('file = "', f'file = "{data}/')
     (tmp_path / "study.toml").write_text(text)
     done = setae.study(tmp_path / "study.toml").run(output=tmp_path / "results")
-    moved = pickle.loads(pickle.dumps(done))
-    assert (moved.next_measurements().json(), moved.conform(points=[64], points_per_wave=[8], waves_per_side=2, squared_ratios=[1], seeds=1).json()) == (
-        done.next_measurements().json(),
-        done.conform(points=[64], points_per_wave=[8], waves_per_side=2, squared_ratios=[1], seeds=1).json(),
-    )
-    changed = pickle.loads(pickle.dumps(done))
-    (tmp_path / "study.toml").write_text(text.replace("rougher_soft_1.csv", "rougher_soft.csv").replace('title = "', 'title = "Another '))
+    moved, changed = (pickle.loads(pickle.dumps(done)) for _ in range(2))
+    assert moved.next_measurements().json() == done.next_measurements().json()
+    (tmp_path / "study.toml").write_text(text.replace('title = "', 'title = "Another '))
     with pytest.raises(setae.InvalidArgument, match="expected unchanged files"):
         changed.summary()
     assert changed.json() == done.json()

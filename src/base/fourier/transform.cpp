@@ -9,6 +9,7 @@
 
 #include "setae/core/errors.hpp"
 #include "setae/fourier/buffer.hpp"
+#include "setae/platform/processes.hpp"
 
 namespace setae::fourier {
 namespace fftw {
@@ -16,7 +17,8 @@ namespace fftw {
 /// FFTW's planner is not thread-safe; its executors are.
 inline std::mutex& planner_mutex() {
     static std::mutex mutex;
-    return mutex;
+    static std::mutex& planner = platform::free_in_every_child(mutex);
+    return planner;
 }
 
 /// FFTW's functions for one kind of number.

@@ -15,6 +15,7 @@
 #include "domain.hpp"
 #include "setae/contact/layer.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/platform/processes.hpp"
 
 namespace setae::contact::layer {
 namespace {
@@ -132,8 +133,9 @@ Layer::Table Layer::table_of(double poisson_ratio) {
 std::shared_ptr<const Layer::Table> Layer::kept_table(double poisson_ratio) {
     constexpr std::size_t max_kept = 64;
     static std::mutex mutex;
+    static std::mutex& of_tables = platform::free_in_every_child(mutex);
     static std::map<double, std::shared_ptr<const Table>> kept;
-    const std::lock_guard lock(mutex);
+    const std::lock_guard lock(of_tables);
     if (kept.size() >= max_kept && !kept.contains(poisson_ratio)) kept.clear();
     auto& table = kept[poisson_ratio];
     if (!table) table = std::make_shared<const Table>(table_of(poisson_ratio));

@@ -11,7 +11,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <thread>
+#include <vector>
 
 namespace setae::platform {
 namespace {
@@ -107,6 +110,49 @@ std::optional<ProcessEnd> run_in_child(const std::function<void()>& use, unsigne
 }
 
 void in_every_child(void (*function)()) { ::pthread_atfork(nullptr, nullptr, function); }
+
+namespace {
+
+struct MutexesAtFork {
+    std::mutex guard;
+    std::vector<std::mutex*> all;
+};
+
+MutexesAtFork& at_fork() {
+    static auto* mutexes = new MutexesAtFork;
+    return *mutexes;
+}
+
+/// Locks all or none: no thread waits for a mutex that this thread holds, whatever their order.
+bool lock_all(const std::vector<std::mutex*>& mutexes) {
+    const auto taken = std::find_if(mutexes.begin(), mutexes.end(), [](auto* mutex) { return !mutex->try_lock(); });
+    if (taken == mutexes.end()) return true;
+    std::for_each(mutexes.begin(), taken, [](auto* mutex) { mutex->unlock(); });
+    return false;
+}
+
+void before_fork() {
+    for (at_fork().guard.lock(); !lock_all(at_fork().all); at_fork().guard.lock()) {
+        at_fork().guard.unlock();
+        std::this_thread::yield();
+    }
+}
+
+void after_fork() {
+    for (auto* mutex : at_fork().all) mutex->unlock();
+    at_fork().guard.unlock();
+}
+
+}  // namespace
+
+std::mutex& free_in_every_child(std::mutex& mutex) {
+    auto& mutexes = at_fork();
+    static const int registered = ::pthread_atfork(before_fork, after_fork, after_fork);
+    (void)registered;
+    const std::lock_guard lock(mutexes.guard);
+    mutexes.all.push_back(&mutex);
+    return mutex;
+}
 
 void survive_full_files() { ::signal(SIGXFSZ, SIG_IGN); }
 

@@ -16,6 +16,7 @@
 #include "setae/fourier/map_transform.hpp"
 #include "setae/fourier/transform.hpp"
 #include "setae/numerics/dense.hpp"
+#include "setae/platform/processes.hpp"
 #include "setae/spectra/window.hpp"
 #include "setae/spectral_fit/hat_node.hpp"
 
@@ -169,7 +170,7 @@ Array1D covariance_of(Index points, double wavevector, Function autocovariance) 
 
 /// Columns of one shape computed so far.
 struct Store {
-    explicit Store(const ScanShape& shape) : workshop(shape) {}
+    explicit Store(const ScanShape& shape) : workshop(shape) { platform::free_in_every_child(mutex); }
     Workshop workshop;
     std::map<Index, Array1D> columns, flat_columns;
     std::mutex mutex;
@@ -177,8 +178,9 @@ struct Store {
 
 Store& store_of(const ScanShape& shape) {
     static std::mutex mutex;
+    static std::mutex& of_stores = platform::free_in_every_child(mutex);
     static std::map<ScanShape, std::unique_ptr<Store>> stores;
-    const std::lock_guard lock(mutex);
+    const std::lock_guard lock(of_stores);
     auto& store = stores[shape];
     if (!store) store = std::make_unique<Store>(shape);
     return *store;

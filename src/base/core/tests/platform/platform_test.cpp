@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <atomic>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <mutex>
 #include <stdexcept>
 #include <thread>
 
@@ -124,6 +126,22 @@ TEST_F(Processes, InAChildDoNotChangeTheParent) {
     EXPECT_NE(killed->signal.find("signal 6"), std::string::npos) << killed->signal;
     const auto endless = run_in_child([] { std::this_thread::sleep_for(std::chrono::minutes(1)); }, 1);
     EXPECT_TRUE(endless->out_of_time);
+}
+
+TEST_F(Processes, OfAForkFindTheMutexFree) {
+    static std::mutex own;
+    static std::mutex& mutex = free_in_every_child(own);
+    std::atomic<bool> over{false};
+    std::thread other([&] {
+        while (!over) {
+            const std::lock_guard lock(mutex);
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+    });
+    for (int child = 0; child < 20; ++child)
+        EXPECT_TRUE(run_in_child([] { const std::lock_guard lock(mutex); }, 10)->well());
+    over = true;
+    other.join();
 }
 
 TEST_F(Processes, AreGoneOnlyAfterTheyEnd) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <system_error>
@@ -49,6 +50,10 @@ struct Command {
 
 /// Called in each child of this process before anything else.
 void in_every_child(void (*function)());
+
+/// A mutex of the process that every fork() waits for: the child finds the mutex free and the data behind it complete.
+/// For mutexes without destruction that are held for a short time, and not by a thread that forks. @returns the mutex.
+std::mutex& free_in_every_child(std::mutex& mutex);
 
 /// Writing beyond `ulimit -f` is an error after this call and no longer ends the process.
 void survive_full_files();
