@@ -198,6 +198,10 @@ class Result(Mapping[str, Any]):
         copied.__dict__.update(self.__dict__)
         return copied
 
+    def __dask_tokenize__(self) -> tuple[str, Any]:
+        """Dask identifies a result by the content of its pickle."""
+        return type(self).__name__, self.__getstate__()
+
     def __iter__(self) -> Iterator[str]:
         return iter(self._data)
 
