@@ -54,6 +54,6 @@ if __name__ == "__main__":
     axes = plt.subplots()[1]
     for modulus, row in works.items():
         axes.plot(slopes, [1e3 * float(work) for work in row], "o-", label=f"E = {modulus}")
-    axes.set(xscale="log", xlabel="rms slope", ylabel="W_app [mJ/m²]")
+    axes.set(xlabel="rms slope", ylabel="W_app [mJ/m²]")
     axes.legend()
     plt.savefig("dask.png")

@@ -104,7 +104,7 @@ class Loop:
 
     @property
     def metadata(self) -> dict[str, str]:
-        return self._opened.metadata
+        return {key: shown(value) for key, value in self._opened.metadata.items()}
 
     @property
     def alerts(self) -> tuple[Alert, ...]:
