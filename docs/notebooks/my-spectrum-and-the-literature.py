@@ -17,7 +17,7 @@ import setae
 
 scan = setae.synthesize(hurst=0.8, rolloff="1 um", short_cutoff="20 nm", rms_height="20 nm", size="5 um", pixels=512).scan
 published = setae.study("examples/nanodiamond/published.toml").run(output="published")
-written = published.write()
+published.write()
 
 # %% [markdown]
 # Slopes depend on the smallest wavelength. The slope of the map is smaller where its pixels do not resolve the waves that the paper includes.
@@ -27,9 +27,14 @@ print("mine", setae.parameters(scan)["rms_slope_from_spectrum"])
 for name, surface in published["surfaces"].items():
     print(f"{name:6} rms height {surface['rms_height']}, rms slope {surface['rms_slope']}")
 
+# %% [markdown]
+# Spectra can be compared only in one normalisation. The reconstructed spectra are C_iso, so the map needs C_iso, too.
+
 # %%
-axes = setae.power_spectrum(scan).plot(label="my map", color="black")
+psd = setae.power_spectrum(scan, isotropic=True)
+axes = plt.subplots()[1]
 for name in published["surfaces"]:
     setae.surface(f"published/psd_{name}.csv").plot(axes, label=name)
+axes.plot(psd.q, psd.C_iso, label="my map", color="black")
 axes.legend()
 axes.figure.savefig("literature.png")
