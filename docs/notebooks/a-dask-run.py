@@ -8,11 +8,12 @@
 # # A Dask run
 #
 # This notebook predicts the work of adhesion of many pairs of surface and elastomer on a Dask cluster. The cluster here consists of two local
-# processes. On a cluster of several machines, only the line with `LocalCluster` changes (`pip install dask distributed`).
+# processes. On a cluster of several machines, only the address of the cluster changes (`pip install dask distributed`).
 
 # %%
 from typing import Any
 
+import distributed
 import matplotlib.pyplot as plt
 
 import setae
@@ -40,9 +41,9 @@ def pair(scan: setae.Scan, modulus: str) -> setae.WorkOfAdhesion:
 
 # %%
 def run() -> dict[str, list[setae.WorkOfAdhesion]]:
-    from dask.distributed import Client, LocalCluster
-
-    with LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster, Client(cluster) as client:
+    cluster_of: Any = distributed.LocalCluster
+    client_of: Any = distributed.Client
+    with cluster_of(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster, client_of(cluster) as client:
         futures: dict[str, Any] = {modulus: [client.submit(pair, scan, modulus) for scan in surfaces] for modulus in moduli}
         found: dict[str, list[setae.WorkOfAdhesion]] = client.gather(futures)
     return found

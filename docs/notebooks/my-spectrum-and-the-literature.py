@@ -32,9 +32,9 @@ for name, surface in published["surfaces"].items():
 
 # %%
 psd = setae.power_spectrum(scan, isotropic=True)
-axes = plt.subplots()[1]
+figure, axes = plt.subplots()
 for name in published["surfaces"]:
     setae.surface(f"published/psd_{name}.csv").plot(axes, label=name)
 axes.plot(psd.q, psd.C_iso, label="my map", color="black")
 axes.legend()
-axes.figure.savefig("literature.png")
+figure.savefig("literature.png")
