@@ -35,7 +35,7 @@ class Study:
         W_int for predictions, such as "37.0 ± 3.7 mJ/m2"; default: the fitted W_int
 
     >>> import setae
-    >>> wafer = setae.synthesize(hurst=0.8, rolloff="1 um", short_cutoff="80 nm", rms_height="5 nm", size="5 um", pixels=128).scan
+    >>> wafer = setae.synthesize(hurst_exponent=0.8, rolloff="1 um", short_cutoff="80 nm", rms_height="5 nm", size="5 um", pixels=128).scan
     >>> study = (
     ...     setae.Study(title="One pair")
     ...     .rough_solid(youngs_modulus="130 GPa", poisson_ratio=0.28)
@@ -395,8 +395,25 @@ def study(file: Path | Mapping[str, Any]) -> Study:
 
     In a dictionary, paths are relative to the current folder, and content in memory takes the place of files, as in :class:`Study`.
 
-    :raises FormatError: for an unknown key, a missing or wrong unit, a name that is not declared
+    Parameters
+    ----------
+    file : str or path or Mapping[str, object]
+        path of a study file, or a dictionary with the keys of a study file
 
+    Returns
+    -------
+    Study
+        a study that runs, or that is continued
+
+    Raises
+    ------
+    FormatError
+        for an unknown key, a missing or wrong unit, a name that is not declared
+    FileError
+        for a path that cannot be read
+
+    Examples
+    --------
     >>> import setae
     >>> setae.study({"title": "From a dictionary", "surfaces": {"A": {"measurements": [{"file": "afm.spm", "instrument": "afm"}]}}})
     Study('From a dictionary': 1 surface, 0 elastomers, 0 pairs)
