@@ -48,6 +48,7 @@ FUNCTIONS: dict[tuple[str, str], tuple[str, ...]] = {
     ("_laboratory.py", "replicates"): ("ReplicateRequest",),
     ("_loops.py", "loop"): ("LoopFiles", "LoopBodies"),
     ("_loops.py", "fit"): ("LoopModels", "LoopSettings"),
+    ("_quantities.py", "quantity"): (),
     ("_scales.py", "scale_dependent_roughness"): ("ScaleRequest", "Analysis"),
     ("_scales.py", "autocorrelation"): ("ScaleRequest", "Analysis"),
     ("_scales.py", "variable_bandwidth"): ("ScaleRequest", "Analysis"),
@@ -135,7 +136,7 @@ def default_of(node: ast.expr | None) -> str:
 
 
 #: Types as readers call them, by their names in annotations.
-READABLE = {"Text": "str or Quantity", "Path": "str or path", "Paths": "str or path or Sequence[str or path]", "Size": "str or Quantity or tuple",
+READABLE = {"Text": "str or Quantity", "PintQuantity": "quantity of pint", "UncertainNumber": "number of uncertainties", "Path": "str or path", "Paths": "str or path or Sequence[str or path]", "Size": "str or Quantity or tuple",
             "Source": "str or path or table", "Sources": "str or path or table or a list of them", "Stated": "str or int or Mapping",
             "Measured": "scan, str, path, array, table or a list of them", "Any": "object"}
 
@@ -230,7 +231,7 @@ OWN = {
     "command": "name of the command, such as 'psd' or 'contact solve'; 'study' for study.json",
     "contour.denoise": "standard deviation in pixels of a Gaussian that smooths the picture first",
     "count": "number of threads; 0: one per core",
-    "edges": "edges of a map; one of automatic (repeated, with a warning where heights do not match), periodic, windowed",
+    "edges": "edges of a map: automatic repeats the map, with a warning where heights do not match; one of automatic, periodic, windowed",
     "write_container.files": "measured files, scans and arrays, which become one surface",
     "file": "path of a file, or a table in memory",
     "channels.file": "path of a file or a container",
@@ -290,6 +291,12 @@ OWN = {
     "write_container.trend": "trend that is to be removed, of all files or by file; default: mean; one of mean, tilt, parabola",
     "unit": "unit of the heights, where the file does not state it, such as 'nm'",
     "scan.unit": "unit of an array, such as 'nm'; with x also 'mm, um' of positions and heights",
+    "quantity.input_name": "name of the input; quantities with one name have one error, as under [inputs] of a study",
+    "quantity.name": "name of the quantity, such as 'radius'",
+    "quantity.standard_error": "standard error of a number, in its unit",
+    "quantity.symbol": "symbol, such as 'R'",
+    "quantity.unit": "unit of a number, such as 'mm'",
+    "quantity.value": "text such as '1.25 ± 0.01 mm' or 'lens = 1.25 ± 0.01 mm', a number, a quantity of pint, a number of uncertainties",
     "units": "units of columns of a table in memory, where neither names nor attributes state them, such as {'force': 'mN'}",
     "contour.vacuum": "side of the picture that is vacuum, by grey level; one of automatic, bright, dark",
     "contour.whole_picture": "scale bars and text that are found are not hidden",

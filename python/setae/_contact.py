@@ -155,7 +155,7 @@ def contact(
         trend that is removed before the analysis; default: none after steps that level, else by instrument; one of none, mean, tilt,
         parabola
     edges : str, default 'automatic'
-        edges of a map; one of automatic (repeated, with a warning where heights do not match), periodic, windowed
+        edges of a map: automatic repeats the map, with a warning where heights do not match; one of automatic, periodic, windowed
     size : str or Quantity or tuple, optional
         extent of the heights, where the file does not state it, such as '5 um x 5 um'
     unit : str, optional
@@ -329,7 +329,7 @@ def contact_sweep(
         trend that is removed before the analysis; default: none after steps that level, else by instrument; one of none, mean, tilt,
         parabola
     edges : str, default 'automatic'
-        edges of a map; one of automatic (repeated, with a warning where heights do not match), periodic, windowed
+        edges of a map: automatic repeats the map, with a warning where heights do not match; one of automatic, periodic, windowed
     size : str or Quantity or tuple, optional
         extent of the heights, where the file does not state it, such as '5 um x 5 um'
     unit : str, optional
@@ -486,7 +486,7 @@ def contact_front(
         trend that is removed before the analysis; default: none after steps that level, else by instrument; one of none, mean, tilt,
         parabola
     edges : str, default 'automatic'
-        edges of a map; one of automatic (repeated, with a warning where heights do not match), periodic, windowed
+        edges of a map: automatic repeats the map, with a warning where heights do not match; one of automatic, periodic, windowed
     size : str or Quantity or tuple, optional
         extent of the heights, where the file does not state it, such as '5 um x 5 um'
     unit : str, optional

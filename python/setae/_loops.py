@@ -114,6 +114,9 @@ class Loop:
     def __getitem__(self, name: str) -> Any:
         return self.columns[name]
 
+    def _ipython_key_completions_(self) -> list[str]:
+        return list(self.units)
+
     def _answer(self, models: dict[str, Any], settings: dict[str, Any]) -> _setae.LoopAnswer:
         asked, wanted = filled(_setae.LoopSettings(), **settings), filled(_setae.LoopModels(), **models)
         return _setae.fit_loop(self._opened, checked_bodies(dict(self.bodies)), asked, wanted)

@@ -7,7 +7,7 @@ import difflib
 import os
 import pathlib
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from numbers import Integral, Real
 from typing import Any, TypeVar, Union
@@ -15,7 +15,7 @@ from typing import Any, TypeVar, Union
 import numpy as np
 
 from ._errors import InvalidArgument
-from ._names import option_of
+from ._names import RENAMED, option_of
 from ._quantities import PintQuantity, Quantity, UncertainNumber, of_other_package
 from ._units import have_one_dimension, kind_of
 
@@ -168,7 +168,7 @@ def fill(request: Any, name: str, value: Any) -> None:
     """Sets the option of an argument. A quantity becomes a text, or a number where the option is one."""
     option = option_of(request, name)
     if not hasattr(request, option):
-        raise TypeError(f"unknown argument '{name}'; expected one of {', '.join(n for n in dir(request) if n[0] != '_')}")
+        require_known(name, [RENAMED.get(known, known) for known in dir(request) if known[0] != "_"])
     now = getattr(request, option)
     if isinstance(now, list):
         setattr(request, option, texts(value) if isinstance(value, str) else list(value) if isinstance(value, tuple) else value)
@@ -236,12 +236,11 @@ def number_of(quantity: Quantity, argument: str) -> float:
     return float(quantity.to("1"))
 
 
-def require_known(given: Mapping[str, Any], known: Sequence[str]) -> None:
-    """Raises an error for a keyword that a function does not have."""
-    for name in given:
-        if name not in known:
-            near = difflib.get_close_matches(name, known, 1)
-            raise TypeError(f"unknown argument '{name}'; " + (f"did you mean '{near[0]}'?; " if near else "") + f"expected one of {', '.join(known)}")
+def require_known(name: str, known: Sequence[str]) -> None:
+    """Raises an error for an argument that a function does not have."""
+    if name not in known:
+        near = difflib.get_close_matches(name, known, 1)
+        raise TypeError(f"unknown argument '{name}'; " + (f"did you mean '{near[0]}'?; " if near else "") + f"expected one of {', '.join(known)}")
 
 
 def named(value: int | str | None) -> str | None:

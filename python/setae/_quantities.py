@@ -525,17 +525,17 @@ def quantity(
 
     Parameters
     ----------
-    value : str or float or Quantity
-        text such as "1.25 ± 0.01 mm" or "lens = 1.25 ± 0.01 mm", a number, a quantity of pint, a number of uncertainties
-    unit : str
-        unit of a number, such as "mm"
+    value : str or float or Quantity or quantity of pint or number of uncertainties
+        text such as '1.25 ± 0.01 mm' or 'lens = 1.25 ± 0.01 mm', a number, a quantity of pint, a number of uncertainties
+    unit : str, optional
+        unit of a number, such as 'mm'
     standard_error : float, default 0.0
         standard error of a number, in its unit
     name : str, default ''
-        name of the quantity, such as "radius"
+        name of the quantity, such as 'radius'
     symbol : str, default ''
-        symbol, such as "R"
-    input_name : str
+        symbol, such as 'R'
+    input_name : str, optional
         name of the input; quantities with one name have one error, as under [inputs] of a study
 
     Returns

@@ -71,6 +71,9 @@ class Figures(Mapping[str, Figure]):
     def __len__(self) -> int:
         return len(self._figures)
 
+    def _ipython_key_completions_(self) -> list[str]:
+        return list(self)
+
 
 class StudyResult(Answer):
     """Results of a study, as in study.json: "surfaces", "pairs", "fits", "experiments" …, with figures and report."""
@@ -80,6 +83,7 @@ class StudyResult(Answer):
 
     @classmethod
     def of(cls, run: _setae.StudyRun, file: str) -> StudyResult:
+        """The results of a run, with the path of the study file."""
         result = cls(run.json())
         object.__setattr__(result, "handle", run)
         object.__setattr__(result, "file", file)
