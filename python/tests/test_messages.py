@@ -186,7 +186,7 @@ def test_unknown_models_and_words_are_refused(function, argument):
         ("contact_sweep", "maps", "yes", "str; expected True or False"),
         ("contact_front", "realisations", "2", "str; expected a whole number"),
         ("work_of_adhesion", "poisson_ratio", "0.5", "str; expected a number"),
-        ("work_of_adhesion", "E", True, "bool; expected a text"),
+        ("work_of_adhesion", "youngs_modulus", True, "bool; expected a text"),
         ("tip", "points", "many", "str; expected a whole number"),
         ("scan", "periodic", "no", "str; expected True or False"),
         ("limit_threads", "count", "a", "str; expected a whole number"),

@@ -68,7 +68,7 @@ def test_errors_of_one_quantity_are_one_error():
 
 def test_named_inputs_are_one_error():
     lens, again = quantity("lens_3 = 1.25 ± 0.01 mm"), quantity("1.25e-3 ± 1e-5 m", input_name="lens_3")
-    assert lens.input == "lens_3" and (lens - again).standard_error == pytest.approx(0.0, abs=1e-15)
+    assert lens.input_name == "lens_3" and (lens - again).standard_error == pytest.approx(0.0, abs=1e-15)
     other = pickle.loads(pickle.dumps(lens))
     assert (other - lens).standard_error == (pickle.loads(pickle.dumps(2 * lens)) - 2 * lens).standard_error == 0.0
     assert (lens - quantity("lens_4 = 1.25 ± 0.01 mm")).standard_error == pytest.approx(0.01 * math.sqrt(2))
