@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """python_keywords.py [--check]: documentation of arguments, from the one description of options in the library.
 
-Writes setae/_generated.py, a TypedDict for each request whose options a function takes by **name, and the section "Parameters" of docstrings:
-every argument with its type, its default and its meaning. Meanings are those of the command line's help (fields::Option), names are those of
-setae._names.RENAMED. OWN contains the meanings of other arguments.
+Writes setae/_generated.py, a TypedDict for each request whose options a function takes by **name, and the section "Parameters" of
+docstrings: every argument with its type, its default and its meaning. Meanings are those of the command line's help (fields::Option), names
+are those of setae._names.RENAMED. OWN contains the meanings of other arguments.
 --check: writes nothing and fails where a file would change. The package must be importable (PYTHONPATH=build/python).
 """
 
@@ -81,7 +81,8 @@ def keywords_of(request: str) -> dict[str, str]:
     """Meaning of each argument: an option that is called otherwise in Python has its argument only."""
     options = options_of(request)
     by_meaning = {meaning: name for name, meaning in options.items()}
-    return {RENAMED.get(name, name): meaning for name, meaning in options.items() if by_meaning[meaning] == name and name not in ("from", "as")}
+    own = {name: meaning for name, meaning in options.items() if by_meaning[meaning] == name and name not in ("from", "as")}
+    return {RENAMED.get(name, name): meaning for name, meaning in own.items()}
 
 
 def accepts(request: str, name: str, value: Any) -> bool:
@@ -136,9 +137,12 @@ def default_of(node: ast.expr | None) -> str:
 
 
 #: Types as readers call them, by their names in annotations.
-READABLE = {"Text": "str or Quantity", "PintQuantity": "quantity of pint", "UncertainNumber": "number of uncertainties", "Path": "str or path", "Paths": "str or path or Sequence[str or path]", "Size": "str or Quantity or tuple",
-            "Source": "str or path or table", "Sources": "str or path or table or a list of them", "Stated": "str or int or Mapping",
-            "Measured": "scan, str, path, array, table or a list of them", "Any": "object"}
+READABLE = {
+    "Text": "str or Quantity", "PintQuantity": "quantity of pint", "UncertainNumber": "number of uncertainties", "Path": "str or path",
+    "Paths": "str or path or Sequence[str or path]", "Size": "str or Quantity or tuple", "Source": "str or path or table",
+    "Sources": "str or path or table or a list of them", "Stated": "str or int or Mapping",
+    "Measured": "scan, str, path, array, table or a list of them", "Any": "object",
+}
 
 
 def readable(annotation: ast.expr | None) -> str:
@@ -153,9 +157,9 @@ def entry(name: str, kind: str, meaning: str, indent: str) -> list[str]:
 
 
 def meaning_of(function: str, argument: str, known: dict[str, str]) -> str:
-    renamed = [option for option, name in RENAMED.items() if name == argument]
-    own = OWN.get(f"{function}.{argument}") or OWN.get(argument)
-    found = OWN.get(f"{function}.{argument}") or next((known[name] for name in [argument, *renamed] if name in known), own)
+    options = [argument, *(option for option, name in RENAMED.items() if name == argument)]
+    of_option = next((known[option] for option in options if option in known), None)
+    found = OWN.get(f"{function}.{argument}") or of_option or OWN.get(argument)
     if found is None:
         raise SystemExit(f"{function}: '{argument}' is no option of its requests and not in OWN")
     return found
@@ -225,8 +229,10 @@ OWN = {
     "binned": "a spectrum of one measurement in the bins of combined measurements",
     "calibration": "file of a calibration that was saved from another picture",
     "channel": "channel by its number, counted from 0, or by its name; default: the preferred channel of heights",
-    "write_container.channel": "channel by its number, counted from 0, or by its name, of all files or by file; default: the preferred channel",
-    "columns": "columns of the file by their role (force, displacement, contact_radius, time), such as {'force': 'Load'}, with a missing unit as in "
+    "write_container.channel": "channel by its number, counted from 0, or by its name, of all files or by file; default: the preferred "
+                               "channel",
+    "loop.columns": "columns of the file by their role (force, displacement, contact_radius, time), such as {'force': 'Load'}, with a "
+                    "missing unit as in "
                "{'force': 'Kraft[uN]'}, or an expression over columns; default: guessed from names and units",
     "command": "name of the command, such as 'psd' or 'contact solve'; 'study' for study.json",
     "contour.denoise": "standard deviation in pixels of a Gaussian that smooths the picture first",
@@ -245,11 +251,13 @@ OWN = {
     "fit_range": "wavevectors of the self-affine fit in 1/m, such as '1e5:1e8'; default: all",
     "fit_rolloff": "the fit has a roll-off; False: a power law without roll-off",
     "fit_short_cutoff": "the fit also finds where the spectrum ends",
-    "scan.heights": "array with the first index x, array of pint, DataArray of xarray, topography of SurfaceTopography, table of positions and heights with "
+    "scan.heights": "array with the first index x, array of pint, DataArray of xarray, topography of SurfaceTopography, table of "
+                    "positions and heights with "
                     "units, or a result of setae: a scan, a simulated surface, a contour",
     "info.heights": "heights are read (True), not read (False), or read from files up to 64 MB (None)",
     "contour.hidden": "parts of the picture without sample, as 'x,y,width,height' in pixels",
-    "contour.image": "number, counted from 0, or title of an image in a file of several; default: the first that is no spectrum and no Fourier "
+    "contour.image": "number, counted from 0, or title of an image in a file of several; default: the first that is no spectrum and no "
+                     "Fourier "
                      "transform",
     "contour.ignore_stated_pixel_size": "pixel size or scale bar given hold even where the file contradicts them",
     "instrument": "kind of the instrument; default: that of the file; one of stylus, afm, tem, optical",
@@ -276,18 +284,20 @@ OWN = {
     "contact_front.realisations": "number of surfaces made, with seeds from `seed` on; results are means with their standard errors",
     "resolution": "shortest wavelength that the instrument resolves, such as '500 nm'; default: that of the file",
     "contour.scale_bar": "length that the scale bar in the picture stands for, such as '500 nm'",
-    "contour.shape": "profile where the contour turns back: the highest point over each x, a cut, or the curve itself; one of envelope, cut, parametric",
+    "contour.shape": "profile where the contour turns back: the highest point over each x, a cut, or the curve itself; one of envelope, "
+                     "cut, parametric",
     "size": "extent of the heights, where the file does not state it, such as '5 um x 5 um'",
     "scan.size": "extent of an array, such as '5 um x 5 um' or `other.size`; needed for arrays without x",
     "lengths.size": "one length, or extents separated by x, such as '2 um x 1 mm'",
     "skip_failed": "measurements that cannot be analysed are left out with a warning",
     "contour.smoothing": "length of the smoothing spline in pixels; default: that of the smallest expected error",
-    "surface.spectrum": "combination of the spectra; one of likelihood, average; default: likelihood for several measurements, average for one",
+    "surface.spectrum": "combination of the spectra; one of likelihood, average; default: likelihood for several measurements, average "
+                        "for one",
     "synthesize.spectrum": "table of q and C_iso [m4] or C1D [m3] instead of a self-affine spectrum",
-    "standard": "standard of the parameters: iso25178 for maps, iso21920 for lines and scan lines; one of iso25178, iso21920",
     "work_of_adhesion.surface": "result of `surface`, or measurements, which are averaged",
     "tip_radius": "radius of the tip, with its standard error, such as '10 ± 2 nm'; default: that of the file",
-    "trend": "trend that is removed before the analysis; default: none after steps that level, else by instrument; one of none, mean, tilt, parabola",
+    "trend": "trend that is removed before the analysis; default: none after steps that level, else by instrument; one of none, mean, "
+             "tilt, parabola",
     "write_container.trend": "trend that is to be removed, of all files or by file; default: mean; one of mean, tilt, parabola",
     "unit": "unit of the heights, where the file does not state it, such as 'nm'",
     "scan.unit": "unit of an array, such as 'nm'; with x also 'mm, um' of positions and heights",

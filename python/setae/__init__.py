@@ -16,7 +16,18 @@ from typing import TYPE_CHECKING, Any
 from . import models
 from ._about import steps, version
 from ._adhesion import WorkOfAdhesion, work_of_adhesion
-from ._contact import Contact, ContactComparison, ContactFront, ContactSweep, PerssonContact, contact, contact_comparison, contact_front, contact_sweep, persson
+from ._contact import (
+    Contact,
+    ContactComparison,
+    ContactFront,
+    ContactSweep,
+    PerssonContact,
+    contact,
+    contact_comparison,
+    contact_front,
+    contact_sweep,
+    persson,
+)
 from ._containers import Container, ContainerReport, Formats, check_container, formats, write_container
 from ._diagnosis import Diagnosis, Finding, check
 from ._errors import Error, FileError, FormatError, InternalError, InvalidArgument, UndefinedDataError

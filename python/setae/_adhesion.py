@@ -172,13 +172,18 @@ def work_of_adhesion(
         preload=preload,
     )
     solids.require_valid()
-    measured: Any = {"instrument": instrument, "tip_radius": tip_radius, "resolution": resolution, "trend": trend, "size": size, "unit": unit,
-                     "keep_values": keep_values}
-    analysed: Any = {"longest_wavelength": longest_wavelength, "shortest_wavelength": shortest_wavelength, "window": window, "contours": contours,
-                     "conversion": conversion, "memory": memory, "bootstrap_resamples": bootstrap_resamples}
+    measured: Any = {
+        "instrument": instrument, "tip_radius": tip_radius, "resolution": resolution, "trend": trend, "size": size, "unit": unit,
+        "keep_values": keep_values,
+    }  # fmt: skip
+    limits: Any = {
+        "longest_wavelength": longest_wavelength, "shortest_wavelength": shortest_wavelength, "window": window, "contours": contours,
+        "conversion": conversion, "memory": memory, "bootstrap_resamples": bootstrap_resamples,
+    }  # fmt: skip
     if isinstance(surface, Surface):
-        given = [name for name, value in {**measured, **analysed}.items() if value is not None]
+        given = [name for name, value in {**measured, **limits}.items() if value is not None]
         if given:
             raise TypeError(f"{', '.join(given)}: the surface is analysed already; give this argument to setae.surface")
         return WorkOfAdhesion(_setae.adhesion_of_surface(surface.analysed(), solids))
-    return WorkOfAdhesion(_setae.adhesion_of_files(items(surface, shared_options(**measured)), analysis_of(**analysed), solids, not skip_failed))
+    shared = shared_options(**measured)
+    return WorkOfAdhesion(_setae.adhesion_of_files(items(surface, shared), analysis_of(**limits), solids, not skip_failed))

@@ -800,7 +800,8 @@ def contact_comparison(
     --------
     >>> import setae
     >>> made = setae.synthesize(hurst_exponent=0.8, rolloff="2 um", short_cutoff="250 nm", rms_height="20 nm", size="4 um", pixels="64")
-    >>> found = setae.contact_comparison(made.scan, contact_modulus="1 GPa", pressure="10 MPa", shortest_wavelength="250 nm", pixels="128", realisations=2)
+    >>> body = {"contact_modulus": "1 GPa", "pressure": "10 MPa"}
+    >>> found = setae.contact_comparison(made.scan, **body, shortest_wavelength="250 nm", pixels="128", realisations=2)
     >>> found.n, bool(abs(found["area_fraction_persson"][0] / found["area_fraction"][0] - 1) < 0.4)
     (2, True)
     """

@@ -281,7 +281,8 @@ def loop_files(given: Mapping[str, Any]) -> _setae.LoopFiles:
 
 
 def bodies_of(*, radius: Text | None = None, lens_height: Text | None = None, layer_thickness: Text | None = None,
-              poisson_ratio: float | None = None, counter_youngs_modulus: Text | None = None, counter_poisson_ratio: float | None = None) -> dict[str, Any]:
+              poisson_ratio: float | None = None, counter_youngs_modulus: Text | None = None,
+              counter_poisson_ratio: float | None = None) -> dict[str, Any]:
     """Attributes of LoopBodies."""
     return {
         **texts_of(_setae.LoopBodies, radius=radius, lens_height=lens_height, layer_thickness=layer_thickness,
@@ -366,8 +367,8 @@ def loop(
     curve_number : int, optional
         number of one force curve in a file of many, as the file counts them, from 0; default: `setae jkr fit` fits every curve
     columns : Mapping[str, str], optional
-        column of a role as ROLE=COLUMN, by name or number from 1, or ROLE=EXPRESSION; roles are force, displacement, contact_radius,
-        time, such as "force=-1 * load"; default: guessed from names and units
+        columns of the file by their role (force, displacement, contact_radius, time), such as {'force': 'Load'}, with a missing unit as
+        in {'force': 'Kraft[uN]'}, or an expression over columns; default: guessed from names and units
 
     Returns
     -------

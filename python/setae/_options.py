@@ -43,7 +43,8 @@ Path = Union[str, "os.PathLike[str]"]
 MAPPINGS = str(pathlib.Path(__file__).parent / "share" / "setae" / "mappings")
 
 #: Examples of arguments that many functions have; those of requests are in their documentation.
-EXAMPLES = {"tip_radius": "10 ± 2 nm", "resolution": "0.5 um", "size": "5 um x 5 um", "longest_wavelength": "10 um", "shortest_wavelength": "100 nm", "longest_distance": "10 um",
+EXAMPLES = {"tip_radius": "10 ± 2 nm", "resolution": "0.5 um", "size": "5 um x 5 um", "longest_wavelength": "10 um",
+            "shortest_wavelength": "100 nm", "longest_distance": "10 um",
             "distance": "100 nm", "pressure": "1 MPa", "contact_point": "1.2 um", "pitch": "10 um",
             "pixel_size": "2.05 um", "scale_bar": "500 nm", "foil_thickness": "50 nm"}
 _NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?\s*([^\d\s]\S*(?: \S+)*|)")

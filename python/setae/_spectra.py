@@ -46,7 +46,8 @@ def analysis_of(
     memory: float | None = None,
     bootstrap_resamples: int | None = None,
 ) -> _setae.Analysis:
-    texts = {"longest_wavelength": longest_wavelength, "shortest_wavelength": shortest_wavelength, "window": window, "contours": contours, "conversion": conversion}
+    texts = {"longest_wavelength": longest_wavelength, "shortest_wavelength": shortest_wavelength, "window": window, "contours": contours,
+             "conversion": conversion}
     given = {name: text(value, name) for name, value in texts.items() if value is not None}
     analysis = filled(_setae.Analysis(), memory=memory, bootstrap_resamples=bootstrap_resamples, **given)
     analysis.require_valid()
@@ -474,7 +475,8 @@ def surface(
     'average'
     """
     shared = shared_options(instrument, tip_radius, resolution, trend, size, unit, keep_values)
-    options = (text(longest_wavelength, "longest_wavelength"), text(shortest_wavelength, "shortest_wavelength"), text(window), text(contours), text(conversion), memory, bootstrap_resamples)
+    limits = (text(longest_wavelength, "longest_wavelength"), text(shortest_wavelength, "shortest_wavelength"))
+    options = (*limits, text(window), text(contours), text(conversion), memory, bootstrap_resamples)
     arguments = (measurements, shared, options, text(spectrum), not skip_failed)
     found = computed(*arguments)
     moments = tuple(map(quantity_from, json.loads(found.quantities())))

@@ -124,7 +124,8 @@ class StudyResult(Answer):
 
     def patch_survey(self, **patches: Unpack[PatchSurveyRequest]) -> PatchSurvey:
         """Random patches with the spectra and U_el/(A W) of the pairs of the study; ``patches``: arguments of :func:`patch_survey`."""
-        return patch_survey(self, **patches)
+        options: Any = patches
+        return patch_survey(self, **options)
 
     conform = former_method("conform", patch_survey)
 

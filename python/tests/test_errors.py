@@ -68,7 +68,10 @@ def test_loops(tmp_path, data):
 
 @pytest.mark.parametrize(
     ("argument", "words"),
-    [({"poisson_ratio": 0.7}, "0.5"), ({"youngs_modulus": "0.7"}, "0.7"), ({"youngs_modulus": "-1 MPa"}, "above 0"), ({"W_int": "37 mJ"}, "J"), ({"radius": "1 mm"}, "preload")],
+    [
+        ({"poisson_ratio": 0.7}, "0.5"), ({"youngs_modulus": "0.7"}, "0.7"), ({"youngs_modulus": "-1 MPa"}, "above 0"),
+        ({"W_int": "37 mJ"}, "J"), ({"radius": "1 mm"}, "preload"),
+    ],  # fmt: skip
 )
 def test_solids(argument, words, data):
     solids = {"youngs_modulus": "0.7 MPa", "W_int": "37 mJ/m2", "surface_energy": "25 mJ/m2", **argument}
@@ -83,7 +86,10 @@ def test_value_of_another_type(data):
 
 @pytest.mark.parametrize(
     "argument",
-    [{"window": "hamming"}, {"longest_wavelength": "1 kg"}, {"contours": "lines"}, {"conversion": "none"}, {"memory": -1.0}, {"bootstrap_resamples": -1}],
+    [
+        {"window": "hamming"}, {"longest_wavelength": "1 kg"}, {"contours": "lines"}, {"conversion": "none"}, {"memory": -1.0},
+        {"bootstrap_resamples": -1},
+    ],  # fmt: skip
 )
 def test_analysis(argument, data):
     with pytest.raises(setae.InvalidArgument):

@@ -108,7 +108,10 @@ def test_every_argument_is_documented_with_its_default(name):
         assert line[1].endswith(stated) and (", default " in line[1]) == has_default, line[0]
 
 
-@pytest.mark.parametrize("name", ["instrument", "trend", "edges", "law", "window", "polarity", "spectrum", "standard", "amplitudes", "branch"])
+WITH_WORDS = ["instrument", "trend", "edges", "law", "window", "polarity", "spectrum", "standard", "amplitudes", "branch"]
+
+
+@pytest.mark.parametrize("name", WITH_WORDS)
 def test_words_of_an_argument_are_listed(name):
     """Arguments that take one of a few words state all of them."""
     for function in [f for f in FUNCTIONS.values() if any(p.name == name and p.annotation in ("str", "str | None") for p in arguments(f))]:
@@ -168,8 +171,10 @@ CALLS = {
 }
 VALUES = {
     "youngs_modulus": "0.7 MPa", "counter_youngs_modulus": "70 GPa", "rough_youngs_modulus": "70 GPa", "poisson_ratio": 0.4,
-    "counter_poisson_ratio": 0.2, "rough_poisson_ratio": 0.2, "surface_energy": "20 mJ/m2", "hurst_exponent": 0.7, "interaction_range": "200 nm",
-    "layer_thickness": "2 um", "longest_wavelength": "3 um", "shortest_wavelength": "600 nm", "longest_distance": "1 um", "keep_unreliable": True,
+    "counter_poisson_ratio": 0.2, "rough_poisson_ratio": 0.2, "surface_energy": "20 mJ/m2", "hurst_exponent": 0.7,
+    "interaction_range": "200 nm",
+    "layer_thickness": "2 um", "longest_wavelength": "3 um", "shortest_wavelength": "600 nm", "longest_distance": "1 um",
+    "keep_unreliable": True,
     "pixel_size": "0.2 um", "trend": "mean", "realisations": 1, "max_move": 2.0, "max_mode": 8, "min_mode": 2, "min_radius": 4.0,
     "min_void_area": 20.0, "min_length": 60.0, "fit_rolloff": False, "fit_short_cutoff": True, "input_name": "lens",
 }  # fmt: skip

@@ -200,7 +200,7 @@ CONSUMERS: dict[str, dict[str, Consumer]] = {
             value, contact_modulus="1 MPa", W_int="50 mJ/m2", interaction_range="100 nm", to_gap="30 nm", max_move=2.0
         )["mean_gap"],
     },
-    "line": {**{name: MEASUREMENT[name] for name in MEASUREMENT if name != "contact_compare"}, **HEIGHTS},
+    "line": {**{name: MEASUREMENT[name] for name in MEASUREMENT if name != "contact_comparison"}, **HEIGHTS},
     "spectrum": {
         **{name: MEASUREMENT[name] for name in MEASUREMENT if name != "Study.surface"},
         "contact": lambda value, folder: setae.contact(value, **PRESSED, **MADE)["area_fraction"],

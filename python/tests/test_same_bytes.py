@@ -305,7 +305,7 @@ def test_persson(printed):
 
 
 def test_contact_compare(printed):
-    asked = {"contact_modulus": "1 MPa", "pressure": "1 kPa,10 kPa", "pixels": "64", "surfaces": 2, "seed": 5, "cell": "2 um"}
+    asked = {"contact_modulus": "1 MPa", "pressure": "1 kPa,10 kPa", "pixels": "64", "realisations": 2, "seed": 5, "cell": "2 um"}
     found = setae.contact_comparison("rougher/truth.csv", **asked, longest_wavelength="2 um", shortest_wavelength="250 nm")
     typed = ("--contact-modulus", "1 MPa", "--pressure", "1 kPa,10 kPa", "--pixels", "64", "--surfaces", 2, "--seed", 5, "--cell", "2 um")
     waves = ("--longest-wavelength", "2 um", "--shortest-wavelength", "250 nm")
