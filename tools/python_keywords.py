@@ -274,6 +274,7 @@ OWN = {
     "contour.min_length": "shortest length in pixels of a segment that is kept; default: 50, of masks 0",
     "name": "name in results and messages; default: 'array'",
     "of": "result of a study, whose pairs give the spectra and energies of the patches",
+    "parameters.only": "names or symbols of the parameters that are wanted, such as 'Sq, rms_slope_from_spectrum'; default: all",
     "output": "file for the surface, whose ending gives the format; nothing is written without it",
     "write_container.output": "container that is written, a ZIP archive",
     "periodic": "the heights repeat themselves beyond their edges",

@@ -250,6 +250,7 @@ class Parameters(Answer):
 def parameters(
     measurements: Measured,
     *,
+    only: str | None = None,
     instrument: str | None = None,
     tip_radius: Text | None = None,
     resolution: Text | None = None,
@@ -268,10 +269,14 @@ def parameters(
 ) -> Parameters:
     """Roughness parameters from heights and from the spectrum.
 
+    No spectrum is computed if ``only`` names rms heights, slopes and curvatures of the heights, such as Sq.
+
     Parameters
     ----------
     measurements : scan, str, path, array, table or a list of them
         one measurement, or all measurements of one surface: scans, files, arrays with a size
+    only : str, optional
+        names or symbols of the parameters that are wanted, such as 'Sq, rms_slope_from_spectrum'; default: all
     instrument : str, optional
         kind of the instrument; default: that of the file; one of stylus, afm, tem, optical
     tip_radius : str or Quantity, optional
@@ -328,7 +333,8 @@ def parameters(
     """
     shared = shared_options(instrument, tip_radius, resolution, trend, size, unit, keep_values)
     analysis = analysis_of(longest_wavelength, shortest_wavelength, window, contours, conversion, memory, bootstrap_resamples)
-    return Parameters(_setae.parameters(items(measurements, shared), analysis, not skip_failed))
+    names = [name.strip() for name in (only or "").split(",") if name.strip()]
+    return Parameters(_setae.parameters(items(measurements, shared), analysis, not skip_failed, names))
 
 
 @dataclass(frozen=True, eq=False, repr=False)

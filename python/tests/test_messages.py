@@ -158,7 +158,7 @@ def test_units_of_one_dimension_are_accepted(function, argument, value):
     [
         ("contact", "law"), ("contact", "edges"), ("contact_front", "model"), ("contact_front", "method"), ("patch_survey", "law"),
         ("surface", "spectrum"), ("parameters", "conversion"), ("parameters", "window"), ("parameters", "contours"),
-        ("power_spectrum", "instrument"), ("power_spectrum", "trend"), ("texture", "standard"), ("texture", "only"),
+        ("power_spectrum", "instrument"), ("power_spectrum", "trend"), ("texture", "standard"), ("texture", "only"), ("parameters", "only"),
         ("scale_dependent_roughness", "statistic"), ("scale_dependent_roughness", "along"), ("synthesize", "amplitudes"), ("contact_radii", "polarity"),
         ("contour", "vacuum"), ("contour", "shape"), ("force_curves", "model"), ("force_curves", "tip"), ("write_container", "trend"),
         ("scale_dependent_roughness", "weighting"),

@@ -87,7 +87,7 @@ def test_docstrings_have_the_sections_of_numpydoc(name):
     function, found = CALLABLES[name], sections(CALLABLES[name])
     titles = [title for title in ("", "Parameters", "Returns", "Raises", "Examples") if title in found]
     assert list(found) == titles, "order of sections"
-    as_for_another = "arameters as for :func:" in found[""]
+    as_for_another = "as for :func:" in found[""]
     assert "Examples" in found and ("Parameters" in found or not arguments(function) or as_for_another)
     assert "Returns" in found or inspect.signature(function).return_annotation == "None"
     assert "Raises" in found or not arguments(function)

@@ -113,6 +113,15 @@ def test_params(printed):
     assert list(one.headline) == [f"{name}_from_spectrum" for name in ("rms_height", "rms_slope", "rms_curvature", "true_area_ratio")]
 
 
+def test_single_parameters_are_those_of_all():
+    maps = ["rougher/afm_1.txt", "rougher/afm_2.txt"]
+    of_all = setae.parameters(maps).data
+    for only in ("Sq", "rms_height, rms_slope", "rms_slope_from_spectrum, Sa"):
+        names = only.split(", ")
+        expected = [entry for entry in of_all if entry["quantity"] in names or entry["symbol"] in names]
+        assert len(expected) > 1 and setae.parameters(maps, only=only).data == expected
+
+
 def test_functions_of_scale(printed):
     map_of, two = "rougher/afm_1.txt", ["rougher/afm_1.txt", "rougher/afm_2.txt"]
     assert setae.scale_dependent_roughness(map_of).json() == printed("sdrp", map_of)
