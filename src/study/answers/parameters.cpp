@@ -69,12 +69,12 @@ std::string levelling_of(const study::SurfaceResult& surface) {
 
 /// Whether one pass over the heights gives all wanted parameters. Rq and Rdq are symbols of lines and maps.
 bool is_of_one_pass(const ParametersRequest& request) {
-    constexpr std::array names{"rms_height", "Sq", "Rq", "rms_height_of_lines", "rms_slope", "Sdq", "Rdq", "rms_slope_x",
+    constexpr std::array names{"rms_height",    "Sq",    "Rq",  "rms_height_of_lines",
+                               "rms_slope",     "Sdq",   "Rdq", "rms_slope_x",
                                "rms_curvature", "lap/2", "Rddq"};
     return !request.only.empty() && !request.surface.power_spectrum &&
-           std::all_of(request.only.begin(), request.only.end(), [&](const auto& name) {
-               return std::find(names.begin(), names.end(), name) != names.end();
-           });
+           std::all_of(request.only.begin(), request.only.end(),
+                       [&](const auto& name) { return std::find(names.begin(), names.end(), name) != names.end(); });
 }
 
 bool is_called(const Quantity& quantity, const std::string& name) {
@@ -123,9 +123,8 @@ void add_spectral_parameters(Parameters& result, const ParametersRequest& reques
 }  // namespace
 
 Parameters parameters(const ParametersRequest& request, parallel::Threads threads) {
-    const study::Wanted wanted{.previews = false,
-                               .spectrum = !is_of_one_pass(request),
-                               .every_measurement = request.every_measurement};
+    const study::Wanted wanted{
+        .previews = false, .spectrum = !is_of_one_pass(request), .every_measurement = request.every_measurement};
     Parameters result{.surface = study::analyse_surface(request.surface, request.analysis, wanted, threads).surface,
                       .groups = {},
                       .headline = {},

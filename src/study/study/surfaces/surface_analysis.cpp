@@ -66,7 +66,8 @@ std::vector<PreparedMeasurement> analyse_measurements(SurfaceResult& surface, co
                                                       parallel::Threads threads, const Wanted& wanted) {
     const auto tasks = tasks_of(input, options, run, wanted);
     run.expect(tasks.size() - std::min(tasks.size(), input.measurements.size()), measurement_work);
-    const bool joint = wanted.spectrum && wants_likelihood(options, std::ssize(tasks)), keep = joint || (wanted.map && tasks.size() == 1);
+    const bool joint = wanted.spectrum && wants_likelihood(options, std::ssize(tasks)),
+               keep = joint || (wanted.map && tasks.size() == 1);
     std::vector<PreparedMeasurement> kept(keep ? tasks.size() : 0);
     surface.measurements.resize(tasks.size());
     const parallel::Threads inside = tasks.size() == 1 ? threads : parallel::Threads{1};

@@ -17,7 +17,8 @@ struct ParametersRequest {
     study::SurfaceInput surface;
     study::SurfaceAnalysisOptions analysis;
     bool every_measurement = false;  ///< the first failure of one is thrown, in place of parameters without it
-    /// Names or symbols of the wanted parameters; empty: all. No spectrum is computed for those of one pass over heights.
+    /// Names or symbols of the wanted parameters; empty: all. No spectrum is computed for those of one pass over
+    /// heights.
     std::vector<std::string> only = {};
 };
 
