@@ -142,8 +142,9 @@ def camera(pictures: Paths, pitch: Text) -> Camera:
 
     Examples
     --------
-    >>> setae.camera(["ruling_1.png", "ruling_2.png"], pitch="10 ± 0.02 um").pixel_size    # doctest: +SKIP
-    2.050 ± 0.004 µm
+    >>> import setae
+    >>> f"{float(setae.camera('ruling_upright.png', pitch='10 um').pixel_size):.4g} m"
+    '1.25e-06 m'
     """
     return Camera(_setae.camera_scale(paths(pictures), text(pitch, "pitch")))
 
@@ -251,8 +252,10 @@ def contact_radii(
 
     Examples
     --------
-    >>> radii = setae.contact_radii("frames.tif", pixel_size="1.82 um", frame_rate=10)    # doctest: +SKIP
-    >>> loop = setae.loop("force.csv", camera=radii)    # doctest: +SKIP
+    >>> import setae
+    >>> radii = setae.contact_radii("frames", pixel_size="2 um", frame_rate=10)
+    >>> radii, radii.units["contact_radius"]
+    (ContactRadii(5 frames, 4 measured), 'm')
     """
     request = filled(
         _setae.RadiusRequest(),
@@ -396,9 +399,9 @@ def contact_line(
 
     Examples
     --------
-    >>> line = setae.contact_line("frames.tif", pixel_size="1.82 um", frame_rate=10)    # doctest: +SKIP
-    >>> line.roughness_exponent    # doctest: +SKIP
-    0.37 ± 0.05
+    >>> import setae
+    >>> setae.contact_line("frames", pixel_size="2 um", frame_rate=10, angles=64)
+    ContactLine(2 frames, 64 places each)
     """
     recorded = sources(recorded_edge(frames), "edge.csv")
     moved = None if displacement is None else as_file(displacement, "displacement")
@@ -512,8 +515,10 @@ def contour(
 
     Examples
     --------
-    >>> traced = setae.contour("side.dm4", pixel_size="0.1 nm")    # doctest: +SKIP
-    >>> spectrum = setae.power_spectrum(traced, instrument="tem")    # doctest: +SKIP
+    >>> import setae
+    >>> traced = setae.contour("wave.png", pixel_size="0.1 nm")
+    >>> setae.power_spectrum(traced, instrument="tem").units["C1D"]
+    'm3'
     """
     request = filled(
         _setae.ContourRequest(),

@@ -203,9 +203,10 @@ class Loop:
         Examples
         --------
         >>> import setae
-        >>> fit = setae.loop("loop.csv", radius="1.25 ± 0.01 mm").fit(models=["jkr"])    # doctest: +SKIP
-        >>> fit.E_star, fit.W    # doctest: +SKIP
-        (1.01 ± 0.02 MPa, 41.2 ± 1.1 mJ/m²)
+        >>> import setae
+        >>> fit = setae.loop("loop_laboratory.csv", radius="1 mm").fit()
+        >>> f"E* = {fit.E_star.to('MPa').value:.3f} MPa, W = {fit.W.to('mJ/m2').value:.2f} mJ/m2"
+        'E* = 1.000 MPa, W = 50.01 mJ/m2'
         """
         wanted = {
             "models": texts(models),

@@ -122,7 +122,10 @@ def in_new_names(text: Any, names: Mapping[str, str]) -> Any:
 def former_function(name: str, of: Mapping[str, Any]) -> Any:
     """The function for a former name in a namespace, with a DeprecationWarning.
 
-    :raises AttributeError: for a name that was never one of setae
+    Raises
+    ------
+    AttributeError
+        for a name that was never one of setae
     """
     if name not in FORMER_FUNCTIONS:
         raise AttributeError(f"module 'setae' has no attribute '{name}'")

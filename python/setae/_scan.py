@@ -335,9 +335,10 @@ def read(
 
     Examples
     --------
-    >>> scan = setae.read("afm.spm", channel="Height", tip_radius="10 ± 2 nm")    # doctest: +SKIP
-    >>> scan.level().despike().heights.shape    # doctest: +SKIP
-    (512, 512)
+    >>> import setae
+    >>> scan = setae.read("map_bump.csv", size="15 nm x 15 nm", unit="nm", layout="matrix", instrument="afm", tip_radius="10 ± 2 nm")
+    >>> scan.level().despike().heights.shape
+    (15, 15)
     """
     require("True or False", keep_values=keep_values)
     scan = Scan(
@@ -406,8 +407,9 @@ def channels(
 
     Examples
     --------
-    >>> [scan.name for scan in setae.channels("afm.spm")]    # doctest: +SKIP
-    ['Height', 'Height Sensor']
+    >>> import setae
+    >>> [scan.name for scan in setae.channels("map_two_channels.txt")]
+    ['Height (trace)', 'Height (retrace)']
     """
     first = read(file, size=size, unit=unit, layout=layout, keep_values=keep_values, instrument=instrument, tip_radius=tip_radius,
                  resolution=resolution, trend=trend)
@@ -449,7 +451,9 @@ def info(*paths: Path, heights: bool | None = None, size: Size | None = None, un
 
     Examples
     --------
-    >>> setae.info("measurements").to_pandas()    # doctest: +SKIP
+    >>> import setae
+    >>> setae.info("map_two_channels.txt", "line.csv")
+    Info(2 files, 3 channels)
     """
     require("True or False", heights=heights, keep_values=keep_values)
     item = _setae.Item("")
