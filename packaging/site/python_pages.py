@@ -21,7 +21,7 @@ def public() -> dict[str, list[str]]:
     imports = [line for line in tree.body if isinstance(line, ast.ImportFrom) and line.level == 1]
     found = {str(line.module): [name.name for name in line.names if name.name in names] for line in imports}
     found["_about"] += sorted(set(names) - {name for those in found.values() for name in those})
-    return found
+    return {module: listed for module, listed in found.items() if listed}
 
 
 def says(module: str) -> str:

@@ -83,7 +83,7 @@ def renamed(*former: str, **own: str) -> Callable[[Function], Function]:
         @functools.wraps(function)
         def call(*arguments: Any, **given: Any) -> Any:
             try:
-                return function(*arguments, **(with_new_names(given, names) if names.keys() & given.keys() else given))
+                return function(*arguments, **(given if given.keys().isdisjoint(names) else with_new_names(given, names)))
             except (Error, TypeError) as error:
                 error.args = tuple(in_new_names(text, names) for text in error.args)
                 raise
