@@ -20,8 +20,8 @@ def public() -> dict[str, list[str]]:
     )
     imports = [line for line in tree.body if isinstance(line, ast.ImportFrom) and line.level == 1]
     found = {str(line.module): [name.name for name in line.names if name.name in names] for line in imports}
-    found["_setae"] += sorted(set(names) - {name for those in found.values() for name in those})
-    return found
+    found["_about"] += sorted(set(names) - {name for those in found.values() for name in those})
+    return {module: listed for module, listed in found.items() if listed}
 
 
 def says(module: str) -> str:
@@ -42,7 +42,7 @@ def main(folder: pathlib.Path) -> None:
     index = "# Python reference\n\nWhat `import setae` gives. How it is used: [setae in Python](../docs/guides/python.md).\n\n"
     index += "| page | names |\n|---|---|\n"
     for module, names in public().items():
-        title = module.removeprefix("_").capitalize() if module != "_setae" else "Library"
+        title = module.removeprefix("_").capitalize() if module != "_about" else "Library"
         functions_first = sorted(names, key=lambda name: name[0].isupper())
         page = f"# {title}\n\n{says(module)}\n\n" + "".join(f"::: setae.{name}\n\n" for name in functions_first)
         (folder / f"{title.lower()}.md").write_text(page)

@@ -159,15 +159,17 @@ void bind_surfaces(nb::module_& module) {
         nb::arg("fit_range"), nb::arg("no_rolloff"), nb::arg("short_cutoff"), nb::arg("every_measurement"));
     module.def(
         "parameters",
-        [](const Items& items, const answers::AnalysisRequest& analysis, bool every_measurement) {
+        [](const Items& items, const answers::AnalysisRequest& analysis, bool every_measurement,
+           const std::vector<std::string>& only) {
             return unlocked([&](const auto&) {
                 const auto parameters =
-                    answers::parameters({surface_of(items), analysis.analysis(), every_measurement});
+                    answers::parameters({surface_of(items), analysis.analysis(), every_measurement, only});
                 (void)analysed(parameters.surface);
                 return output::as_text(output::described(answers::parameter_entries(parameters)));
             });
         },
-        nb::arg("items"), nb::arg("analysis"), nb::arg("every_measurement"), "as printed by `setae params --json`");
+        nb::arg("items"), nb::arg("analysis"), nb::arg("every_measurement"),
+        nb::arg("only") = std::vector<std::string>(), "as printed by `setae params --json`");
     bind_texture(module);
     using Scales = answers::FunctionsOfScale;
     nb::class_<Scales>(module, "FunctionsOfScale")

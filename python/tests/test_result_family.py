@@ -15,14 +15,14 @@ import setae
 from conftest import ROOT
 
 DATA = ROOT / "tests/cli/data"
-SOLIDS = {"E": "0.7 MPa", "W_int": "37 mJ/m2", "gamma": "25 mJ/m2"}
+SOLIDS = {"youngs_modulus": "0.7 MPa", "W_int": "37 mJ/m2", "surface_energy": "25 mJ/m2"}
 BODY = {"contact_modulus": "1 GPa", "pressure": "10 MPa"}
-ATTRACTION = {"contact_modulus": "1 MPa", "W_int": "50 mJ/m2", "range": "400 nm"}
+ATTRACTION = {"contact_modulus": "1 MPa", "W_int": "50 mJ/m2", "interaction_range": "400 nm"}
 
 
 @pytest.fixture(scope="module")
 def scan() -> setae.Scan:
-    return setae.synthesize(hurst=0.8, rolloff="1 um", short_cutoff="300 nm", rms_height="10 nm", size="5 um", pixels=32).scan
+    return setae.synthesize(hurst_exponent=0.8, rolloff="1 um", short_cutoff="300 nm", rms_height="10 nm", size="5 um", pixels=32).scan
 
 
 def spiky() -> setae.Scan:
@@ -43,7 +43,7 @@ MAKERS: dict[str, Callable[[setae.Scan, pathlib.Path], Any]] = {
     "Processing": lambda scan, data: scan.level().processing,
     "Info": lambda scan, data: setae.info(data / "rougher"),
     "Formats": lambda scan, data: setae.formats(),
-    "Synthesis": lambda scan, data: setae.synthesize(hurst=0.8, rolloff="1 um", short_cutoff="300 nm", rms_height="10 nm", size="5 um", pixels=32),
+    "Synthesis": lambda scan, data: setae.synthesize(hurst_exponent=0.8, rolloff="1 um", short_cutoff="300 nm", rms_height="10 nm", size="5 um", pixels=32),
     "Tip": lambda scan, data: setae.tip(scan, points=5),
     "Contact": lambda scan, data: setae.contact(scan, **BODY),
     "ContactSweep": lambda scan, data: setae.contact_sweep(scan, **ATTRACTION, to_pressure="1 kPa", maps=True),
@@ -51,18 +51,18 @@ MAKERS: dict[str, Callable[[setae.Scan, pathlib.Path], Any]] = {
         scan, radius="10 um", contact_modulus="100 kPa", W_int="50 mJ/m2", to_displacement="100 nm", steps=20, shortest_wavelength="4 um"
     ),
     "PerssonContact": lambda scan, data: setae.persson(scan, **BODY),
-    "ContactComparison": lambda scan, data: setae.contact_compare(scan, **BODY, pixels="64", surfaces=2, cell="5 um", shortest="1 um"),
+    "ContactComparison": lambda scan, data: setae.contact_comparison(scan, **BODY, pixels="64", realisations=2, cell="5 um", shortest_wavelength="1 um"),
     "LoopFit": lambda scan, data: setae.loop(data / "loops/rougher_soft.csv", radius="1.25 mm").fit(),
     "LoopEnergy": lambda scan, data: setae.loop(data / "loops/rougher_soft.csv", radius="1.25 mm").energy(),
     "MachineStiffness": lambda scan, data: setae.loop(DATA / "loop_on_glass.csv").machine_stiffness(),
     "ForceCurves": lambda scan, data: setae.force_curves(DATA / "map.jpk-force-map", radius="1 mm"),
     "Lens": lambda scan, data: setae.lens(DATA / "lens_profile.csv", x="x", z="z"),
     "Camera": lambda scan, data: setae.camera(DATA / "ruling_upright.png", "20 um"),
-    "ContactRadii": lambda scan, data: setae.contact_radii(DATA / "frames", pixel="2 um", frame_rate=10),
-    "ContactLine": lambda scan, data: setae.contact_line(DATA / "frames", pixel="2 um", frame_rate=10, angles=64),
-    "Contour": lambda scan, data: setae.contour(DATA / "wave.png", pixel="0.1 nm"),
+    "ContactRadii": lambda scan, data: setae.contact_radii(DATA / "frames", pixel_size="2 um", frame_rate=10),
+    "ContactLine": lambda scan, data: setae.contact_line(DATA / "frames", pixel_size="2 um", frame_rate=10, angles=64),
+    "Contour": lambda scan, data: setae.contour(DATA / "wave.png", pixel_size="0.1 nm"),
     "Replicates": lambda scan, data: setae.replicates(DATA / "fits.csv", branch="loading", group_by=["surface", "lens"]),
-    "PatchSurvey": lambda scan, data: setae.conform(energy_shares=[0.05], points=[64], points_per_wave=[8], seeds=1),
+    "PatchSurvey": lambda scan, data: setae.patch_survey(energy_shares=[0.05], points=[64], points_per_wave=[8], realisations=1),
     "ContainerReport": lambda scan, data: setae.check_container(DATA / "container_v0.zip"),
 }
 #: Results without numbers to draw.

@@ -13,7 +13,7 @@ import setae
 
 from conftest import ROOT
 
-SOLIDS = {"E": "0.7 ± 0.02 MPa", "W_int": "37 ± 2 mJ/m2", "gamma": "25 mJ/m2"}
+SOLIDS = {"youngs_modulus": "0.7 ± 0.02 MPa", "W_int": "37 ± 2 mJ/m2", "surface_energy": "25 mJ/m2"}
 SOLIDS_TYPED = ("--E", "0.7 ± 0.02 MPa", "--w", "37 ± 2 mJ/m2", "--gamma", "25 mJ/m2")
 
 #: Data files of the tests of the program.
@@ -31,7 +31,7 @@ FUNCTIONS = {
     "check": "`setae.check`",
     "tip": "`setae.tip`",
     "psd": "`setae.power_spectrum`",
-    "sdrp": "`setae.scale_dependent`",
+    "sdrp": "`setae.scale_dependent_roughness`",
     "acf": "`setae.autocorrelation`",
     "vbw": "`setae.variable_bandwidth`",
     "params": "`setae.parameters`; of a standard (`--standard`) `setae.texture`",
@@ -40,7 +40,7 @@ FUNCTIONS = {
     "contact sweep": "`setae.contact_sweep`; figure and `--restart` only with the program",
     "contact front": "`setae.contact_front`; figure only with the program",
     "contact persson": "`setae.persson`",
-    "contact compare": "`setae.contact_compare`; figure only with the program",
+    "contact compare": "`setae.contact_comparison`; figure only with the program",
     "jkr radius": "`setae.contact_radii`; pictures with the edge drawn in (`--overlay`) only with the program",
     "jkr line": "`setae.contact_line`; figure only with the program",
     "jkr lens": "`setae.lens`",
@@ -51,7 +51,7 @@ FUNCTIONS = {
     "jkr summary": "`setae.replicates`; figure and tables only with the program",
     "synthesize": "`setae.synthesize`",
     "study": "`setae.study(…).run()`; `--next` is `StudyResult.next_measurements`",
-    "lab conform": "`setae.conform`, `StudyResult.conform`; table and figure only with the program",
+    "lab conform": "`setae.patch_survey`, `StudyResult.patch_survey`; table and figure only with the program",
     "predict": "`setae.study(…).run().predict()`; tables and figures only with the program",
     "schema": "`setae.schema`",
 }
@@ -113,13 +113,22 @@ def test_params(printed):
     assert list(one.headline) == [f"{name}_from_spectrum" for name in ("rms_height", "rms_slope", "rms_curvature", "true_area_ratio")]
 
 
+def test_single_parameters_are_those_of_all():
+    maps = ["rougher/afm_1.txt", "rougher/afm_2.txt"]
+    of_all = setae.parameters(maps).data
+    for only in ("Sq", "rms_height, rms_slope", "rms_slope_from_spectrum, Sa"):
+        names = only.split(", ")
+        expected = [entry for entry in of_all if entry["quantity"] in names or entry["symbol"] in names]
+        assert len(expected) > 1 and setae.parameters(maps, only=only).data == expected
+
+
 def test_functions_of_scale(printed):
     map_of, two = "rougher/afm_1.txt", ["rougher/afm_1.txt", "rougher/afm_2.txt"]
-    assert setae.scale_dependent(map_of).json() == printed("sdrp", map_of)
-    curvature = setae.scale_dependent(two, order=2, distance=["100 nm", "200 nm"], statistic="variance", along="both", tip_radius="10 nm")
+    assert setae.scale_dependent_roughness(map_of).json() == printed("sdrp", map_of)
+    curvature = setae.scale_dependent_roughness(two, order=2, distance=["100 nm", "200 nm"], statistic="variance", along="both", tip_radius="10 nm")
     options = ("--order", 2, "--distance", "100 nm,200 nm", "--statistic", "variance", "--along", "both", "--tip-radius", "10 nm")
     assert curvature.json() == printed("sdrp", *two, *options)
-    assert setae.autocorrelation(map_of, area=True, all=True).json() == printed("acf", map_of, "--area", "--all")
+    assert setae.autocorrelation(map_of, area=True, keep_unreliable=True).json() == printed("acf", map_of, "--area", "--all")
     assert setae.autocorrelation(two, slope=True, weighting="by_count").json() == printed("acf", *two, "--slope", "--weighting", "by_count")
     assert setae.variable_bandwidth(map_of, binned=True).json() == printed("vbw", map_of, "--binned")
 
@@ -156,7 +165,7 @@ def test_jkr(printed):
     assert loop.energy().json() == printed("jkr", "energy", *typed)
 
 
-SELF_AFFINE = {"hurst": 0.8, "rolloff": "2 um", "short_cutoff": "100 nm", "rms_height": "20 nm", "size": "8 um x 4 um", "pixels": "128x64"}
+SELF_AFFINE = {"hurst_exponent": 0.8, "rolloff": "2 um", "short_cutoff": "100 nm", "rms_height": "20 nm", "size": "8 um x 4 um", "pixels": "128x64"}
 SELF_AFFINE_TYPED = ("--hurst", 0.8, "--rolloff", "2 um", "--short-cutoff", "100 nm", "--rms-height", "20 nm", "--size", "8 um x 4 um", "--pixels", "128x64")
 
 
@@ -196,7 +205,7 @@ def test_tip(printed):
 
 def test_containers(printed):
     given = [DATA / "line.csv", DATA / "plain.txt"]
-    mine = setae.write_container("wafer.zip", given, unit={"plain.txt": "um"}, detrend="tilt", name="wafer")
+    mine = setae.write_container("wafer.zip", given, unit={"plain.txt": "um"}, trend="tilt", name="wafer")
     bytes_of_mine = pathlib.Path("wafer.zip").read_bytes()
     assert mine.json() == printed("container", "write", *given, "--unit", "plain.txt=um", "--detrend", "tilt", "--name", "wafer", "-o", "wafer.zip")
     assert pathlib.Path("wafer.zip").read_bytes() == bytes_of_mine
@@ -208,7 +217,7 @@ def test_containers(printed):
 
 def test_contour(printed):
     picture = DATA / "wave.png"
-    traced = setae.contour(picture, pixel="0.1 nm")
+    traced = setae.contour(picture, pixel_size="0.1 nm")
     assert traced.json() == printed("contour", picture, "--pixel", "0.1 nm", "-o", "traced.csv")
     traced.save("mine.csv")
     assert pathlib.Path("mine.csv").read_text() == pathlib.Path("traced.csv").read_text()
@@ -226,11 +235,11 @@ def test_contact(printed):
     assert numpy.array_equal(solved.pressures, numpy.load("contact_pressure.npy"))
     assert numpy.array_equal(solved.gaps, numpy.load("contact_gap.npy"))
     assert solved.converged and solved.quantities[0].quantity in solved
-    layer = {"layer": "1 um", "bonded": True, "nu": 0.4}
+    layer = {"layer_thickness": "1 um", "bonded": True, "poisson_ratio": 0.4}
     assert setae.contact("rough.nc", **body, **layer).json() == printed(
         "contact", "solve", "rough.nc", *typed, "--layer", "1 um", "--bonded", "--nu", 0.4
     )
-    attraction = {"W_int": "50 mJ/m2", "range": "200 nm"}
+    attraction = {"W_int": "50 mJ/m2", "interaction_range": "200 nm"}
     attracted = setae.contact("rough.nc", contact_modulus="1 GPa", mean_gap="150 nm", **attraction, law="cubic")
     attracted_typed = ("--contact-modulus", "1 GPa", "--mean-gap", "150 nm", "--w", "50 mJ/m2", "--range", "200 nm", "--law", "cubic")
     assert attracted.json() == printed("contact", "solve", "rough.nc", *attracted_typed)
@@ -252,7 +261,7 @@ def test_contact_of_a_spectrum(printed):
 
 def test_contact_sweep(printed):
     setae.synthesize(**{**SELF_AFFINE, "pixels": "16x16"}).scan.save("coarse.nc")
-    asked = {"contact_modulus": "1 MPa", "W_int": "50 mJ/m2", "range": "400 nm"}
+    asked = {"contact_modulus": "1 MPa", "W_int": "50 mJ/m2", "interaction_range": "400 nm"}
     typed = ("--contact-modulus", "1 MPa", "--w", "50 mJ/m2", "--range", "400 nm")
     swept = setae.contact_sweep("coarse.nc", **asked)
     assert swept.json() == printed("contact", "sweep", "coarse.nc", *typed)
@@ -268,7 +277,7 @@ def test_contact_sweep(printed):
     assert list(steps) == list(kept.maps)
     assert pressures.mean() == pytest.approx(-kept["tension"][steps["turn"]])
     with pytest.raises(TypeError, match="W_int"):
-        setae.contact_sweep("coarse.nc", contact_modulus="1 MPa", range="400 nm")
+        setae.contact_sweep("coarse.nc", contact_modulus="1 MPa", interaction_range="400 nm")
 
 
 def test_contact_front(printed):
@@ -298,15 +307,15 @@ def test_persson(printed):
     one = setae.persson("rougher/truth.csv", contact_modulus="1 MPa", pressure="10 kPa")
     assert one.json() == printed("contact", "persson", "rougher/truth.csv", "--contact-modulus", "1 MPa", "--pressure", "10 kPa")
     assert list(one.columns)[0] == "wavevector"
-    several = setae.persson(files(), contact_modulus="1 MPa", pressure="1 kPa:100 kPa", W_int="50 mJ/m2", layer="50 um", bonded=True, nu=0.4)
+    several = setae.persson(files(), contact_modulus="1 MPa", pressure="1 kPa:100 kPa", W_int="50 mJ/m2", layer_thickness="50 um", bonded=True, poisson_ratio=0.4)
     typed = ("--contact-modulus", "1 MPa", "--pressure", "1 kPa:100 kPa", "--w", "50 mJ/m2", "--layer", "50 um", "--bonded", "--nu", 0.4)
     assert several.json() == printed("contact", "persson", *files(), *typed)
     assert several["pressure"].max() == 100e3 and several.units["mean_gap"] == "m" and isinstance(several.alerts, tuple)
 
 
 def test_contact_compare(printed):
-    asked = {"contact_modulus": "1 MPa", "pressure": "1 kPa,10 kPa", "pixels": "64", "surfaces": 2, "seed": 5, "cell": "2 um"}
-    found = setae.contact_compare("rougher/truth.csv", **asked, longest="2 um", shortest="250 nm")
+    asked = {"contact_modulus": "1 MPa", "pressure": "1 kPa,10 kPa", "pixels": "64", "realisations": 2, "seed": 5, "cell": "2 um"}
+    found = setae.contact_comparison("rougher/truth.csv", **asked, longest_wavelength="2 um", shortest_wavelength="250 nm")
     typed = ("--contact-modulus", "1 MPa", "--pressure", "1 kPa,10 kPa", "--pixels", "64", "--surfaces", 2, "--seed", 5, "--cell", "2 um")
     waves = ("--longest-wavelength", "2 um", "--shortest-wavelength", "250 nm")
     assert found.json() == printed("contact", "compare", "rougher/truth.csv", *typed, *waves)
@@ -331,7 +340,7 @@ def test_lens_and_camera(printed):
     assert found.json() == printed("jkr", "lens", profile, "--x", "x", "--z", "z", "--from", "-0.4 mm", "--to", "0.4 mm")
     assert abs(float(found.radius) - 1.25e-3) < 2e-6
     side = DATA / "lens_side.png"
-    assert setae.lens(side, pixel="2 um").json() == printed("jkr", "lens", side, "--pixel", "2 um")
+    assert setae.lens(side, pixel_size="2 um").json() == printed("jkr", "lens", side, "--pixel", "2 um")
     pictures = [DATA / name for name in ("ruling_upright.png", "ruling_lying.png")]
     scale = setae.camera(pictures, "20 ± 0.02 um")
     assert scale.json() == printed("jkr", "camera", *pictures, "--pitch", "20 ± 0.02 um")
@@ -340,7 +349,7 @@ def test_lens_and_camera(printed):
 
 def test_recordings(printed):
     frames = DATA / "frames"
-    radii = setae.contact_radii(frames, pixel="2 um", frame_rate=10)
+    radii = setae.contact_radii(frames, pixel_size="2 um", frame_rate=10)
     assert radii.json() == printed("jkr", "radius", frames, "--pixel", "2 um", "--fps", 10, "-o", "theirs.csv")
     radii.save("mine.csv")
     assert pathlib.Path("mine.csv").read_text() == pathlib.Path("theirs.csv").read_text()
@@ -349,7 +358,7 @@ def test_recordings(printed):
 
 def test_contact_line(printed):
     frames = DATA / "frames"
-    mine = setae.contact_line(frames, pixel="2 um", frame_rate=10, angles=64)
+    mine = setae.contact_line(frames, pixel_size="2 um", frame_rate=10, angles=64)
     typed = ("--pixel", "2 um", "--fps", 10, "--angles", 64, "--save-line", "edge.csv")
     assert mine.json() == printed("jkr", "line", frames, *typed)
     mine.save("my_edge.csv")
@@ -399,17 +408,17 @@ def test_study(printed, tmp_path):
 
 def test_conform(printed):
     asked = ("--energy-share", "0.05,0.4", "--points", 64, "--shortest-wave", 8, "--seeds", 2)
-    found = setae.conform(energy_shares=[0.05, 0.4], points=[64], points_per_wave=[8], seeds=2)
+    found = setae.patch_survey(energy_shares=[0.05, 0.4], points=[64], points_per_wave=[8], realisations=2)
     assert found.json() == printed("lab", "conform", *asked)
     published = ROOT / "examples/nanodiamond/published.toml"
-    small = {"points": [64], "points_per_wave": [8], "waves_per_side": 2, "squared_ratios": [1], "seeds": 1}
-    of_pairs = setae.study(published).run(output="published").conform(**small)
+    small = {"points": [64], "points_per_wave": [8], "waves_per_side": 2, "squared_ratios": [1], "realisations": 1}
+    of_pairs = setae.study(published).run(output="published").patch_survey(**small)
     typed = ("--points", 64, "--shortest-wave", 8, "--waves", 2, "--squared-ratio", 1, "--seeds", 1)
     assert of_pairs.json() == printed("lab", "conform", published, *typed)
     with pytest.raises(TypeError, match="energy_share"):
-        setae.conform(energy_share=[0.1])
+        setae.patch_survey(energy_share=[0.1])
     with pytest.raises(TypeError, match="energy_shares: float; expected a list of numbers"):
-        setae.conform(energy_shares=0.1)
+        setae.patch_survey(energy_shares=0.1)
 
 
 def test_surface_has_the_numbers_of_params():
