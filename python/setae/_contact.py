@@ -158,6 +158,8 @@ def contact(
     keep_values : bool, default False
         heights are taken as they are: no value counts as a mark of missing data
 
+    Examples
+    --------
     Full contact of a wave needs p = E* q A/2:
 
     >>> import numpy, setae
