@@ -19,7 +19,8 @@ def public() -> dict[str, list[str]]:
         ast.literal_eval(line.value) for line in tree.body if isinstance(line, ast.Assign) and ast.unparse(line.targets[0]) == "__all__"
     )
     imports = [line for line in tree.body if isinstance(line, ast.ImportFrom) and line.level == 1]
-    found = {str(line.module): [name.name for name in line.names if name.name in names] for line in imports}
+    found = {line.module: [name.name for name in line.names if name.name in names] for line in imports if line.module}
+    found |= {name.name: [name.name] for line in imports if not line.module for name in line.names if name.name in names}
     found["_about"] += sorted(set(names) - {name for those in found.values() for name in those})
     return {module: listed for module, listed in found.items() if listed}
 

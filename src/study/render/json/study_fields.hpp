@@ -225,7 +225,7 @@ struct Described<adhesion::LeftOutPrediction> {
                     return Estimate{.value = of.residual, .standard_error = of.standard_error, .method = "delta"};
                 })
             .as("residual_work_of_adhesion"),
-        field<&T::held>("held", "whether the 95 % interval of the residual covers 0"),
+        field<&T::within_interval>("held", "whether the 95 % interval of the residual covers 0"),
         inner<&T::surface_left_out>(),
         inner<&T::residual>(),
         inner<&T::standard_error>(),
