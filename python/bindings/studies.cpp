@@ -116,7 +116,8 @@ void bind_studies(nb::module_& module) {
             "next_measurements",
             [](const Study& study, const std::string& target) {
                 return unlocked([&](const auto&) {
-                    return output::as_text(output::next_json(target, study::next_measurements(study.result, target)));
+                    return output::as_text(output::described(
+                        output::NextMeasurements{target, study::next_measurements(study.result, target)}));
                 });
             },
             nb::arg("target"))
