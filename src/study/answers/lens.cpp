@@ -50,19 +50,17 @@ Lens lens_of(const std::string& file, const LensRequest& request) {
     const auto end = [](const std::string& text, double otherwise) {
         return text.empty() ? otherwise : parse_quantity(text, dimension::length);
     };
-    const double from = end(request.from, -infinite), to = end(request.to, infinite),
-                 top = end(request.below, infinite);
+    const double from = end(request.from, -infinite), to = end(request.to, infinite);
     std::vector<Index> kept;
     for (Index i = 0; i < x.size(); ++i)
-        if (x[i] >= from && x[i] <= to && z[i] <= top && std::isfinite(z[i])) kept.push_back(i);
+        if (x[i] >= from && x[i] <= to && std::isfinite(z[i])) kept.push_back(i);
     const Array1D along = x(kept), height = z(kept);
     Lens lens{.file = file,
               .circle = kept.size() == 3 ? loops::circle_through(along, height) : loops::fit_circle(along, height),
               .conic = {},
               .no_conic = {},
               .alerts = outline.alerts,
-              .points = along.size(),
-              .left_out = x.size() - along.size()};
+              .points = along.size()};
     try {
         lens.conic = loops::fit_conic(along, height);
     } catch (const UndefinedDataError& error) {

@@ -15,7 +15,7 @@ namespace setae::answers {
 
 /// Request of `setae jkr lens`: section of a lens.
 struct LensRequest {
-    std::string x, z, from, to, below, pixel;
+    std::string x, z, from, to, pixel;
 };
 
 /// A lens by its section.
@@ -26,7 +26,6 @@ struct Lens {
     std::string no_conic;  ///< why
     std::vector<Alert> alerts;
     Index points = 0;
-    Index left_out = 0;              ///< number of points outside the range
     double first = 0.0, last = 0.0;  ///< range along x [m]
 };
 
@@ -78,7 +77,6 @@ struct setae::fields::Described<setae::answers::Lens> {
     static constexpr std::array rows{
         field<&T::file>("file", "name of the file as it was given"),
         field<&T::points>("n", "number of points in the file"),
-        field<&T::left_out>("left_out", "number of points outside the range"),
         made<T>("radius_of_curvature", "R", "m", "radius of the circle through the points",
                 [](const T& of) { return of.circle.radius; }),
         made<T>("rms_residual", "rms", "m", "root mean square distance of the points from the circle",
@@ -114,8 +112,5 @@ struct setae::fields::Asked<setae::answers::LensRequest> {
             .of(dimension::length)
             .such_as("0.2 mm")
             .in_python("stop"),
-        option<&R::below>("below", "greatest height of the points; points above are left out")
-            .of(dimension::length)
-            .such_as("10 um"),
     };
 };
