@@ -6,6 +6,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from . import _setae
@@ -223,14 +224,27 @@ def power_spectrum(
     return PowerSpectrum(spectrum.columns, spectrum.units, spectrum.json)
 
 
+def name_of_parameter(quantity: str) -> str:
+    """Parameters of maps and lines have one name in Python: "rms_height" for "areal_rms_height" and "profile_rms_height"."""
+    return quantity.removeprefix("areal_").removeprefix("profile_")
+
+
 class Parameters(Answer):
     """Parameters from heights and from the spectrum by name or symbol, as printed by ``setae params --json``.
 
-    ``parameters["Sq"]`` is ``parameters["rms_height"]``; of several measurements, the first. ``to_pandas()`` has a row for each.
+    ``parameters["rms_height"]`` is ``parameters["Sq"]`` of a map and ``parameters["Rq"]`` of a line; of several measurements, the first.
+    ``to_pandas()`` has a row for each.
     """
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._by_name)
+
+    @cached_property
+    def _by_name(self) -> dict[str, Quantity]:
+        named: dict[str, Quantity] = {}
+        for quantity in self._kept:
+            named.setdefault(name_of_parameter(quantity.quantity), quantity)
+        return named
 
     @property
     def headline(self) -> dict[str, Quantity]:
@@ -239,11 +253,11 @@ class Parameters(Answer):
 
     def of(self, file: str) -> dict[str, Quantity]:
         """The parameters of one measurement, or those called "combined"."""
-        return {entry["quantity"]: quantity_from(entry, self._shared) for entry in self._data if entry["file"] == file}
+        return {name_of_parameter(entry["quantity"]): quantity_from(entry, self._shared) for entry in self._data if entry["file"] == file}
 
     def to_dict(self) -> dict[str, Any]:
         """The JSON of each parameter by its name."""
-        return {entry["quantity"]: entry for entry in reversed(self.data)}
+        return {name_of_parameter(entry["quantity"]): entry for entry in reversed(self.data)}
 
 
 @renamed("longest", "shortest")

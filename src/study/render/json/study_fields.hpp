@@ -107,7 +107,7 @@ struct ReportedEntry {
 
     [[nodiscard]] bool is_work() const { return reported->quantity == "work_of_adhesion"; }
     [[nodiscard]] Quantity in_its_unit(const Estimate& value) const {
-        return {.quantity = reported->quantity,
+        return {.quantity = is_work() ? "intrinsic_work_of_adhesion" : reported->quantity,
                 .symbol = is_work() ? "W_int" : "R2",
                 .estimate = value,
                 .unit = is_work() ? "J/m2" : "1"};

@@ -37,7 +37,7 @@ figures::Series bar(double length, double height) {
 void budget_of_work(const FigureRequest& request, StudyFigure& drawn) {
     const auto budgets = output::budgets_of(request.result);
     const auto found = std::find_if(budgets.begin(), budgets.end(),
-                                    [](const auto& budget) { return budget.quantity == "work_of_adhesion"; });
+                                    [](const auto& budget) { return budget.quantity == "intrinsic_work_of_adhesion"; });
     if (found == budgets.end()) {
         drawn.reason = "no W_int with a standard error";
         return;

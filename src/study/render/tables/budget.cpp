@@ -41,7 +41,7 @@ std::vector<QuotedBudget> budgets_of(const study::Conclusions& conclusions) {
                         value.standard_error(), std::move(rows)});
     };
     if (conclusions.work_of_adhesion)
-        add("work_of_adhesion", "W_int", "J/m2", nullptr, conclusions.traced_work_of_adhesion);
+        add("intrinsic_work_of_adhesion", "W_int", "J/m2", nullptr, conclusions.traced_work_of_adhesion);
     for (const auto& pair : conclusions.pairs) {
         if (!pair.modified) continue;
         add("predicted_work_of_adhesion", "W_app (7)", "J/m2", &pair, pair.modified->traced);
