@@ -5,6 +5,7 @@
 
 #include "request.hpp"
 #include "setae/answers/curve_fields.hpp"
+#include "setae/answers/fitted_points.hpp"
 #include "setae/answers/loop_fields.hpp"
 #include "setae/answers/machine_stiffness.hpp"
 #include "setae/output/field_json.hpp"
@@ -18,10 +19,30 @@ struct Loop {
     study::OpenedLoop opened;
 };
 
-/// JSON of `setae jkr fit` and `setae jkr energy` for a loop.
+/// JSON of `setae jkr fit` and `setae jkr energy` for a loop, and the points of the fits.
 struct LoopAnswer {
     std::string fit, energy;
+    Table record, loading, unloading;
 };
+
+/// JSON of `setae jkr fit` for a force curve or for every curve of a file, and the points of the fits of one curve.
+struct CurveAnswer {
+    std::string json;
+    std::map<std::string, Table> segments{};
+};
+
+CurveAnswer answer_of(const std::string& file, const loops::ForceCurveAnalysis& analysis) {
+    CurveAnswer answer{.json = output::as_text(output::described(answers::FittedCurve{file, &analysis}))};
+    for (const auto& segment : analysis.segments)
+        if (segment.fit) answer.segments.emplace(segment.name, answers::fitted_segment(*segment.fit));
+    return answer;
+}
+
+/// The columns of a table that `owner` keeps alive, under a name.
+template <class Answer>
+void bind_table(nb::class_<Answer>& answer, const char* name, Table Answer::*table) {
+    answer.def_prop_ro(name, [table](nb::handle self) { return columns(nb::cast<const Answer&>(self).*table, self); });
+}
 
 void bind_requests(nb::module_& module) {
     using answers::LoopBodies, answers::LoopFiles, answers::LoopModelsRequest, answers::LoopSettings;
@@ -49,15 +70,23 @@ void bind_force_curves(nb::module_& module) {
     nb::class_<Request> request(module, "CurveRequest");
     request.def(nb::init<>()).def_rw("range", &Request::range);
     bind_asked(request);
+    nb::class_<CurveAnswer>(module, "CurveAnswer")
+        .def_ro("json", &CurveAnswer::json)
+        .def_prop_ro("segments", [](nb::handle self) {
+            nb::typed<nb::dict, nb::str, nb::typed<nb::dict, nb::str, ReadOnly1D>> segments;
+            for (const auto& [name, table] : nb::cast<const CurveAnswer&>(self).segments)
+                segments[name.c_str()] = columns(table, self);
+            return segments;
+        });
     module.def(
         "fit_force_curves",
         [](const std::string& file, const answers::LoopFiles& files, const answers::LoopBodies& bodies,
            const answers::CurveRequest& request) {
             return unlocked([&](const auto&) {
                 if (request.concerns_map(file, files))
-                    return output::as_text(output::described(answers::fit_map(file, files, bodies, request)));
-                const auto analysis = answers::fit_curve(file, files, bodies, request);
-                return output::as_text(output::described(answers::FittedCurve{file, &analysis}));
+                    return CurveAnswer{.json =
+                                           output::as_text(output::described(answers::fit_map(file, files, bodies, request)))};
+                return answer_of(file, answers::fit_curve(file, files, bodies, request));
             });
         },
         nb::arg("file"), nb::arg("files"), nb::arg("bodies"), nb::arg("request"),
@@ -74,7 +103,11 @@ void bind_loops(nb::module_& module) {
         .def_prop_ro("units", [](const Loop& loop) { return units(loop.opened.table); })
         .def_prop_ro("metadata", [](const Loop& loop) { return loop.opened.table.metadata; })
         .def_prop_ro("alerts", [](const Loop& loop) { return output::as_text(output::to_json(loop.opened.alerts)); });
-    nb::class_<LoopAnswer>(module, "LoopAnswer").def_ro("fit", &LoopAnswer::fit).def_ro("energy", &LoopAnswer::energy);
+    nb::class_<LoopAnswer> answer(module, "LoopAnswer");
+    answer.def_ro("fit", &LoopAnswer::fit).def_ro("energy", &LoopAnswer::energy);
+    bind_table(answer, "record", &LoopAnswer::record);
+    bind_table(answer, "loading", &LoopAnswer::loading);
+    bind_table(answer, "unloading", &LoopAnswer::unloading);
     module.def(
         "open_loop",
         [](const std::string& file, const answers::LoopFiles& files) {
@@ -98,7 +131,10 @@ void bind_loops(nb::module_& module) {
             return unlocked([&](const auto&) {
                 const auto analysed = answers::analysed_loop(loop.opened, loop.file, bodies, settings);
                 return LoopAnswer{output::as_text(output::described(answers::fitted(analysed, models.options()))),
-                                  output::as_text(output::described(answers::LoopEnergies{&analysed}))};
+                                  output::as_text(output::described(answers::LoopEnergies{&analysed})),
+                                  answers::corrected_record(analysed),
+                                  answers::fitted_samples(analysed, loops::LoopBranch::loading),
+                                  answers::fitted_samples(analysed, loops::LoopBranch::unloading)};
             });
         },
         nb::arg("loop"), nb::arg("bodies"), nb::arg("settings"), nb::arg("models"));

@@ -6,7 +6,7 @@ from __future__ import annotations
 import base64
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any, Union
+from typing import TYPE_CHECKING, Any, Union
 
 from . import _setae
 from ._columns import Columns, Named, edge_of
@@ -17,6 +17,10 @@ from ._options import Path, Text, filled, named, path, text
 from ._quantities import Alert, Quantity, quantity_from
 from ._results import Answer, alerts_html, rows_html
 from ._scan import Scan
+
+if TYPE_CHECKING:
+    from ._columns import Array
+    from ._fits import Fitted
 
 #: One file or several.
 Paths = Union[Path, Sequence[Path]]
@@ -357,10 +361,38 @@ def contour(
     return Contour(traced.json(), tuple(traced.profile(i) for i in range(traced.segments)), traced.overlay())
 
 
+@dataclass(frozen=True, repr=False)
 class ForceCurves(Answer):
     """Fits of a force curve ("segments", "summary"), or of every curve of a file ("curves"), as printed by ``setae jkr fit --json``."""
 
     tables = ("curves", "segments")
+
+    samples: Mapping[str, Mapping[str, Any]] = field(default_factory=dict, compare=False)  #: columns of each fitted segment of one curve
+
+    def points(self, segment: str | None = None) -> Fitted:
+        """The fitted samples of a segment, "approach" or "retract", with the model; default: the segment whose fit is the result."""
+        from ._fits import curve_of_segment
+
+        if not self.samples:
+            raise InvalidArgument("no points of a single curve; expected the fit of one curve, such as force_curves(…, curve_number=0)")
+        chosen = segment or self._data["summary"]["fitted_segment"]
+        if chosen not in self.samples:
+            raise InvalidArgument(f"segment: '{chosen}'; expected one of {', '.join(self.samples)}")
+        return curve_of_segment(self.samples[chosen])
+
+    @property
+    def best_fit(self) -> Array:
+        """Force of the model [N] at the fitted samples of the segment whose fit is the result."""
+        return self.points().best_fit
+
+    @property
+    def residuals(self) -> Array:
+        """Measured minus fitted force [N]."""
+        return self.points().residuals
+
+    def plot(self, ax: Any = None, *, segment: str | None = None, **style: Any) -> Any:
+        """Plots a segment and its fit on axes of matplotlib, with a panel of residuals; ``style``: keywords of matplotlib for the points."""
+        return self.points(segment).plot(ax, **style)
 
     @property
     def quantities(self) -> tuple[Quantity, ...]:
@@ -437,7 +469,8 @@ def force_curves(
         keep_baseline_slope=keep_baseline_slope,
     )
     curve = curve_file(file, "curve", units)
-    return ForceCurves(_setae.fit_force_curves(path(curve), loop_files(files), checked_bodies(bodies), request))
+    fitted = _setae.fit_force_curves(path(curve), loop_files(files), checked_bodies(bodies), request)
+    return ForceCurves(fitted.json, fitted.segments)
 
 
 class Replicates(Answer):

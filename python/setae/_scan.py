@@ -201,7 +201,7 @@ class Scan:
         >>> wave.process(["level_mean", numpy.flip]).process("level_mean").processing.data["pipeline"]
         ['level_mean', 'flip()', 'level_mean']
         """
-        if isinstance(step, (list, tuple)):
+        if isinstance(step, Sequence) and not isinstance(step, str):
             if parameters:
                 raise TypeError("several steps with common parameters; expected \"gaussian_filter cutoff=8um\" or functools.partial(function, …)")
             return functools.reduce(Scan.process, step, self)
