@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <filesystem>
+#include <utility>
+
 #include <nanobind/stl/map.h>
+#include <nanobind/stl/pair.h>
 #include <nanobind/stl/shared_ptr.h>
 #include <nlohmann/json.hpp>
 
@@ -9,6 +13,7 @@
 #include "setae/answers/loop_fields.hpp"
 #include "setae/answers/machine_stiffness.hpp"
 #include "setae/output/field_json.hpp"
+#include "setae/tables/loop_file.hpp"
 
 namespace setae::python {
 namespace {
@@ -93,6 +98,35 @@ void bind_force_curves(nb::module_& module) {
         "fits of one force curve, or of every curve of a file, as printed by `setae jkr fit --curve --json`");
 }
 
+/// One loop of a fit of several.
+using LoopOfMany = std::pair<Loop*, answers::LoopBodies*>;
+
+std::string fitted_together(const std::vector<LoopOfMany>& loops, const answers::LoopSettings& settings,
+                            const answers::LoopModelsRequest& models) {
+    const auto options = models.options();
+    std::vector<loops::GlobalBranch> shared;
+    auto entries = output::Json::array();
+    for (const auto& [loop, bodies] : loops) {
+        const auto one = answers::analysed_loop(loop->opened, loop->file, *bodies, settings);
+        shared.push_back(study::branch_to_share(one.file, one.analysis, one.bodies, one.options, options));
+        entries.push_back(output::described(answers::fitted(one, options)));
+    }
+    const auto fit = study::shared_fit(shared, options);
+    auto json = output::described(answers::SharedLoops{&fit});
+    json["loops"] = std::move(entries);
+    return output::as_text(json);
+}
+
+void bind_shared_fit(nb::module_& module) {
+    module.def(
+        "fit_loops",
+        [](const std::vector<LoopOfMany>& loops, const answers::LoopSettings& settings,
+           const answers::LoopModelsRequest& models) {
+            return unlocked([&](const auto&) { return fitted_together(loops, settings, models); });
+        },
+        nb::arg("loops"), nb::arg("settings"), nb::arg("models"), "as printed by `setae jkr fit --share --json`");
+}
+
 }  // namespace
 
 void bind_loops(nb::module_& module) {
@@ -102,6 +136,15 @@ void bind_loops(nb::module_& module) {
         .def_prop_ro("columns", [](nb::handle self) { return columns(nb::cast<const Loop&>(self).opened.table, self); })
         .def_prop_ro("units", [](const Loop& loop) { return units(loop.opened.table); })
         .def_prop_ro("metadata", [](const Loop& loop) { return loop.opened.table.metadata; })
+        .def(
+            "save",
+            [](const Loop& loop, const std::string& file, const std::map<std::string, std::string>& entries) {
+                auto metadata = tables::loop_metadata(loop.opened.table);
+                metadata.emplace("source", std::filesystem::path(loop.file).filename().string());
+                for (const auto& [key, value] : entries) metadata[key] = value;
+                tables::write_loop(file, loop.opened.table, metadata);
+            },
+            nb::arg("file"), nb::arg("entries"), "writes a loop file, as `setae jkr import -o`")
         .def_prop_ro("alerts", [](const Loop& loop) { return output::as_text(output::to_json(loop.opened.alerts)); });
     nb::class_<LoopAnswer> answer(module, "LoopAnswer");
     answer.def_ro("fit", &LoopAnswer::fit).def_ro("energy", &LoopAnswer::energy);
@@ -115,6 +158,7 @@ void bind_loops(nb::module_& module) {
         },
         nb::arg("file"), nb::arg("files"));
     bind_force_curves(module);
+    bind_shared_fit(module);
     module.def(
         "machine_stiffness",
         [](const Loop& loop) {

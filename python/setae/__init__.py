@@ -17,6 +17,7 @@ from ._contact import Contact, ContactComparison, ContactFront, ContactSweep, Pe
 from ._containers import Container, ContainerReport, Formats, check_container, formats, write_container
 from ._diagnosis import Diagnosis, Finding, check
 from ._errors import Error, FileError, FormatError, InternalError, InvalidArgument, UndefinedDataError
+from ._fits import Fitted, SpectrumFit
 from ._laboratory import (
     Camera,
     ContactLine,
@@ -44,8 +45,10 @@ from ._spectra import Parameters, PowerSpectrum, Surface, parameters, power_spec
 from ._study import Figure, PatchSurvey, StudyResult, conform
 from ._study_building import Study, study
 from ._synthesis import Synthesis, Tip, synthesize, tip
+from ._study_draft import StudyDraft, draft_study
 from ._texture import Texture, texture
 from ._threads import limit_threads
+from ._together import ForceCurveSeries, SharedFit, fit_together, force_curve_series
 
 __version__ = version().partition("+")[0]
 
@@ -68,6 +71,8 @@ __all__ = [
     "Figure",
     "FileError",
     "Finding",
+    "Fitted",
+    "ForceCurveSeries",
     "ForceCurves",
     "FormatError",
     "Formats",
@@ -90,8 +95,11 @@ __all__ = [
     "Replicates",
     "Result",
     "Scan",
+    "SharedFit",
+    "SpectrumFit",
     "Step",
     "Study",
+    "StudyDraft",
     "StudyResult",
     "Surface",
     "Synthesis",
@@ -113,6 +121,9 @@ __all__ = [
     "contact_front",
     "contact_sweep",
     "contour",
+    "draft_study",
+    "fit_together",
+    "force_curve_series",
     "force_curves",
     "formats",
     "info",

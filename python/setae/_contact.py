@@ -244,6 +244,7 @@ def contact_sweep(
     to_pressure: Text | None = None,
     largest_move: float = 1.0,
     maps: bool = False,
+    restart: Path | None = None,
     layer: Text | None = None,
     bonded: bool = False,
     frictionless: bool = False,
@@ -285,6 +286,8 @@ def contact_sweep(
         largest change of any gap per step, in ranges: 2 takes two thirds of the time, works change by up to 1 %
     maps : bool, default False
         states are kept point by point: at first load, at the turn, at zero load on retraction, at the greatest tension
+    restart : str or path
+        file written every 20 steps; where it exists the sweep continues from it, to the same bytes; removed at the end
     layer : str or Quantity
         thickness of an elastic layer on a rigid base, such as "1 um"; default: a half-space
     bonded : bool, default False
@@ -331,6 +334,7 @@ def contact_sweep(
         to_pressure=to_pressure,
         largest_move=largest_move,
         maps=maps,
+        restart=None if restart is None else path(restart),
         layer=layer,
         bonded=bonded,
         frictionless=frictionless,

@@ -4,6 +4,8 @@
 from __future__ import annotations
 
 import base64
+import json
+import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Union
@@ -318,6 +320,22 @@ class Contour(Answer):
         return f"<img src='data:image/png;base64,{picture}'>{rows_html(self._data['segments'])}{alerts_html(self.alerts)}"
 
 
+#: Points (x, y) in pixels, one file of them, or an earlier trace.
+Anchors = Union[Path, Contour, Sequence[Sequence[float]]]
+
+
+def anchors_file(anchors: Anchors | None) -> str | Given:
+    """A file of anchors for the library; empty without anchors."""
+    if anchors is None:
+        return ""
+    if isinstance(anchors, Contour):
+        return Given("trace.json", anchors.json().encode())
+    if isinstance(anchors, (str, os.PathLike)):
+        return os.fspath(anchors)
+    points = [[float(x), float(y)] for x, y in anchors]
+    return Given("anchors.json", json.dumps({"anchors": points}).encode())
+
+
 def contour(
     picture: Path,
     *,
@@ -334,13 +352,17 @@ def contour(
     least_length: float | None = None,
     image: int | str | None = None,
     ignore_stated_pixel_size: bool = False,
+    anchors: Anchors | None = None,
 ) -> Contour:
     """The profile of a sample in a picture of its side: DM3, DM4, TIFF, PNG, JPEG, SER, EMD or MRC.
 
     pixel: size of a pixel, if the file does not state it; or scale_bar: length of the scale bar; or calibration: a calibration file.
     vacuum: "bright", "dark" or "automatic".  shape: "envelope", "cut" or "parametric".  hidden: "x,y,width,height" of parts without sample.
     image: number, counted from 0, or title of an image in a file of several images; default: the first picture.
+    anchors: points (x, y) in pixels that the trace must pass, or a file of such points; or a whole trace to be repeated with its own options:
+        an earlier result, or its JSON file.
     """
+    points = anchors_file(anchors)
     request = filled(
         _setae.ContourRequest(),
         pixel=pixel,
@@ -357,7 +379,7 @@ def contour(
         image=named(image),
         ignore_stated_pixel_size=ignore_stated_pixel_size,
     )
-    traced = _setae.contour(path(picture), request)
+    traced = _setae.contour(path(picture), request, path(points) if points else "")
     return Contour(traced.json(), tuple(traced.profile(i) for i in range(traced.segments)), traced.overlay())
 
 

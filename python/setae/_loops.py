@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 from . import _setae
 from ._columns import Named
 from ._given import Given, Source, as_file, shown
-from ._options import MAPPINGS, Text, filled, path, texts, texts_of
+from ._options import MAPPINGS, Path, Text, filled, path, text, texts, texts_of
 from ._quantities import Alert, Quantity, alerts_from
 from ._results import Answer
 
@@ -239,6 +239,10 @@ class Loop:
     def machine_stiffness(self) -> MachineStiffness:
         """Stiffness from a loop on a rigid body: slope of force against the position of the stage."""
         return MachineStiffness(_setae.machine_stiffness(self._opened))
+
+    def save(self, file: Path, **metadata: Text) -> None:
+        """Writes a loop file in SI, as ``setae jkr import -o``, with metadata such as ``sphere_radius="1.25 mm"`` or ``surface="UNCD"``."""
+        self._opened.save(path(file), {name: text(value, name) for name, value in metadata.items()})
 
     def to_pandas(self) -> Any:
         """As a DataFrame of pandas; units and metadata are in ``attrs``. :func:`loop` takes it."""

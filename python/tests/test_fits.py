@@ -93,7 +93,7 @@ def test_force_curves():
 def test_spectra(data):
     spectrum = setae.power_spectrum(data / "rougher/afm_1.txt", fit=True)
     fit = spectrum.fit
-    low, high = (float(spectrum["fit"]["range"][end]) for end in ("lower", "upper")) if "lower" in spectrum["fit"]["range"] else (fit.q[0], fit.q[-1])
+    low, high = (spectrum.data["fit"]["range"][end] for end in ("lower", "upper"))
     assert fit.q[0] >= low * (1.0 - 1e-12) and fit.q[-1] <= high * (1.0 + 1e-12)
     assert np.array_equal(fit.residuals, spectrum.data["fit"]["residuals"]["residual"])
     ratio = fit.points["C1D"] / fit.best_fit
