@@ -146,7 +146,7 @@ class SpectrumFit(dict[str, Any]):
     @property
     def q(self) -> Array:
         """Wavevectors of the fitted values [1/m]."""
-        return self.points["wavevector"]
+        return self.points.columns["wavevector"]
 
     @property
     def best_fit(self) -> Array:

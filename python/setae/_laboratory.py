@@ -332,7 +332,7 @@ def anchors_file(anchors: Anchors | None) -> str | Given:
         return Given("trace.json", anchors.json().encode())
     if isinstance(anchors, (str, os.PathLike)):
         return os.fspath(anchors)
-    points = [[float(x), float(y)] for x, y in anchors]
+    points = [list(map(float, point)) for point in anchors]
     return Given("anchors.json", json.dumps({"anchors": points}).encode())
 
 
