@@ -171,9 +171,9 @@ def plot_fitted(points: Fitted, ax: Any, **style: Any) -> Any:
     below = make_axes_locatable(ax).append_axes("bottom", size="30%", pad=0.1, sharex=ax)
     (factor_x, unit_x), (factor_y, unit_y) = (shown_in(points.columns[name], points.units[name], points.logarithmic) for name in (points.x, points.y))
     x, order = factor_x * points.columns[points.x], np.argsort(points.columns[points.x], kind="stable")
+    ax.plot(x, factor_y * points.columns[points.y], **{"linestyle": "none", "marker": ".", "markersize": 3, "label": "fitted points", **style})
     if points.x in points.record and points.y in points.record:
         ax.plot(factor_x * points.record[points.x], factor_y * points.record[points.y], color="0.7", linewidth=0.8, label="record", zorder=1)
-    ax.plot(x, factor_y * points.columns[points.y], **{"linestyle": "none", "marker": ".", "markersize": 3, "label": "fitted points", **style})
     ax.plot(x[order], factor_y * points.best_fit[order], color="C1", label="best fit", zorder=3)
     factor, unit = shown_in(points.residuals, points.units["residuals"], points.logarithmic)
     below.plot(x, factor * points.residuals, linestyle="none", marker=".", markersize=3, color="0.3")

@@ -3,8 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from . import _setae
@@ -12,7 +11,7 @@ from ._errors import InvalidArgument
 from ._laboratory import ForceCurves, force_curves
 from ._loops import Loop, checked_bodies
 from ._options import Text, filled, texts
-from ._quantities import Quantity, quantity_from
+from ._quantities import Quantity
 from ._results import Answer, row_of
 
 if TYPE_CHECKING:
@@ -97,38 +96,24 @@ def fit_together(
     return SharedFit(_setae.fit_loops(given, filled(_setae.LoopSettings(), **settings), wanted))
 
 
-@dataclass(frozen=True, repr=False)
-class ForceCurveSeries(Answer):
-    """Fits of several force curves, as printed by ``setae jkr fit CURVE CURVE --json``: ``series[0]``, or ``for fit in series``."""
+class ForceCurveSeries(tuple[ForceCurves, ...]):
+    """Fits of several force curves, one after the other: ``series[0]``, ``for fit in series``."""
 
-    fits: tuple[ForceCurves, ...] = field(default=(), compare=False)
-
-    def __getitem__(self, index: Any) -> Any:
-        return self.fits[index]
-
-    def __iter__(self) -> Iterator[Any]:
-        return iter(self.fits)
-
-    def __len__(self) -> int:
-        return len(self.fits)
-
-    @property
-    def quantities(self) -> tuple[Quantity, ...]:
-        """Always empty: each curve has its own."""
-        return ()
+    def json(self) -> str:
+        """The bytes that ``setae jkr fit CURVE CURVE --json`` prints."""
+        listed = ",\n".join("  " + fit.json().rstrip().replace("\n", "\n  ") for fit in self)
+        return f"[\n{listed}\n]\n" if self else "[]\n"
 
     def to_pandas(self) -> Any:
         """As a DataFrame of pandas: one row per curve and quantity."""
         import pandas
 
-        return pandas.DataFrame([{"file": fit.data.get("file"), **row_of(quantity)} for fit in self.fits for quantity in fit.quantities])
+        return pandas.DataFrame([{"file": fit.data.get("file"), **row_of(quantity)} for fit in self for quantity in fit.quantities])
 
     def __repr__(self) -> str:
-        return f"ForceCurveSeries({len(self.fits)} curves)"
+        return f"ForceCurveSeries({len(self)} curves)"
 
 
 def force_curve_series(curves: Sequence[Any], **arguments: Any) -> ForceCurveSeries:
     """Fits of several force curves: files, loops or tables in memory, with the arguments of :func:`force_curves`."""
-    fits = tuple(force_curves(curve, **arguments) for curve in curves)
-    listed = ",\n".join("  " + fit.json().rstrip().replace("\n", "\n  ") for fit in fits)
-    return ForceCurveSeries(f"[\n{listed}\n]\n" if fits else "[]\n", fits)
+    return ForceCurveSeries(force_curves(curve, **arguments) for curve in curves)
