@@ -31,6 +31,7 @@ from ._contact import (
 from ._containers import Container, ContainerReport, Formats, check_container, formats, write_container
 from ._diagnosis import Diagnosis, Finding, check
 from ._errors import Error, FileError, FormatError, InternalError, InvalidArgument, UndefinedDataError
+from ._fits import Fitted, SpectrumFit
 from ._laboratory import (
     Camera,
     ContactLine,
@@ -58,8 +59,10 @@ from ._spectra import Parameters, PowerSpectrum, Surface, parameters, power_spec
 from ._study import Figure, PatchSurvey, StudyResult, patch_survey
 from ._study_building import Study, study
 from ._synthesis import Synthesis, Tip, synthesize, tip
+from ._study_draft import StudyDraft, draft_study
 from ._texture import Texture, texture
 from ._threads import limit_threads
+from ._together import ForceCurveSeries, SharedFit, fit_together, force_curve_series
 
 __version__ = version().partition("+")[0]
 
@@ -88,6 +91,8 @@ __all__ = [
     "Figure",
     "FileError",
     "Finding",
+    "Fitted",
+    "ForceCurveSeries",
     "ForceCurves",
     "FormatError",
     "Formats",
@@ -110,8 +115,11 @@ __all__ = [
     "Replicates",
     "Result",
     "Scan",
+    "SharedFit",
+    "SpectrumFit",
     "Step",
     "Study",
+    "StudyDraft",
     "StudyResult",
     "Surface",
     "Synthesis",
@@ -132,6 +140,9 @@ __all__ = [
     "contact_front",
     "contact_sweep",
     "contour",
+    "draft_study",
+    "fit_together",
+    "force_curve_series",
     "force_curves",
     "formats",
     "info",

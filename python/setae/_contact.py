@@ -266,6 +266,7 @@ def contact_sweep(
     to_pressure: Text | None = None,
     max_move: float = 1.0,
     maps: bool = False,
+    restart: Path | None = None,
     layer_thickness: Text | None = None,
     bonded: bool = False,
     frictionless: bool = False,
@@ -309,6 +310,8 @@ def contact_sweep(
         largest change of any gap per step, in ranges: 2 takes two thirds of the time, works change by up to 1 %
     maps : bool, default False
         states are kept point by point: at first load, at the turn, at zero load on retraction, at the greatest tension
+    restart : str or path
+        file written every 20 steps; where it exists the sweep continues from it, to the same bytes; removed at the end
     layer_thickness : str or Quantity, optional
         thickness of an elastic layer on a rigid base, such as "1 um"; default: a half-space
     bonded : bool, default False
@@ -372,6 +375,7 @@ def contact_sweep(
         to_pressure=to_pressure,
         max_move=max_move,
         maps=maps,
+        restart=None if restart is None else path(restart),
         layer_thickness=layer_thickness,
         bonded=bonded,
         frictionless=frictionless,

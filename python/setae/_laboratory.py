@@ -4,6 +4,8 @@
 from __future__ import annotations
 
 import base64
+import json
+import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Union
@@ -20,6 +22,8 @@ from ._results import Answer, alerts_html, rows_html
 from ._scan import Scan
 
 if TYPE_CHECKING:
+    from ._columns import Array
+    from ._fits import Fitted
     from typing_extensions import Unpack
 
     from ._generated import RadiusRequest
@@ -444,6 +448,22 @@ class Contour(Answer):
         return f"<img src='data:image/png;base64,{picture}'>{rows_html(self._data['segments'])}{alerts_html(self.alerts)}"
 
 
+#: Points (x, y) in pixels, one file of them, or an earlier trace.
+Anchors = Union[Path, Contour, Sequence[Sequence[float]]]
+
+
+def anchors_file(anchors: Anchors | None) -> str | Given:
+    """A file of anchors for the library; empty without anchors."""
+    if anchors is None:
+        return ""
+    if isinstance(anchors, Contour):
+        return Given("trace.json", anchors.json().encode())
+    if isinstance(anchors, (str, os.PathLike)):
+        return os.fspath(anchors)
+    points = [list(map(float, point)) for point in anchors]
+    return Given("anchors.json", json.dumps({"anchors": points}).encode())
+
+
 @renamed("pixel", "least_length")
 def contour(
     picture: Path,
@@ -461,6 +481,7 @@ def contour(
     min_length: float | None = None,
     image: int | str | None = None,
     ignore_stated_pixel_size: bool = False,
+    anchors: Anchors | None = None,
 ) -> Contour:
     """The profile of a sample in a picture of its side: DM3, DM4, TIFF, PNG, JPEG, SER, EMD or MRC.
 
@@ -498,6 +519,9 @@ def contour(
         transform
     ignore_stated_pixel_size : bool, default False
         pixel size or scale bar given hold even where the file contradicts them
+    anchors : sequence of (x, y), Contour or path, optional
+        points in pixels that the trace passes, or a file of them; or an earlier trace, or its JSON file, which is repeated with its
+        own options
 
     Returns
     -------
@@ -520,6 +544,7 @@ def contour(
     >>> setae.power_spectrum(traced, instrument="tem").units["C1D"]
     'm3'
     """
+    points = anchors_file(anchors)
     request = filled(
         _setae.ContourRequest(),
         pixel_size=pixel_size,
@@ -536,14 +561,42 @@ def contour(
         image=named(image),
         ignore_stated_pixel_size=ignore_stated_pixel_size,
     )
-    traced = _setae.contour(path(picture), request)
+    traced = _setae.contour(path(picture), request, path(points) if points else "")
     return Contour(traced.json(), tuple(traced.profile(i) for i in range(traced.segments)), traced.overlay())
 
 
+@dataclass(frozen=True, repr=False)
 class ForceCurves(Answer):
     """Fits of a force curve ("segments", "summary"), or of every curve of a file ("curves"), as printed by ``setae jkr fit --json``."""
 
     tables = ("curves", "segments")
+
+    samples: Mapping[str, Mapping[str, Any]] = field(default_factory=dict, compare=False)  #: columns of each fitted segment of one curve
+
+    def points(self, segment: str | None = None) -> Fitted:
+        """The fitted samples of a segment, "approach" or "retract", with the model; default: the segment whose fit is the result."""
+        from ._fits import curve_of_segment
+
+        if not self.samples:
+            raise InvalidArgument("no points of a single curve; expected the fit of one curve, such as force_curves(…, curve_number=0)")
+        chosen = segment or self._data["summary"]["fitted_segment"]
+        if chosen not in self.samples:
+            raise InvalidArgument(f"segment: '{chosen}'; expected one of {', '.join(self.samples)}")
+        return curve_of_segment(self.samples[chosen])
+
+    @property
+    def best_fit(self) -> Array:
+        """Force of the model [N] at the fitted samples of the segment whose fit is the result."""
+        return self.points().best_fit
+
+    @property
+    def residuals(self) -> Array:
+        """Measured minus fitted force [N]."""
+        return self.points().residuals
+
+    def plot(self, ax: Any = None, *, segment: str | None = None, **style: Any) -> Any:
+        """Plots a segment and its fit on axes of matplotlib, with a panel of residuals; ``style``: keywords of matplotlib for the points."""
+        return self.points(segment).plot(ax, **style)
 
     @property
     def quantities(self) -> tuple[Quantity, ...]:
@@ -647,7 +700,8 @@ def force_curves(
         keep_baseline_slope=keep_baseline_slope,
     )
     curve = curve_file(file, "curve", units)
-    return ForceCurves(_setae.fit_force_curves(path(curve), loop_files(files), checked_bodies(bodies), request))
+    fitted = _setae.fit_force_curves(path(curve), loop_files(files), checked_bodies(bodies), request)
+    return ForceCurves(fitted.json, fitted.segments)
 
 
 class Replicates(Answer):

@@ -13,18 +13,53 @@ from . import _setae
 from ._columns import Named
 from ._given import Given, Source, as_file, shown
 from ._names import renamed
-from ._options import MAPPINGS, Text, filled, path, texts, texts_of
+from ._options import MAPPINGS, Path, Text, filled, path, text, texts, texts_of
 from ._quantities import Alert, Quantity, alerts_from
 from ._results import Answer
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
+    from ._columns import Array
+    from ._fits import Fitted
     from ._generated import LoopSettings
 
 
+@dataclass(frozen=True, repr=False)
 class LoopFit(Answer):
     """All fits to a loop, as printed by ``setae jkr fit --json``: ``fit["loading"]["fits"]["joint"]``, ``fit["pull_off"]`` …"""
+
+    samples: Mapping[str, Mapping[str, Any]] = field(default_factory=dict, compare=False)  #: columns of "record", "loading" and "unloading"
+
+    def points(self, *, branch: str = "loading", route: str | None = None, model: str | None = None) -> Fitted:
+        """The fitted samples with the model at these samples, for the primary fit of a branch, for another route, or for an additional model.
+
+        Parameters
+        ----------
+        branch : str, default 'loading'
+            loading or unloading
+        route : str
+            name in ``fit["loading"]["fits"]``, such as "joint"; default: the primary fit
+        model : str
+            model of ``fit(models=…)``, such as "dmt", on the branch to which it was fitted
+        """
+        from ._fits import loop_curve, model_curve
+
+        return model_curve(self._data, self.samples, model) if model else loop_curve(self._data, self.samples, branch, route)
+
+    @property
+    def best_fit(self) -> Array:
+        """The model of the primary fit at the samples of loading, in the unit of :attr:`residuals`."""
+        return self.points().best_fit
+
+    @property
+    def residuals(self) -> Array:
+        """Measured minus fitted values of the primary fit of loading: contact radius [m], displacement [m] or force [N]."""
+        return self.points().residuals
+
+    def plot(self, ax: Any = None, *, branch: str = "loading", route: str | None = None, model: str | None = None, **style: Any) -> Any:
+        """Plots the record, the fitted samples and the model on axes of matplotlib, with a panel of residuals; arguments of :meth:`points`."""
+        return self.points(branch=branch, route=route, model=model).plot(ax, **style)
 
     @property
     def E_star(self) -> Quantity:
@@ -218,7 +253,8 @@ class Loop:
             "crack_speed": crack_speed,
             "exponent": exponent,
         }
-        return LoopFit(self._answer(wanted, dict(settings)).fit)
+        answer = self._answer(wanted, dict(settings))
+        return LoopFit(answer.fit, {"record": answer.record, "loading": answer.loading, "unloading": answer.unloading})
 
     def energy(self, **settings: Unpack[LoopSettings]) -> LoopEnergy:
         """Energy budget: work in and out, jumps, loss of a smooth sphere, loss per area."""
@@ -227,6 +263,10 @@ class Loop:
     def machine_stiffness(self) -> MachineStiffness:
         """Stiffness from a loop on a rigid body: slope of force against the position of the stage."""
         return MachineStiffness(_setae.machine_stiffness(self._opened))
+
+    def save(self, file: Path, **metadata: Text) -> None:
+        """Writes a loop file in SI, as ``setae jkr import -o``, with metadata such as ``sphere_radius="1.25 mm"`` or ``surface="UNCD"``."""
+        self._opened.save(path(file), {name: text(value, name) for name, value in metadata.items()})
 
     def to_pandas(self) -> Any:
         """As a DataFrame of pandas; units and metadata are in ``attrs``. :func:`loop` takes it."""

@@ -4,9 +4,11 @@
 from __future__ import annotations
 
 import dataclasses
+import functools
 import html
 import json
 import pathlib
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Union, cast
@@ -20,6 +22,7 @@ from ._results import Answer, alerts_html
 
 if TYPE_CHECKING:
     from ._columns import Array
+    from ._own_steps import OwnStep
 
 
 class Info(Answer):
@@ -48,7 +51,7 @@ class Step:
     alerts: tuple[Alert, ...]
 
     def __str__(self) -> str:
-        return self.step + ": " + ", ".join(f"{q.quantity.replace('_', ' ')} {q}" for q in self.numbers)
+        return ": ".join(filter(None, (self.step, ", ".join(f"{q.quantity.replace('_', ' ')} {q}" for q in self.numbers))))
 
 
 class Processing(Answer):
@@ -99,6 +102,7 @@ class Scan:
     layout: str = ""
     keep_values: bool = False
     source: Any = field(default=None, repr=False)  #: the array, its size, and whether it is periodic; None for a file
+    earlier: str = field(default="", repr=False)  #: history up to the last function of Python, as JSON
 
     @cached_property
     def _given(self) -> _setae.Heights | None:
@@ -173,7 +177,8 @@ class Scan:
     @property
     def alerts(self) -> tuple[Alert, ...]:
         """Warnings about reading the heights: values taken as undefined, points averaged."""
-        return alerts_from(json.loads(shown(self._heights.alerts)))
+        earlier = json.loads(self.earlier)["alerts"] if self.earlier else []
+        return alerts_from([*earlier, *json.loads(shown(self._heights.alerts))])
 
     @property
     def processing(self) -> Processing:
@@ -184,10 +189,27 @@ class Scan:
         >>> print(ramp.processing.steps[0].step, float(abs(ramp.heights).max()) < 1e-20)
         level_plane True
         """
-        return Processing(self._processed[1])
+        return Processing(with_earlier(self._processed[1], self.earlier))
 
-    def process(self, step: str, **parameters: Text | float | bool) -> Scan:
-        """Adds a step by its name in docs/reference/processing-steps.md: ``scan.process("gaussian_filter", cutoff="8 um")``."""
+    def process(self, step: str | OwnStep | Sequence[str | OwnStep], **parameters: Any) -> Scan:
+        """Adds a step by its name in docs/reference/processing-steps.md, a function of Python, or several steps.
+
+        A function gets the heights as an array in metres, and returns heights of the same shape. It also gets the scan if it has a parameter
+        ``scan``. A function that returns a scan may change the size. It is called at once. :attr:`processing` records its name.
+
+        >>> import numpy, setae
+        >>> wave = setae.scan(numpy.arange(8.0), size="8 um", unit="nm")
+        >>> wave.process(["level_mean", numpy.flip]).process("level_mean").processing.data["pipeline"]
+        ['level_mean', 'flip()', 'level_mean']
+        """
+        if isinstance(step, Sequence) and not isinstance(step, str):
+            if parameters:
+                raise TypeError("several steps with common parameters; expected \"gaussian_filter cutoff=8um\" or functools.partial(function, …)")
+            return functools.reduce(Scan.process, step, self)
+        if not isinstance(step, str):
+            from ._own_steps import with_own_step
+
+            return with_own_step(self, step, parameters)
         line = step
         for name, value in parameters.items():
             word = str(value).lower() if isinstance(value, bool) else text(value)
@@ -276,7 +298,7 @@ class Scan:
     def _repr_html_(self) -> str:
         shape = " × ".join(map(str, self.heights.shape))
         extent = " × ".join(_setae.format_uncertain(length, float("nan"), "m") for length in self.size)
-        steps = self.processing._repr_html_() if self.steps or self.pipeline else ""
+        steps = self.processing._repr_html_() if self.steps or self.pipeline or self.earlier else ""
         return f"<b>{html.escape(self.name or str(self.file))}</b>: {shape} points, {extent}{steps}"
 
 
@@ -576,6 +598,16 @@ def own_scan(value: Any) -> Scan | None:
 def scan_of(heights: _setae.Heights, name: str) -> Scan:
     """A scan of heights from setae, without a copy."""
     return Scan(name, source=(heights.array, heights.size, heights.periodic))
+
+
+def with_earlier(records: str, earlier: str) -> str:
+    """JSON of processing with the steps of an earlier history before its own."""
+    if not earlier:
+        return records
+    data, before = json.loads(records), json.loads(earlier)
+    data["pipeline"] = before["pipeline"] + data["pipeline"]
+    data["files"][0]["steps"] = before["steps"] + data["files"][0]["steps"]
+    return json.dumps(data, indent=2, ensure_ascii=False) + "\n"
 
 
 #: Measurements: scans, files, arrays with a size.

@@ -20,6 +20,7 @@ from ._scan import Measured, items
 
 if TYPE_CHECKING:
     from ._columns import Array
+    from ._fits import SpectrumFit
 
 
 def shared_options(
@@ -94,11 +95,16 @@ class PowerSpectrum(Spectrum):
         band = self._data["band"]
         return Band(number(band["lower"]), number(band["upper"]))
 
+    fitted: dict[str, Array] = field(default_factory=dict, repr=False)  #: columns of the fitted values and of the model
+
     @property
-    def fit(self) -> dict[str, Quantity]:
-        """Parameters of the self-affine fit, by name; empty without a fit."""
+    def fit(self) -> SpectrumFit:
+        """Parameters of the self-affine fit, by name, with ``best_fit``, ``residuals`` and ``plot()``; empty without a fit."""
+        from ._fits import SpectrumFit
+
         fit = self._data.get("fit")
-        return {entry["quantity"]: quantity_from(entry, self._shared) for entry in fit["parameters"]} if fit else {}
+        named = {entry["quantity"]: quantity_from(entry, self._shared) for entry in fit["parameters"]} if fit else {}
+        return SpectrumFit(named, self.fitted, self.columns)
 
     def __repr__(self) -> str:
         return f"PowerSpectrum({len(self.q)} of {', '.join(self.columns)}, {self.n} measurements)"
@@ -221,7 +227,7 @@ def power_spectrum(
         fit_short_cutoff,
         not skip_failed,
     )
-    return PowerSpectrum(spectrum.columns, spectrum.units, spectrum.json)
+    return PowerSpectrum(spectrum.columns, spectrum.units, spectrum.json, spectrum.fitted)
 
 
 def name_of_parameter(quantity: str) -> str:

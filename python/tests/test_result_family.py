@@ -62,12 +62,15 @@ MAKERS: dict[str, Callable[[setae.Scan, pathlib.Path], Any]] = {
     "ContactLine": lambda scan, data: setae.contact_line(DATA / "frames", pixel_size="2 um", frame_rate=10, angles=64),
     "Contour": lambda scan, data: setae.contour(DATA / "wave.png", pixel_size="0.1 nm"),
     "Replicates": lambda scan, data: setae.replicates(DATA / "fits.csv", branch="loading", group_by=["surface", "lens"]),
+    "Fitted": lambda scan, data: setae.loop(data / "loops/rougher_soft.csv", radius="1.25 mm").fit().points(),
+    "SharedFit": lambda scan, data: setae.fit_together([setae.loop(data / f"loops/{name}_soft.csv", radius="1.25 mm") for name in ("rougher", "smoother")]),
+    "StudyDraft": lambda scan, data: setae.draft_study(data / "rougher"),
     "PatchSurvey": lambda scan, data: setae.patch_survey(energy_shares=[0.05], points=[64], points_per_wave=[8], realisations=1),
     "ContainerReport": lambda scan, data: setae.check_container(DATA / "container_v0.zip"),
 }
 #: Results without numbers to draw.
 NOT_DRAWN = {
-    "Parameters", "Texture", "Diagnosis", "Processing", "Info", "Formats", "LoopFit", "LoopEnergy", "MachineStiffness", "ForceCurves", "Lens",
+    "Parameters", "Texture", "Diagnosis", "Processing", "Info", "Formats", "LoopEnergy", "MachineStiffness", "SharedFit", "StudyDraft", "Lens",
     "Camera", "Contour", "Replicates", "PatchSurvey", "ContainerReport",
 }  # fmt: skip
 
@@ -182,7 +185,8 @@ def test_plots_take_axes_and_style(results, scan, data):
     drawn = {name: result for name, result in results.items() if hasattr(type(result), "plot")}
     assert results.keys() - drawn.keys() == NOT_DRAWN | {"Container"}
     loop = setae.loop(data / "loops/rougher_soft.csv", radius="1.25 mm")
-    for name, result in {**drawn, "Scan": scan, "Loop": loop}.items():
+    curve = setae.force_curves(DATA / "map.jpk-force-map", radius="1 mm", curve_number=1)
+    for name, result in {**drawn, "Scan": scan, "Loop": loop, "ForceCurves": curve}.items():
         figure, ax = plt.subplots()
         style = {"alpha": 0.5} if name in ("Scan", "Contact", "Synthesis", "Tip") else {"color": "tab:red", "linewidth": 3}
         assert result.plot(ax=ax, **style) is ax, name

@@ -3,11 +3,13 @@
 
 from __future__ import annotations
 
+import json
 import os
 import pathlib
 import re
 
 import numpy
+import PIL.Image
 import pytest
 import setae
 
@@ -27,7 +29,7 @@ FUNCTIONS = {
     "level": "`Scan.level`, `Scan.process` …; `Scan.processing` is its JSON",
     "container check": "`setae.check_container`; `setae.channels` reads a container",
     "container write": "`setae.write_container`",
-    "contour": "`setae.contour`; anchors and repeated traces only with the program",
+    "contour": "`setae.contour`; `anchors=…` also repeats a trace",
     "check": "`setae.check`",
     "tip": "`setae.tip`",
     "psd": "`setae.power_spectrum`",
@@ -37,8 +39,8 @@ FUNCTIONS = {
     "params": "`setae.parameters`; of a standard (`--standard`) `setae.texture`",
     "adhesion": "`setae.work_of_adhesion`",
     "contact solve": "`setae.contact`",
-    "contact sweep": "`setae.contact_sweep`; figure and `--restart` only with the program",
-    "contact front": "`setae.contact_front`; figure only with the program",
+    "contact sweep": "`setae.contact_sweep`",
+    "contact front": "`setae.contact_front`",
     "contact persson": "`setae.persson`",
     "contact compare": "`setae.contact_comparison`; figure only with the program",
     "jkr radius": "`setae.contact_radii`; pictures with the edge drawn in (`--overlay`) only with the program",
@@ -46,10 +48,12 @@ FUNCTIONS = {
     "jkr lens": "`setae.lens`",
     "jkr camera": "`setae.camera`",
     "jkr stiffness": "`setae.loop(…).machine_stiffness()`",
-    "jkr fit": "`setae.loop(…).fit()` for one loop; `setae.force_curves`; shared fits of several loops only with the program",
+    "jkr import": "`setae.loop(…).save()`; `setae.loop(…, mapping=…)` reads the same tables",
+    "jkr fit": "`setae.loop(…).fit()` for one loop, `setae.fit_together` for several; `setae.force_curves`, `setae.force_curve_series`",
     "jkr energy": "`setae.loop(…).energy()`",
     "jkr summary": "`setae.replicates`; figure and tables only with the program",
     "synthesize": "`setae.synthesize`",
+    "study init": "`setae.draft_study`",
     "study": "`setae.study(…).run()`; `--next` is `StudyResult.next_measurements`",
     "lab conform": "`setae.patch_survey`, `StudyResult.patch_survey`; table and figure only with the program",
     "predict": "`setae.study(…).run().predict()`; tables and figures only with the program",
@@ -57,7 +61,6 @@ FUNCTIONS = {
 }
 GAPS = {
     "profile": "slices of `Scan.heights`",
-    "jkr import": "`setae.loop(…, mapping=…)` reads the same tables",
     "lab make": "writes files; call `python -m setae lab make` with `subprocess`",
     "lab loops": "as lab make",
     "lab records": "as lab closure",
@@ -68,7 +71,6 @@ GAPS = {
     "lab recording": "as lab make",
     "lab causes": "as lab closure",
     "lab next": "as lab closure",
-    "study init": "writes a draft for an editor",
     "plot": "`StudyResult.figures[…].save()`, `.plot()`",
     "cache": "use the program; package and program share the cache",
     "man": "`help()`",
@@ -165,6 +167,38 @@ def test_jkr(printed):
     assert loop.energy().json() == printed("jkr", "energy", *typed)
 
 
+def test_loops_fitted_together(printed):
+    files = ["loops/rougher_soft.csv", "loops/smoother_soft.csv"]
+    loops = [setae.loop(file, radius="1.25 ± 0.01 mm") for file in files]
+    typed = (*files, "--radius", "1.25 ± 0.01 mm")
+    together = setae.fit_together(loops)
+    assert together.json() == printed("jkr", "fit", *typed, "--share", "modulus")
+    assert [q.symbol for q in together.quantities] == ["E*"] and 0.0 <= together.p_value <= 1.0 and len(together.to_pandas()) == 2
+    both = setae.fit_together(loops, share=["modulus", "work"], model="dmt", no_drift=True)
+    assert both.json() == printed("jkr", "fit", *typed, "--share", "modulus", "--share", "work", "--model", "dmt", "--no-drift")
+    with pytest.raises(setae.InvalidArgument, match="one loop; expected a list of two or more"):
+        setae.fit_together(loops[:1])
+
+
+def test_loop_files(printed):
+    setae.loop("loops/rougher_soft.csv").save("mine.csv", surface="UNCD", sphere_radius="1.25 mm")
+    printed("jkr", "import", "loops/rougher_soft.csv", "--set", "surface=UNCD", "--set", "sphere_radius=1.25 mm", "-o", "theirs.csv")
+    assert pathlib.Path("mine.csv").read_bytes() == pathlib.Path("theirs.csv").read_bytes()
+    assert setae.loop("mine.csv").metadata["surface"] == "UNCD"
+
+
+def test_draft_of_a_study(printed):
+    draft = setae.draft_study(["rougher", "loops"], file="mine.toml")
+    theirs = json.loads(printed("study", "init", "rougher", "loops", "-o", "theirs.toml"))
+    assert draft.toml == pathlib.Path("theirs.toml").read_text() and {**draft.data, "study": "theirs.toml"} == theirs
+    assert draft.save() == "mine.toml" and pathlib.Path("mine.toml").read_text() == draft.toml
+    with pytest.raises(setae.InvalidArgument, match="file exists"):
+        draft.save()
+    pathlib.Path("empty").mkdir(exist_ok=True)
+    with pytest.raises(setae.InvalidArgument, match="no measurement, loop, spectrum or micrograph"):
+        setae.draft_study("empty")
+
+
 SELF_AFFINE = {"hurst_exponent": 0.8, "rolloff": "2 um", "short_cutoff": "100 nm", "rms_height": "20 nm", "size": "8 um x 4 um", "pixels": "128x64"}
 SELF_AFFINE_TYPED = ("--hurst", 0.8, "--rolloff", "2 um", "--short-cutoff", "100 nm", "--rms-height", "20 nm", "--size", "8 um x 4 um", "--pixels", "128x64")
 
@@ -225,6 +259,21 @@ def test_contour(printed):
     assert setae.read("mine.csv").heights.size > 100
 
 
+def test_contour_with_anchors(printed):
+    picture, anchors = DATA / "wave.png", DATA / "anchors.json"
+    mine = setae.contour(picture, pixel="1 nm", shape="parametric", anchors=anchors)
+    assert mine.json() == printed("contour", picture, "--pixel", "1 nm", "--shape", "parametric", "--anchors", anchors, "-o", "curve.csv")
+    points = json.loads(anchors.read_text())["anchors"]
+    assert setae.contour(picture, pixel="1 nm", shape="parametric", anchors=points).profiles == mine.profiles
+    again = setae.contour(picture, anchors=mine)
+    assert again.profiles == mine.profiles and again.json() == printed("contour", picture, "--anchors", "curve.json", "-o", "again.csv")
+    PIL.Image.open(picture).save("encoded_again.png", compress_level=1)
+    with pytest.raises(setae.InvalidArgument, match="trace of another picture"):
+        setae.contour("encoded_again.png", anchors=mine)
+    with pytest.raises(setae.InvalidArgument, match="its own options"):
+        setae.contour(picture, pixel="1 nm", anchors=mine)
+
+
 def test_contact(printed):
     scan = setae.synthesize(**{**SELF_AFFINE, "pixels": "64x64"}).scan
     scan.save("rough.nc")
@@ -276,6 +325,11 @@ def test_contact_sweep(printed):
     assert numpy.array_equal(gaps, numpy.load("states_turn_gap.npy")) and pressures.shape == (16, 16)
     assert list(steps) == list(kept.maps)
     assert pressures.mean() == pytest.approx(-kept["tension"][steps["turn"]])
+    unfinished = pathlib.Path("sweep.restart")
+    assert setae.contact_sweep("coarse.nc", **asked, restart=unfinished).json() == swept.json() and not unfinished.exists()
+    unfinished.write_text("other content")
+    with pytest.raises(setae.FormatError, match="checkpoint"):
+        setae.contact_sweep("coarse.nc", **asked, restart=unfinished)
     with pytest.raises(TypeError, match="W_int"):
         setae.contact_sweep("coarse.nc", contact_modulus="1 MPa", interaction_range="400 nm")
 
@@ -383,6 +437,17 @@ def test_force_curves(printed):
     assert setae.force_curves(curves, radius="1 mm").json() == printed("jkr", "fit", curves, "--radius", "1 mm")
     one = setae.force_curves(curves, radius="1 mm", model="dmt", curve_number=1)
     assert one.json() == printed("jkr", "fit", curves, "--radius", "1 mm", "--curve-model", "dmt", "--curve-number", 1)
+
+
+def test_several_force_curves(printed):
+    curves = [setae.loop(DATA / "map.jpk-force-map", curve_number=number).to_pandas() for number in (0, 1)]
+    series = setae.force_curve_series(curves, radius="1 mm")
+    alone = [setae.force_curves(curve, radius="1 mm") for curve in curves]
+    assert [fit.json() for fit in series] == [fit.json() for fit in alone]
+    assert set(series.to_pandas()["quantity"]) >= {"contact_modulus", "energy_loss"} and len(series) == 2
+    files = [DATA / "loop_on_glass.csv", DATA / "loop_on_glass.csv"]
+    listed = setae.force_curve_series(files, radius="1 mm").json()
+    assert listed == printed("jkr", "fit", *files, "--curve", "--radius", "1 mm")
 
 
 def test_replicates(printed):
