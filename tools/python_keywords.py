@@ -63,10 +63,13 @@ FUNCTIONS: dict[tuple[str, str], tuple[str, ...]] = {
     ("_spectra.py", "surface"): ("Analysis",),
     ("_study.py", "patch_survey"): ("PatchSurveyRequest",),
     ("_study_building.py", "study"): (),
+    ("_study_draft.py", "draft_study"): (),
     ("_synthesis.py", "synthesize"): ("SynthesisRequest",),
     ("_synthesis.py", "tip"): ("BlindTipRequest",),
     ("_texture.py", "texture"): ("TextureRequest",),
     ("_threads.py", "limit_threads"): (),
+    ("_together.py", "fit_together"): ("LoopModels", "LoopSettings"),
+    ("_together.py", "force_curve_series"): (),
 }
 
 

@@ -46,6 +46,25 @@ def draft_study(folders: Union[Path, Sequence[Path]], *, file: Path = "study.tom
         folders, or files; the files of one folder are measurements of one surface
     file : str or path, default 'study.toml'
         study file; paths in the draft are relative to its folder
+
+    Returns
+    -------
+    StudyDraft
+        text of the study file and what it contains; :meth:`StudyDraft.save` writes it
+
+    Raises
+    ------
+    FileError
+        for a folder that cannot be read
+    InvalidArgument
+        where no measurement, loop, spectrum or micrograph is found
+
+    Examples
+    --------
+    >>> import setae
+    >>> draft = setae.draft_study("line_two_waves.csv")
+    >>> draft["measurements"]
+    1
     """
     listed = [folders] if isinstance(folders, (str, os.PathLike)) else list(folders)
     toml, entry = _setae.draft_study(list(map(path, listed)), path(file), MAPPINGS)

@@ -80,6 +80,28 @@ def fit_together(
         contact point that is held fixed, such as "1.2 um"; default: fitted
     cohesive_stress : str or Quantity
         cohesive stress that is held fixed in the model maugis_dugdale, such as "5 MPa"; default: fitted
+
+    Returns
+    -------
+    SharedFit
+        the shared parameters, the test of sharing, and the fit of each loop
+
+    Raises
+    ------
+    InvalidArgument
+        for one loop, a loop without the branch or without a radius, or a value outside its domain
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import setae
+    >>> rng, radius = np.random.default_rng(1), np.linspace(2e-5, 1e-4, 40)
+    >>> def made(work):
+    ...     force, displacement = setae.models.jkr(radius, 1e-3, 1e6, work)
+    ...     return setae.loop({"force [N]": force + 1e-7 * rng.standard_normal(40), "displacement [m]": displacement}, radius="1 mm")
+    >>> together = setae.fit_together([made(0.04), made(0.05)])
+    >>> f"{together.quantities[0].value:.2g} {together.quantities[0].unit}"
+    '1e+06 Pa'
     """
     if isinstance(loops, Loop) or len(loops) < 2:
         raise InvalidArgument("loops: one loop; expected a list of two or more, or loop.fit() for one")
@@ -115,5 +137,34 @@ class ForceCurveSeries(tuple[ForceCurves, ...]):
 
 
 def force_curve_series(curves: Sequence[Any], **arguments: Any) -> ForceCurveSeries:
-    """Fits of several force curves: files, loops or tables in memory, with the arguments of :func:`force_curves`."""
+    """Fits of several force curves, with arguments as for :func:`force_curves`.
+
+    Parameters
+    ----------
+    curves : Sequence of str, path, table or Loop
+        paths of files, loops, or tables in memory
+
+    Returns
+    -------
+    ForceCurveSeries
+        fits in the order of the curves
+
+    Raises
+    ------
+    FileError
+        for a path that cannot be read
+    FormatError
+        for content of an unknown format, or damaged content
+    InvalidArgument
+        for a value outside its domain, with another dimension or without its unit
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import setae
+    >>> displacement = np.linspace(-1e-6, 0.5e-6, 120)
+    >>> curve = {"force [N]": setae.models.hertz(displacement, 5e-6, 10e3, zero_outside=True), "displacement [m]": displacement}
+    >>> setae.force_curve_series([curve, curve], radius="5 um")
+    ForceCurveSeries(2 curves)
+    """
     return ForceCurveSeries(force_curves(curve, **arguments) for curve in curves)

@@ -30,8 +30,8 @@ METHODS = {
 }
 CALLABLES = {**FUNCTIONS, **MODELS, **METHODS}
 
-#: Arguments by **name that are not those of setae: parameters of steps, keywords of matplotlib, keys of a study file.
-OPEN = {"style", "parameters", "keys", "shared", "values", "durations"}
+#: Arguments by **name that are not those of the function: of steps, matplotlib or another function, and keys of a study file.
+OPEN = {"arguments", "style", "parameters", "keys", "shared", "values", "durations"}
 
 
 def arguments(function) -> list[inspect.Parameter]:

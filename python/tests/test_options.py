@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 import setae
-from setae import _generated
+from setae import _generated, _names
 
 from conftest import ROOT
 from test_same_bytes import FUNCTIONS, GAPS, commands
@@ -20,7 +20,7 @@ CALLS: dict[str, tuple[Callable[..., Any], ...]] = {
     "acf": (setae.autocorrelation, setae.power_spectrum),
     "adhesion": (setae.work_of_adhesion, setae.parameters),
     "check": (setae.check,),
-    "contact compare": (setae.contact_compare,),
+    "contact compare": (setae.contact_comparison,),
     "contact front": (setae.contact_front,),
     "contact persson": (setae.persson,),
     "contact solve": (setae.contact,),
@@ -40,13 +40,13 @@ CALLS: dict[str, tuple[Callable[..., Any], ...]] = {
     "jkr radius": (setae.contact_radii,),
     "jkr stiffness": (setae.loop, setae.Loop.machine_stiffness),
     "jkr summary": (setae.replicates,),
-    "lab conform": (setae.conform,),
+    "lab conform": (setae.patch_survey,),
     "level": (setae.read, setae.Scan.process),
     "params": (setae.parameters, setae.texture),
     "predict": (setae.StudyResult.predict,),
     "psd": (setae.power_spectrum, setae.parameters),
     "schema": (setae.schema,),
-    "sdrp": (setae.scale_dependent, setae.power_spectrum),
+    "sdrp": (setae.scale_dependent_roughness, setae.power_spectrum),
     "study": (setae.study, setae.Study.run),
     "study init": (setae.draft_study, setae.StudyDraft.save),
     "synthesize": (setae.synthesize,),
@@ -54,7 +54,7 @@ CALLS: dict[str, tuple[Callable[..., Any], ...]] = {
     "vbw": (setae.variable_bandwidth, setae.power_spectrum),
 }
 #: Keywords of `**name` of functions.
-EXPANDED = {"settings": "LoopSettings", "options": "ScaleRequest"}
+EXPANDED = {"settings": "LoopSettings", "recording": "RadiusRequest"}
 #: Keywords of options with other names; one of several.
 RENAMED: dict[str, tuple[str, ...]] = {
     "as": ("layout",),
@@ -66,18 +66,18 @@ RENAMED: dict[str, tuple[str, ...]] = {
     "fps": ("frame_rate",),
     "from": ("start", "taken_over"),
     "hide": ("hidden",),
-    "hurst": ("hurst_exponent",),
+    "hurst_exponent": ("hurst_exponent",),
     "iso": ("isotropic",),
     "longest_wavelength": ("longest",),
     "map": ("mapping",),
     "model": ("models",),
     "no_heights": ("heights",),
-    "no_rolloff": ("rolloff",),
+    "no_rolloff": ("fit_rolloff",),
     "output": ("file",),
     "segment": ("segments",),
     "set": ("metadata",),
+    "short_cutoff": ("fit_short_cutoff",),
     "shortest_wave": ("points_per_wave",),
-    "shortest_wavelength": ("shortest",),
     "squared_ratio": ("squared_ratios",),
     "step": ("step", "parameters"),
     "to": ("stop",),
@@ -119,7 +119,7 @@ ONLY_PROGRAM: dict[str, dict[str, str]] = {
     "contour": {
         "no_overlay": "nothing is written; Contour.overlay is the picture",
         "output": "Contour.save",
-        "save_calibration": "the pixel size is in the result: contour(…, pixel=…)",
+        "save_calibration": "the pixel size is in the result: contour(…, pixel_size=…)",
         "segment": "Contour.save(file, segment)",
     },
     "convert": {"all_channels": "setae.channels(file)", "to": "the ending of Scan.save(file)"},
@@ -139,13 +139,13 @@ ONLY_PROGRAM: dict[str, dict[str, str]] = {
         "beside": "two results of contact_line can be compared column by column",
         "output": WRITTEN,
         "save_line": "ContactLine.save",
-        "um_per_px": "the same as pixel, in micrometres",
+        "um_per_px": "the same as pixel_size, in micrometres",
     },
     "jkr radius": {
         "output": "ContactRadii.save",
         "overlay": "pictures with the edge drawn in are for the eye",
         "overlay_frames": "pictures with the edge drawn in are for the eye",
-        "um_per_px": "the same as pixel, in micrometres",
+        "um_per_px": "the same as pixel_size, in micrometres",
     },
     "jkr summary": {"figure": WRITTEN, "output": WRITTEN},
     "lab conform": {
@@ -198,7 +198,8 @@ def missing(command: str) -> set[str]:
     known = keywords_of(command)
     named = [names for names in options_of(command) if not set(names) & EVERYWHERE.keys()]
     assert len(list(options_of(command))) >= 3, command
-    return {names[0] for names in named if not {word for name in names for word in (name, *RENAMED.get(name, ()))} & known}
+    spelled = {name: (name, *RENAMED.get(name, ()), _names.RENAMED.get(name, name)) for names in named for name in names}
+    return {names[0] for names in named if not {word for name in names for word in spelled[name]} & known}
 
 
 def test_every_option_is_a_keyword_or_has_a_reason():
