@@ -31,7 +31,7 @@ METHODS = {
 CALLABLES = {**FUNCTIONS, **MODELS, **METHODS}
 
 #: Arguments by **name that are not those of the function: of steps, matplotlib or another function, and keys of a study file.
-OPEN = {"arguments", "style", "parameters", "keys", "shared", "values", "durations"}
+OPEN = {"arguments", "metadata", "style", "parameters", "keys", "shared", "values", "durations"}
 
 
 def arguments(function) -> list[inspect.Parameter]:

@@ -139,7 +139,6 @@ ONLY_PROGRAM: dict[str, dict[str, str]] = {
         "beside": "two results of contact_line can be compared column by column",
         "output": WRITTEN,
         "save_line": "ContactLine.save",
-        "um_per_px": "the same as pixel_size, in micrometres",
     },
     "jkr radius": {
         "output": "ContactRadii.save",
