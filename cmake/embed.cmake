@@ -1,13 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# cmake -DOUTPUT=FILE -DHEADER=FILE -DNAMESPACE=NAME -DTEXTS=NAME=FILE|NAME=FILE|… [-DTABLE=NAME] -P embed.cmake
+# cmake -DOUTPUT=FILE -DHEADER=FILE -DNAMESPACE=NAME -DTEXTS=NAME=FILE|NAME=FILE|… -P embed.cmake
 #
-# Writes files as texts in C++: a std::string_view a name, or, with TABLE, one array of names and texts, which the header declares. The
-# same files give the same bytes.
+# Writes files as texts in C++, each a std::string_view that the header declares. The same files give the same bytes.
 cmake_minimum_required(VERSION 3.25)
 string(REPLACE "|" ";" texts "${TEXTS}")
 set(source "// made by embed.cmake\n#include \"${HEADER}\"\n\nnamespace ${NAMESPACE} {\n\n")
-set(rows "")
-set(count 0)
 foreach(entry ${texts})
   string(REGEX MATCH "^([^=]+)=(.+)$" entry "${entry}")
   set(name "${CMAKE_MATCH_1}")
@@ -18,15 +15,8 @@ foreach(entry ${texts})
   if(NOT end_mark EQUAL -1)
     message(FATAL_ERROR "${path} holds the sign that ends a text in C++")
   endif()
-  string(APPEND source "static constexpr char text_${count}[] = R\"SETAE_ASSET(${text})SETAE_ASSET\";\n"
-                       "static_assert(sizeof(text_${count}) == ${size} + 1, \"${name} is whole\");\n")
-  if(NOT TABLE)
-    string(APPEND source "const std::string_view ${name}{text_${count}, ${size}};\n\n")
-  endif()
-  string(APPEND rows "    {\"${name}\", {text_${count}, ${size}}},\n")
-  math(EXPR count "${count} + 1")
+  string(APPEND source "static constexpr char text_${name}[] = R\"SETAE_ASSET(${text})SETAE_ASSET\";\n"
+                       "static_assert(sizeof(text_${name}) == ${size} + 1, \"${name} is whole\");\n"
+                       "const std::string_view ${name}{text_${name}, ${size}};\n\n")
 endforeach()
-if(TABLE)
-  string(APPEND source "\nstatic constexpr NamedText rows[] = {\n${rows}};\nconst std::span<const NamedText> ${TABLE}{rows};\n\n")
-endif()
 file(WRITE ${OUTPUT} "${source}}  // namespace ${NAMESPACE}\n")

@@ -100,16 +100,15 @@ function(setae_module name)
   endif()
 endfunction()
 
-# setae_embed(target header namespace [TABLE name] NAME=FILE...): files as texts in C++, which the target's header declares.
+# setae_embed(target header namespace NAME=FILE...): files as texts in C++, which the target's header declares.
 function(setae_embed target header namespace)
-  cmake_parse_arguments(ARG "" "TABLE" "" ${ARGN})
   cmake_path(GET header STEM name)
   set(output ${CMAKE_CURRENT_BINARY_DIR}/${name}_texts.cpp)
-  list(JOIN ARG_UNPARSED_ARGUMENTS "|" texts)
-  list(TRANSFORM ARG_UNPARSED_ARGUMENTS REPLACE "^[^=]+=" "" OUTPUT_VARIABLE files)
+  list(JOIN ARGN "|" texts)
+  list(TRANSFORM ARGN REPLACE "^[^=]+=" "" OUTPUT_VARIABLE files)
   set(script ${PROJECT_SOURCE_DIR}/cmake/embed.cmake)
   add_custom_command(OUTPUT ${output}
-                     COMMAND ${CMAKE_COMMAND} -DOUTPUT=${output} -DHEADER=${header} -DNAMESPACE=${namespace} -DTEXTS=${texts} -DTABLE=${ARG_TABLE} -P ${script}
+                     COMMAND ${CMAKE_COMMAND} -DOUTPUT=${output} -DHEADER=${header} -DNAMESPACE=${namespace} -DTEXTS=${texts} -P ${script}
                      DEPENDS ${script} ${files} VERBATIM)
   target_sources(${target} PRIVATE ${output})
   # its names are each text's own

@@ -14,8 +14,8 @@ import setae
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 SCANS = ["rougher/stylus_1.csv", "rougher/afm_1.txt", "rougher/tem_1.csv"]
-SOLIDS = {"E": "0.7 ± 0.02 MPa", "W_int": "37 ± 2 mJ/m2", "gamma": "25 mJ/m2"}
-ROUGH = {"hurst": 0.8, "rolloff": "2 um", "short_cutoff": "100 nm", "rms_height": "20 nm", "size": "8 um x 4 um", "pixels": "128x64"}
+SOLIDS = {"youngs_modulus": "0.7 ± 0.02 MPa", "W_int": "37 ± 2 mJ/m2", "surface_energy": "25 mJ/m2"}
+ROUGH = {"hurst_exponent": 0.8, "rolloff": "2 um", "short_cutoff": "100 nm", "rms_height": "20 nm", "size": "8 um x 4 um", "pixels": "128x64"}
 CALLS = {
     "info": lambda: setae.info("rougher", "loops"),
     "formats": setae.formats,
@@ -23,7 +23,7 @@ CALLS = {
     "power_spectrum": lambda: setae.power_spectrum(SCANS[1], tip_radius="10 ± 2 nm", instrument="afm"),
     "combined": lambda: setae.power_spectrum(SCANS, fit=True),
     "parameters": lambda: setae.parameters(SCANS),
-    "scale_dependent": lambda: setae.scale_dependent(SCANS[1]),
+    "scale_dependent_roughness": lambda: setae.scale_dependent_roughness(SCANS[1]),
     "autocorrelation": lambda: setae.autocorrelation(SCANS[1]),
     "variable_bandwidth": lambda: setae.variable_bandwidth(SCANS[1]),
     "work_of_adhesion": lambda: setae.work_of_adhesion(SCANS, **SOLIDS, radius="1.25 mm", preload="1 mN"),

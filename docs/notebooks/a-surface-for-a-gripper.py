@@ -16,9 +16,9 @@ from typing import Any
 import setae
 
 finishes = {
-    "polished": setae.synthesize(hurst=0.8, rolloff="2 um", short_cutoff="20 nm", rms_slope=0.05, size="10 um", pixels=512, seed=1).scan,
-    "ground": setae.synthesize(hurst=0.8, rolloff="2 um", short_cutoff="20 nm", rms_slope=0.3, size="10 um", pixels=512, seed=2).scan,
-    "blasted": setae.synthesize(hurst=0.8, rolloff="2 um", short_cutoff="20 nm", rms_slope=1.5, size="10 um", pixels=512, seed=3).scan,
+    "polished": setae.synthesize(hurst_exponent=0.8, rolloff="2 um", short_cutoff="20 nm", rms_slope=0.05, size="10 um", pixels=512, seed=1).scan,
+    "ground": setae.synthesize(hurst_exponent=0.8, rolloff="2 um", short_cutoff="20 nm", rms_slope=0.3, size="10 um", pixels=512, seed=2).scan,
+    "blasted": setae.synthesize(hurst_exponent=0.8, rolloff="2 um", short_cutoff="20 nm", rms_slope=1.5, size="10 um", pixels=512, seed=3).scan,
 }
 pad: dict[str, Any] = {"E": "3 MPa", "W_int": "40 mJ/m2", "gamma": "25 mJ/m2"}
 
@@ -57,6 +57,6 @@ print(solved.pressures.max(), "Pa at most,", solved.gaps.max(), "m apart at most
 slope, held = 0.01, float("inf")
 while held > 20e-3:
     slope *= 1.3
-    rough = setae.synthesize(hurst=0.8, rolloff="2 um", short_cutoff="20 nm", rms_slope=slope, size="10 um", pixels=256, seed=4).scan
+    rough = setae.synthesize(hurst_exponent=0.8, rolloff="2 um", short_cutoff="20 nm", rms_slope=slope, size="10 um", pixels=256, seed=4).scan
     held = float(setae.work_of_adhesion(rough, **pad))
 print(f"rms slope {slope:.2f}: W_app {1e3 * held:.1f} mJ/m²")

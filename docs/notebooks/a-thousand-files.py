@@ -23,7 +23,7 @@ count = int(os.environ.get("SETAE_NOTEBOOK_FILES", "1000"))
 folder = pathlib.Path("scans")
 folder.mkdir(exist_ok=True)
 for seed in range(count):
-    made = setae.synthesize(hurst=0.8, rolloff="1 um", short_cutoff="80 nm", rms_height="20 nm", size="5 um", pixels=128, seed=seed)
+    made = setae.synthesize(hurst_exponent=0.8, rolloff="1 um", short_cutoff="80 nm", rms_height="20 nm", size="5 um", pixels=128, seed=seed)
     made.scan.save(folder / f"scan_{seed:04}.npy")
 files = sorted(folder.glob("*.npy"))
 

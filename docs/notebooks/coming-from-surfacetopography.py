@@ -32,7 +32,7 @@ except ImportError:
 # made.
 
 # %%
-scan = setae.synthesize(hurst=0.8, rolloff="1 um", short_cutoff="40 nm", rms_height="20 nm", size="5 um", pixels=512, seed=1).scan
+scan = setae.synthesize(hurst_exponent=0.8, rolloff="1 um", short_cutoff="40 nm", rms_height="20 nm", size="5 um", pixels=512, seed=1).scan
 theirs = scan.to_surface_topography()
 line = setae.scan(scan.heights[0].copy(), size="5 um", unit="m", periodic=True)
 their_line = line.to_surface_topography()

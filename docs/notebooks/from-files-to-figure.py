@@ -26,7 +26,7 @@ setae.info("mine/rougher", "mine/loops")
 # Heights are a NumPy array in metres. Each processing step is recorded and returns a new scan.
 
 # %%
-scan = setae.read("mine/rougher/afm_1.txt").stated(instrument="afm", tip_radius="10 ± 0.5 nm")
+scan = setae.read("mine/rougher/afm_1.txt").assign_metadata(instrument="afm", tip_radius="10 ± 0.5 nm")
 levelled = scan.level("plane").despike(threshold=5)
 print(levelled.heights.shape, levelled.heights.std())
 levelled.processing
@@ -50,9 +50,9 @@ print(parameters["rms_slope"], "from heights;", parameters["rms_slope_from_spect
 # the calls state them.
 
 # %%
-stylus = [setae.read(f"mine/rougher/stylus_{i}.csv").stated(instrument="stylus", tip_radius="5 ± 0.2 um") for i in (1, 2, 3)]
-afm = [setae.read(f"mine/rougher/afm_{i}.txt").stated(instrument="afm", tip_radius="10 ± 0.5 nm") for i in (1, 2, 3)]
-tem = [setae.read(f"mine/rougher/tem_{i}.csv").stated(instrument="tem") for i in (1, 2, 3, 4)]
+stylus = [setae.read(f"mine/rougher/stylus_{i}.csv").assign_metadata(instrument="stylus", tip_radius="5 ± 0.2 um") for i in (1, 2, 3)]
+afm = [setae.read(f"mine/rougher/afm_{i}.txt").assign_metadata(instrument="afm", tip_radius="10 ± 0.5 nm") for i in (1, 2, 3)]
+tem = [setae.read(f"mine/rougher/tem_{i}.csv").assign_metadata(instrument="tem") for i in (1, 2, 3, 4)]
 surface = setae.surface(stylus + afm + tem)
 surface
 
@@ -60,7 +60,7 @@ surface
 # The next cell computes the work of adhesion of a soft solid on this surface.
 
 # %%
-w = setae.work_of_adhesion(surface, E="0.7 MPa", nu=0.5, W_int="37 ± 2 mJ/m2", gamma="25 mJ/m2")
+w = setae.work_of_adhesion(surface, youngs_modulus="0.7 MPa", poisson_ratio=0.5, W_int="37 ± 2 mJ/m2", surface_energy="25 mJ/m2")
 print(f"W_app {w.estimate}, of it stored {w['stored_energy']}; conforms: {w.conforms}")
 
 # %% [markdown]

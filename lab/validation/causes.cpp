@@ -35,22 +35,22 @@ struct TrueDensities {
 
 TrueDensities densities_of(const simulation::KnownSurface& surface) {
     const Band band = surface.band();
-    TrueDensities planted{surface.C_iso, spectra::profile_density(surface.C_iso, {0.01 * band.lower, band.upper}),
-                          band.upper, 0.0};
+    TrueDensities densities{surface.C_iso, spectra::profile_density(surface.C_iso, {0.01 * band.lower, band.upper}),
+                            band.upper, 0.0};
     const double total = spectra::moment(surface.C_iso, 0.0, {1e-3 * band.lower, band.upper});
     const auto below_half = [&](double log_q) {
         return spectra::moment(surface.C_iso, 0.0, {1e-3 * band.lower, std::exp(log_q)}) < 0.5 * total;
     };
-    planted.median_wavelength =
+    densities.median_wavelength =
         2.0 * pi /
         std::exp(numerics::bisected(below_half, std::log(0.01 * band.lower), std::log(band.upper), 40).second);
-    return planted;
+    return densities;
 }
 
 /// Tips simulated on one surface, by radius.
 class Tips {
 public:
-    explicit Tips(const TrueDensities& planted) : planted_(planted) {}
+    explicit Tips(const TrueDensities& densities) : densities_(densities) {}
 
     const spectral_fit::TipResponse& of(double radius) {
         const auto found = responses_.find(radius);
@@ -59,34 +59,34 @@ public:
         const auto ball = spectral_fit::sphere({.value = radius});
         const spectral_fit::TipSimulation simulation{
             .probe = ball,
-            .step = spectral_fit::simulation_step(ball, planted_.median_wavelength, pi / planted_.shortest, points),
+            .step = spectral_fit::simulation_step(ball, densities_.median_wavelength, pi / densities_.shortest, points),
             .points = points,
             .size_response = false,
-            .correlation_length = 0.5 * planted_.median_wavelength,
+            .correlation_length = 0.5 * densities_.median_wavelength,
             .threads = {1}};
-        return responses_.emplace(radius, spectral_fit::tip_response(planted_.C_iso, simulation)).first->second;
+        return responses_.emplace(radius, spectral_fit::tip_response(densities_.C_iso, simulation)).first->second;
     }
 
 private:
-    const TrueDensities& planted_;
+    const TrueDensities& densities_;
     std::map<double, spectral_fit::TipResponse> responses_;
 };
 
 /// E[P_k]/C1D(q_k) of only detrending and window, waves up to Nyquist.
 Array1D trend_and_window_factor(const ArrayView1D& wavevectors, double pixel_size, int trend_degree,
-                                const TrueDensities& planted) {
+                                const TrueDensities& densities) {
     const spectral_fit::ScanShape shape{2 * wavevectors.size(), trend_degree};
     const double length = pixel_size * static_cast<double>(shape.points);
     const auto first =
         static_cast<Index>(std::floor(std::log(0.03 * 2.0 * pi / length * pixel_size) / spectral_fit::node_spacing));
     const auto last = static_cast<Index>(
-        std::floor(std::log(std::min(pi, planted.shortest * pixel_size)) / spectral_fit::node_spacing));
+        std::floor(std::log(std::min(pi, densities.shortest * pixel_size)) / spectral_fit::node_spacing));
     const auto kernel = spectral_fit::scan_kernel(shape, first, last, {1});
     const Array1D nodes = (Array1D::LinSpaced(last - first + 1, static_cast<double>(first), static_cast<double>(last)) *
                            spectral_fit::node_spacing)
                               .exp() /
                           pixel_size;
-    const Array1D C_iso = nodes.unaryExpr(planted.C_iso);
+    const Array1D C_iso = nodes.unaryExpr(densities.C_iso);
     Array1D expected = (kernel.response.matrix() * C_iso.matrix()).array() / pixel_size;
     expected += kernel.flat_response * C_iso[0] / pixel_size;
     // the nodes end at Nyquist, where contributions of higher waves are missing; this is not an effect of this cause
@@ -96,28 +96,28 @@ Array1D trend_and_window_factor(const ArrayView1D& wavevectors, double pixel_siz
     for (Index b = 0; b < bins.size(); ++b) {
         double plain = 0.0;
         for (Index k = bins.first(b); k <= bins.last(b); ++k)
-            plain += planted.C1D(wavevectors[k - 1]) / static_cast<double>(bins.count(b));
+            plain += densities.C1D(wavevectors[k - 1]) / static_cast<double>(bins.count(b));
         for (Index k = bins.first(b); k <= bins.last(b) && wavevectors[k - 1] < end; ++k)
             factor[k - 1] = expected[b] / plain;
     }
     return factor;
 }
 
-Array1D aliasing_factor(const ArrayView1D& wavevectors, double pixel_size, const TrueDensities& planted) {
+Array1D aliasing_factor(const ArrayView1D& wavevectors, double pixel_size, const TrueDensities& densities) {
     constexpr int aliases = 60;
     return wavevectors.unaryExpr([&](double q) {
         double sum = 0.0;
-        for (int m = -aliases; m <= aliases; ++m) sum += planted.C1D(std::abs(q + 2.0 * pi * m / pixel_size));
-        return sum / planted.C1D(q);
+        for (int m = -aliases; m <= aliases; ++m) sum += densities.C1D(std::abs(q + 2.0 * pi * m / pixel_size));
+        return sum / densities.C1D(q);
     });
 }
 
 /// Expected result of a measurement under some causes: its spectrum with another C1D.
 MeasuredSpectrum expected_spectrum(const study::MeasurementResult& measured, const topography::Measurement& data,
-                                   const Causes& causes, const TrueDensities& planted, Tips& tips) {
+                                   const Causes& causes, const TrueDensities& densities, Tips& tips) {
     MeasuredSpectrum spectrum = measured.spectrum;
     const ArrayView1D q = spectrum.wavevector;
-    Array1D C1D = q.unaryExpr([&](double x) { return planted.C1D(std::min(x, 0.999 * planted.shortest)); });
+    Array1D C1D = q.unaryExpr([&](double x) { return densities.C1D(std::min(x, 0.999 * densities.shortest)); });
     if (const auto* contour = std::get_if<topography::Profile>(&data)) {
         if (causes.segments) {
             const spectra::SegmentResponse segments(contour->positions);
@@ -127,11 +127,11 @@ MeasuredSpectrum expected_spectrum(const study::MeasurementResult& measured, con
         const double pixel_size = spectrum.length / static_cast<double>(2 * q.size());
         const bool parabola = measured.trend == topography::Trend::parabola;
         Array1D factor = Array1D::Ones(q.size());
-        if (causes.trend_and_window) factor *= trend_and_window_factor(q, pixel_size, parabola ? 2 : 1, planted);
-        if (causes.aliasing) factor *= aliasing_factor(q, pixel_size, planted);
+        if (causes.trend_and_window) factor *= trend_and_window_factor(q, pixel_size, parabola ? 2 : 1, densities);
+        if (causes.aliasing) factor *= aliasing_factor(q, pixel_size, densities);
         const auto& radius = spectrum.metadata.instrument.tip_radius;
         if (causes.tip && radius)
-            factor *= spectral_fit::sampled(tips.of(*radius), planted.C1D, pixel_size, q).log_transfer.exp();
+            factor *= spectral_fit::sampled(tips.of(*radius), densities.C1D, pixel_size, q).log_transfer.exp();
         C1D *= factor;
     }
     spectrum.density = C1D;
@@ -145,10 +145,10 @@ struct MeasuredSurface {
 };
 
 roughness::SpectralParameters mean_reading(const MeasuredSurface& surface, const Causes& causes,
-                                           const TrueDensities& planted, Tips& tips) {
+                                           const TrueDensities& densities, Tips& tips) {
     std::vector<MeasuredSpectrum> spectra;
     for (std::size_t i = 0; i < surface.data.size(); ++i)
-        spectra.push_back(expected_spectrum(surface.result->measurements[i], surface.data[i], causes, planted, tips));
+        spectra.push_back(expected_spectrum(surface.result->measurements[i], surface.data[i], causes, densities, tips));
     return roughness::spectral_parameters(spectra::combine(spectra),
                                           causes.eq11 ? roughness::Conversion::eq11 : roughness::Conversion::exact);
 }
@@ -157,19 +157,19 @@ roughness::SpectralParameters mean_reading(const MeasuredSurface& surface, const
 void add_work(std::vector<Comparison>& rows, const Comparison& like, const roughness::SpectralParameters& found,
               const simulation::TrueSurfaceValues& truth, double work) {
     constexpr double contact_modulus = 1e6, surface_energy = 0.025;
-    const double ratio = roughness::gaussian_area_ratio(found.rms_slope), planted = truth.area_ratio;
-    const double approach = work * planted - surface_energy * (planted - 1.0) -
+    const double ratio = roughness::gaussian_area_ratio(found.rms_slope), true_ratio = truth.area_ratio;
+    const double approach = work * true_ratio - surface_energy * (true_ratio - 1.0) -
                             contact_modulus * truth.parameters.elastic_energy_per_modulus;
     auto row = like;
     row.unit = "J/m2";
     row.measure = Deviation::absolute;
-    row.planted = work;
+    row.true_value = work;
     row.quantity = "work_of_adhesion";
     row.found.value =
         (approach + surface_energy * (ratio - 1.0) + contact_modulus * found.elastic_energy_per_modulus) / ratio;
     rows.push_back(row);
     row.quantity = "work_of_adhesion_from_loss";
-    row.found.value = work * planted / ratio;
+    row.found.value = work * true_ratio / ratio;
     rows.push_back(row);
 }
 
@@ -188,11 +188,11 @@ std::vector<Comparison> readings_of(int run, const simulation::Recipe& recipe, c
     for (std::size_t i = 0; i < recipe.surfaces.size(); ++i) {
         const auto& known = recipe.surfaces[i].surface;
         const auto truth = simulation::true_surface_values(known);
-        const auto planted = densities_of(known);
+        const auto densities = densities_of(known);
         const auto surface = measured(study, result, i);
-        Tips tips(planted);
+        Tips tips(densities);
         for (const auto& [name, causes] : all_causes()) {
-            const auto found = mean_reading(surface, causes, planted, tips);
+            const auto found = mean_reading(surface, causes, densities, tips);
             for (const auto& quantity : surface_quantities()) {
                 const Comparison row{run,
                                      known.name,
@@ -200,9 +200,9 @@ std::vector<Comparison> readings_of(int run, const simulation::Recipe& recipe, c
                                      name,
                                      quantity.unit,
                                      Deviation::relative,
-                                     planted_value(quantity, truth),
+                                     true_value_of(quantity, truth),
                                      {quantity.value(found)}};
-                if (std::isfinite(row.planted) && std::isfinite(row.found.value)) rows.push_back(row);
+                if (std::isfinite(row.true_value) && std::isfinite(row.found.value)) rows.push_back(row);
             }
             add_work(rows, {run, known.name, "", name, "", Deviation::absolute, 0.0, {}}, found, truth,
                      recipe.work_of_adhesion);

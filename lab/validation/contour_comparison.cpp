@@ -111,7 +111,8 @@ std::array<double, 5> spectrum_ratios(const topography::Profile& traced, const t
     const auto modes = static_cast<Index>(length / shortest);
     const Array1D q = Array1D::LinSpaced(modes, 1.0, static_cast<double>(modes)) * (2.0 * pi / length);
     const spectra::SpectrumOptions options{.wavevectors = q, .threads = {1}};
-    const auto found = spectra::power_spectrum(traced, options), planted = spectra::power_spectrum(known, options);
+    const auto found = spectra::power_spectrum(traced, options),
+               expected_spectrum = spectra::power_spectrum(known, options);
     std::array<double, 5> ratios{};
     for (std::size_t band = 0; band < ratios.size(); ++band) {
         const double lower = 2.0 * pi / (spectrum_band_ends[band] * metres);
@@ -124,7 +125,7 @@ std::array<double, 5> spectrum_ratios(const topography::Profile& traced, const t
             const double from = lower * std::pow(upper / lower, static_cast<double>(cell) / cells),
                          to = lower * std::pow(upper / lower, static_cast<double>(cell + 1) / cells);
             if (to * shortest_wave * metres > 2.0 * pi * (1.0 + 1e-9)) continue;
-            const double expected = mean_between(planted, from, to);
+            const double expected = mean_between(expected_spectrum, from, to);
             const double floor = traced.response ? traced.response->noise_density *
                                                        std::exp(std::pow(0.5 * (from + to) * traced.response->blur, 2))
                                                  : 0.0;
@@ -145,12 +146,12 @@ double error_density(const Array1D& errors, double length) {
 }
 
 void compare_overhangs(ContourTrial& trial, const topography::LevelledCurve& levelled, const PixelCurve& trace,
-                       const std::vector<simulation::Overhang>& planted) {
+                       const std::vector<simulation::Overhang>& known) {
     const CurveIndex index(trace);
     const Array1D along = length_along(trace);
     std::vector<bool> real(levelled.reentrant.size(), false);
     double depths = 0.0;
-    for (const auto& overhang : planted) {
+    for (const auto& overhang : known) {
         const auto nearest = index.nearest(overhang.x, overhang.y);
         const double at = along[nearest.segment];
         bool found = false;
@@ -164,7 +165,7 @@ void compare_overhangs(ContourTrial& trial, const topography::LevelledCurve& lev
         }
         if (found) ++trial.overhangs_found;
     }
-    trial.overhangs = static_cast<int>(planted.size());
+    trial.overhangs = static_cast<int>(known.size());
     trial.overhang_depth_ratio = trial.overhangs_found > 0 ? depths / trial.overhangs_found : undefined;
     for (std::size_t k = 0; k < real.size(); ++k)
         if (!real[k] && levelled.reentrant[k].depth / metres > min_false) ++trial.overhangs_false;

@@ -26,7 +26,7 @@ using simulation::Recipe;
 using simulation::RetractionChoice;
 using tables::TidyTable;
 
-RetractionChoice planted_as(Law law) {
+RetractionChoice simulated_choice(Law law) {
     switch (law) {
         case Law::pinning: return RetractionChoice::pinning;
         case Law::conformal_loss: return RetractionChoice::loss;
@@ -36,7 +36,7 @@ RetractionChoice planted_as(Law law) {
 }
 
 /// Crack tips of elastomers: as in the recipe, else decreasing from one elastomer to the next.
-void plant_tip(std::vector<simulation::ElastomerRecipe>& elastomers, Tip tip) {
+void set_tip(std::vector<simulation::ElastomerRecipe>& elastomers, Tip tip) {
     const bool stated_value = std::ranges::any_of(elastomers, [&](const auto& e) {
         return tip == Tip::reference ? e.tip_factor > 1.0 : e.body.edge.has_value();
     });
@@ -58,7 +58,7 @@ ModelRecovery recovery_of(const study::StudyResult& result, const RetractionMode
     const auto* best = ranking.best();
     if (!best)
         throw UndefinedDataError(fmt::format("{} pairs with W_app and W_ret rank no law", hysteresis.measured_pairs));
-    ModelRecovery found{.planted = law.name(), .found = best->fitted.model.name(), .seed = made.seed};
+    ModelRecovery found{.true_model = law.name(), .found = best->fitted.model.name(), .seed = made.seed};
     found.surface_left_out = best->surface_left_out;
     const auto likely = ranking.possible();
     found.possible =
@@ -80,7 +80,7 @@ double mean_of(const std::vector<const ModelRecovery*>& list, double ModelRecove
 }
 
 ModelSummary summary_of(const std::vector<const ModelRecovery*>& list) {
-    ModelSummary row{.planted = list.front()->planted, .runs = static_cast<int>(list.size())};
+    ModelSummary row{.true_model = list.front()->true_model, .runs = static_cast<int>(list.size())};
     std::map<std::string, int> others;
     for (const auto* one : list) {
         if (one->is_found()) ++row.found;
@@ -126,9 +126,9 @@ std::vector<RetractionModel> simulated_models(const std::vector<std::string>& na
 }
 
 Recipe with_model(Recipe recipe, const RetractionModel& law) {
-    if (!recipe.loops) throw InvalidArgument("the recipe has no [loops] to plant a mechanism in");
+    if (!recipe.loops) throw InvalidArgument("the recipe has no [loops] to simulate a mechanism with");
     auto& loops = *recipe.loops;
-    loops.law = planted_as(law.law);
+    loops.law = simulated_choice(law.law);
     constexpr double over_intrinsic = 2.0;
     if (law.law == Law::opening_work && !(loops.opening_work > 0.0))
         loops.opening_work = over_intrinsic * recipe.work_of_adhesion;
@@ -138,7 +138,7 @@ Recipe with_model(Recipe recipe, const RetractionModel& law) {
     if (law.tip != Tip::none && !loops.reference_work)
         throw InvalidArgument(
             fmt::format("{} needs a smooth reference; expected reference_work in the recipe's [loops]", law.name()));
-    plant_tip(recipe.elastomers, law.tip);
+    set_tip(recipe.elastomers, law.tip);
     return recipe;
 }
 
@@ -179,7 +179,7 @@ std::vector<ModelSummary> summary(const std::vector<ModelRecovery>& recoveries) 
     for (std::size_t from = 0; from < recoveries.size();) {
         std::vector<const ModelRecovery*> alike;
         std::size_t to = from;
-        for (; to < recoveries.size() && recoveries[to].planted == recoveries[from].planted; ++to)
+        for (; to < recoveries.size() && recoveries[to].true_model == recoveries[from].true_model; ++to)
             alike.push_back(&recoveries[to]);
         rows.push_back(summary_of(alike));
         from = to;
@@ -189,13 +189,13 @@ std::vector<ModelSummary> summary(const std::vector<ModelRecovery>& recoveries) 
 
 TidyTable model_summary_table(const std::vector<ModelSummary>& rows) {
     constexpr double milli = 1e-3;
-    TidyTable table{"mechanisms planted in loops, and what studies of them find [mJ/m²]",
-                    {"planted", "found", "possible", "excluded", "W_x", "planted", "off", "most often in its place"},
+    TidyTable table{"mechanisms of simulated loops, and what studies of the loops find [mJ/m²]",
+                    {"true model", "found", "possible", "excluded", "W_x", "true W_x", "off", "most often instead"},
                     {}};
     for (const auto& row : rows) {
         const bool fitted = std::isfinite(row.parameter);
         const Estimate work{.value = row.parameter, .standard_error = row.parameter_standard_error};
-        table.rows.push_back({row.planted, fmt::format("{} of {}", row.found, row.runs),
+        table.rows.push_back({row.true_model, fmt::format("{} of {}", row.found, row.runs),
                               fmt::format("{}", row.possible), fmt::format("{}", row.excluded),
                               fitted ? uncertain_number(work, milli) : std::string(),
                               fitted ? fmt::format("{:.4g}", row.true_parameter / milli) : std::string(),
@@ -210,7 +210,7 @@ TidyTable model_recovery_table(const std::vector<ModelRecovery>& recoveries) {
                      "standard_error [J/m2]", "next surface off [J/m2]"},
                     {}};
     for (const auto& one : recoveries)
-        table.rows.push_back({one.planted, static_cast<double>(one.seed), one.found,
+        table.rows.push_back({one.true_model, static_cast<double>(one.seed), one.found,
                               std::string(one.possible ? "yes" : "no"), one.true_parameter, one.parameter,
                               one.parameter_standard_error, one.surface_left_out});
     return table;

@@ -88,9 +88,9 @@ struct Comparisons {
     std::vector<Comparison> all{};
 
     void add(const std::string& item, const std::string& symbol, const std::string& method, const std::string& unit,
-             double planted, const Estimate& found, Deviation measure = Deviation::relative) {
+             double true_value, const Estimate& found, Deviation measure = Deviation::relative) {
         all.push_back(
-            {run, item, fmt::format("{} {} at {}", symbol, item, signal), method, unit, measure, planted, found});
+            {run, item, fmt::format("{} {} at {}", symbol, item, signal), method, unit, measure, true_value, found});
     }
     void add_fit(const KnownBranch& branch, const std::string& method, const std::function<JkrFit()>& fit) {
         JkrFit found;

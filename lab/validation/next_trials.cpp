@@ -85,7 +85,7 @@ TracedValue value_in(const study::StudyResult& result, const std::string& target
     return adhesion::value_of(study::target_of(result, target));
 }
 
-double planted_value(const Recipe& recipe, const std::string& target) {
+double true_value_of(const Recipe& recipe, const std::string& target) {
     if (target == "W_int") return recipe.work_of_adhesion;
     for (const auto& loop : simulation::known_loops(recipe))
         if (study::pair_target(loop.elastomer, loop.surface) == target) return loop.specimen.work_approach;
@@ -202,8 +202,8 @@ NextTrials next_trials(const std::string& recipe, const NextTrialOptions& option
                 found[static_cast<std::size_t>(run)].push_back(
                     {.run = run,
                      .measured = name,
-                     .off = now.value - planted_value(made, options.target),
-                     .off_later = later.value - planted_value(changed, options.target),
+                     .off = now.value - true_value_of(made, options.target),
+                     .off_later = later.value - true_value_of(changed, options.target),
                      .stated = now.standard_error(),
                      .promised = promise->standard_error,
                      .stated_later = later.standard_error()});

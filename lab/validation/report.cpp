@@ -130,7 +130,7 @@ std::string comparisons_csv(const std::vector<Comparison>& comparisons) {
     for (const auto& c : comparisons) {
         const auto interval = interval_of(c.found);
         text += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", c.run, c.item, c.quantity, c.unit, c.method,
-                            cell(c.planted), cell(c.found.value), cell(c.found.standard_error),
+                            cell(c.true_value), cell(c.found.value), cell(c.found.standard_error),
                             cell(interval ? interval->lower : undefined), cell(interval ? interval->upper : undefined),
                             c.covered() ? 1 : 0);
     }

@@ -34,7 +34,7 @@ std::vector<SurfaceQuantity> surface_quantities() {
     return quantities;
 }
 
-double planted_value(const SurfaceQuantity& quantity, const simulation::TrueSurfaceValues& truth) {
+double true_value_of(const SurfaceQuantity& quantity, const simulation::TrueSurfaceValues& truth) {
     return quantity.name == "true_area_ratio" ? truth.area_ratio : quantity.value(true_parameters(truth));
 }
 

@@ -20,6 +20,6 @@ struct SurfaceQuantity {
 [[nodiscard]] std::vector<SurfaceQuantity> surface_quantities();
 
 /// NaN without a true value: C1D of surfaces that are not Gaussian.
-[[nodiscard]] double planted_value(const SurfaceQuantity& quantity, const simulation::TrueSurfaceValues& truth);
+[[nodiscard]] double true_value_of(const SurfaceQuantity& quantity, const simulation::TrueSurfaceValues& truth);
 
 }  // namespace setae::validation

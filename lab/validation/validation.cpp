@@ -32,10 +32,10 @@ Validation run_validation(const std::string& recipe, const ValidationOptions& op
     std::vector<std::vector<Comparison>> found(static_cast<std::size_t>(std::max(options.runs, 0)));
     auto failures = for_each_data_set(sets, [&](int run, const simulation::Recipe& made, const std::string& folder) {
         constexpr parallel::Threads one{1};
-        const auto planted = true_values_of(made);
+        const auto true_values = true_values_of(made);
         const auto study = study_of(folder, options);
-        auto rows = comparisons(run, made, planted, study::run_study(study, {one}));
-        const auto paper = comparisons_by_paper(run, made, planted, study::run_study(by_paper(study), {one}));
+        auto rows = comparisons(run, made, true_values, study::run_study(study, {one}));
+        const auto paper = comparisons_by_paper(run, made, true_values, study::run_study(by_paper(study), {one}));
         rows.insert(rows.end(), paper.begin(), paper.end());
         found[static_cast<std::size_t>(run)] = std::move(rows);
     });

@@ -108,8 +108,20 @@ def without_tags(markdown: str) -> str:
     return re.sub(r"(^```.*?^```|^ {4}[^\n]*|`(?:[^`\n]|\n(?!\n))*`|<!--)|<", lambda found: found[1] or "&lt;", markdown, flags=re.M | re.S)
 
 
+NUMBERED = re.compile(r"^```(?s:.*?)^```|^\d+\. .*(?:\n(?:(?:\d+\.)? .*|(?=\n)))*", re.M)
+
+
+def deep_items(found: re.Match[str]) -> str:
+    """A numbered list as Python-Markdown expects it: lines of an item begin with four blanks, three in the documents, and an item after a
+    paragraph of another begins after an empty line."""
+    if found[0].startswith("`"):
+        return found[0]
+    deep = re.sub(r"^ {3}", " " * 4, found[0], flags=re.M)
+    return re.sub(r"\n(?=\d+\. )", "\n\n", deep) if "\n\n    " in deep else deep
+
+
 def on_page_markdown(markdown: str, page: Page, **_: Any) -> str:
-    return as_page(markdown if page.file.src_uri.startswith("cpp/") else without_tags(markdown))
+    return as_page(markdown if page.file.src_uri.startswith("cpp/") else NUMBERED.sub(deep_items, without_tags(markdown)))
 
 
 def on_page_content(html: str, **_: Any) -> str:

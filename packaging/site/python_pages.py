@@ -19,16 +19,17 @@ def public() -> dict[str, list[str]]:
         ast.literal_eval(line.value) for line in tree.body if isinstance(line, ast.Assign) and ast.unparse(line.targets[0]) == "__all__"
     )
     imports = [line for line in tree.body if isinstance(line, ast.ImportFrom) and line.level == 1]
-    found = {str(line.module): [name.name for name in line.names if name.name in names] for line in imports}
-    found["_setae"] += sorted(set(names) - {name for those in found.values() for name in those})
-    return found
+    found = {line.module: [name.name for name in line.names if name.name in names] for line in imports if line.module}
+    found |= {name.name: [name.name] for line in imports if not line.module for name in line.names if name.name in names}
+    found["_about"] += sorted(set(names) - {name for those in found.values() for name in those})
+    return {module: listed for module, listed in found.items() if listed}
 
 
 def says(module: str) -> str:
     """The first line of a module's docstring."""
     source = PACKAGE / f"{module}.py"
     docstring = ast.get_docstring(ast.parse(source.read_text())) if source.exists() else None
-    return (docstring or "Of the library itself.").partition("\n")[0]
+    return (docstring or "Functions of the compiled library.").partition("\n")[0]
 
 
 def kinds_of_arguments() -> dict[str, str]:
@@ -42,11 +43,12 @@ def main(folder: pathlib.Path) -> None:
     index = "# Python reference\n\nWhat `import setae` gives. How it is used: [setae in Python](../docs/guides/python.md).\n\n"
     index += "| page | names |\n|---|---|\n"
     for module, names in public().items():
-        title = module.removeprefix("_").capitalize() if module != "_setae" else "Library"
+        title = module.removeprefix("_").replace("_", " ").capitalize() if module != "_about" else "Library"
         functions_first = sorted(names, key=lambda name: name[0].isupper())
         page = f"# {title}\n\n{says(module)}\n\n" + "".join(f"::: setae.{name}\n\n" for name in functions_first)
-        (folder / f"{title.lower()}.md").write_text(page)
-        index += f"| [{title}]({title.lower()}.md) | {', '.join(f'[`{name}`][setae.{name}]' for name in functions_first)} |\n"
+        file = title.lower().replace(" ", "_") + ".md"
+        (folder / file).write_text(page)
+        index += f"| [{title}]({file}) | {', '.join(f'[`{name}`][setae.{name}]' for name in functions_first)} |\n"
     index += "\nIn signatures these stand for:\n\n| name | what it is |\n|---|---|\n"
     index += "".join(f"| `{name}` | {said} |\n" for name, said in kinds_of_arguments().items())
     (folder / "index.md").write_text(index)

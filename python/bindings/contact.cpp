@@ -155,6 +155,7 @@ Sweep swept(const Item& item, const answers::SweepRequest& request, const answer
         return true;
     };
     auto answer = answers::adhesive_sweep(item.path, prepared.measurement, request, {}, go_on);
+    request.finish();
     auto json = output::as_text(output::described(answers::ContactOutput{&answer, &prepared.records}));
     return {std::move(answer.steps), std::move(answer.quantities), std::move(json), std::move(answer.maps), {}};
 }

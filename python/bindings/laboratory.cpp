@@ -163,13 +163,15 @@ void bind_contour(nb::module_& module) {
         });
     module.def(
         "contour",
-        [](const std::string& picture, const Request& request) {
+        [](const std::string& picture, const Request& request, const std::string& anchors) {
             return unlocked([&](const auto&) {
-                const auto options = request.options();
-                return Contour{study::trace_picture(picture, options), options};
+                const auto repeated = request.with_anchors(anchors);
+                Contour contour{study::trace_picture(picture, repeated.options), repeated.options};
+                repeated.require_picture(contour.picture, anchors);
+                return contour;
             });
         },
-        nb::arg("picture"), nb::arg("request"));
+        nb::arg("picture"), nb::arg("request"), nb::arg("anchors"));
 }
 
 }  // namespace

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <memory>
 
+#include <nanobind/stl/pair.h>
 #include <nanobind/stl/shared_ptr.h>
 #include <nanobind/stl/tuple.h>
 #include <nlohmann/json.hpp>
 
 #include "request.hpp"
+#include "setae/answers/draft_fields.hpp"
 #include "setae/answers/patch_survey_fields.hpp"
 #include "setae/answers/run_time.hpp"
 #include "setae/bytes/protected_inputs.hpp"
@@ -21,6 +23,7 @@
 #include "setae/study/hysteresis.hpp"
 #include "setae/study/next_measurement.hpp"
 #include "setae/study/provenance.hpp"
+#include "setae/study/study_draft.hpp"
 #include "setae/study_figures/write_figures.hpp"
 
 namespace setae::python {
@@ -116,7 +119,8 @@ void bind_studies(nb::module_& module) {
             "next_measurements",
             [](const Study& study, const std::string& target) {
                 return unlocked([&](const auto&) {
-                    return output::as_text(output::next_json(target, study::next_measurements(study.result, target)));
+                    return output::as_text(output::described(
+                        output::NextMeasurements{target, study::next_measurements(study.result, target)}));
                 });
             },
             nb::arg("target"))
@@ -175,6 +179,16 @@ void bind_studies(nb::module_& module) {
         "title_of_study",
         [](const std::string& file, const std::string& mapping_folder) { return read(file, {}, mapping_folder).title; },
         nb::arg("file"), nb::arg("mapping_folder"), "reads a study; raises an error for a wrong file");
+    module.def(
+        "draft_study",
+        [](const std::vector<std::string>& paths, const std::string& file, const std::string& mapping_folder) {
+            return unlocked([&](const auto&) {
+                const auto draft = study::draft_study(paths, file, mapping_folder);
+                return std::pair(draft.text, output::as_text(output::described(answers::DraftEntry{file, &draft})));
+            });
+        },
+        nb::arg("paths"), nb::arg("file"), nb::arg("mapping_folder"),
+        "text of the draft, and the JSON of `setae study init --json`");
     module.def(
         "run_study",
         [](const std::string& file, const std::string& output, const std::optional<std::string>& cache,

@@ -121,6 +121,18 @@ void bind_adhesion(nb::module_& module) {
         nb::arg("surface"), nb::arg("solids"));
 }
 
+/// Values of the self-affine fit and the model at their wavevectors, by name; empty without a fit.
+nb::typed<nb::dict, nb::str, ReadOnly1D> fitted_values(nb::handle self) {
+    nb::typed<nb::dict, nb::str, ReadOnly1D> named;
+    const auto& fit = nb::cast<const answers::PowerSpectrum&>(self).fit;
+    if (!fit) return named;
+    named["wavevector"] = view(fit->wavevector, self);
+    named["C1D"] = view(fit->values, self);
+    named["best_fit"] = view(fit->expected, self);
+    named["residuals"] = view(fit->residual, self);
+    return named;
+}
+
 }  // namespace
 
 const study::SurfaceResult& analysed(const study::SurfaceResult& surface) {
@@ -137,6 +149,7 @@ void bind_surfaces(nb::module_& module) {
     nb::class_<Spectrum>(module, "Spectrum")
         .def_prop_ro("columns", [](nb::handle self) { return columns(nb::cast<const Spectrum&>(self).table, self); })
         .def_prop_ro("units", [](const Spectrum& spectrum) { return units(spectrum.table); })
+        .def_prop_ro("fitted", &fitted_values)
         .def("json", [](const Spectrum& spectrum) { return output::as_text(output::described(spectrum)); });
     module.def(
         "power_spectrum",
@@ -159,15 +172,17 @@ void bind_surfaces(nb::module_& module) {
         nb::arg("fit_range"), nb::arg("no_rolloff"), nb::arg("short_cutoff"), nb::arg("every_measurement"));
     module.def(
         "parameters",
-        [](const Items& items, const answers::AnalysisRequest& analysis, bool every_measurement) {
+        [](const Items& items, const answers::AnalysisRequest& analysis, bool every_measurement,
+           const std::vector<std::string>& only) {
             return unlocked([&](const auto&) {
                 const auto parameters =
-                    answers::parameters({surface_of(items), analysis.analysis(), every_measurement});
+                    answers::parameters({surface_of(items), analysis.analysis(), every_measurement, only});
                 (void)analysed(parameters.surface);
                 return output::as_text(output::described(answers::parameter_entries(parameters)));
             });
         },
-        nb::arg("items"), nb::arg("analysis"), nb::arg("every_measurement"), "as printed by `setae params --json`");
+        nb::arg("items"), nb::arg("analysis"), nb::arg("every_measurement"),
+        nb::arg("only") = std::vector<std::string>(), "as printed by `setae params --json`");
     bind_texture(module);
     using Scales = answers::FunctionsOfScale;
     nb::class_<Scales>(module, "FunctionsOfScale")

@@ -26,6 +26,9 @@ class Named(dict[str, "Array"]):
         super().__init__(columns)
         self.units = dict(units)
 
+    def _ipython_key_completions_(self) -> list[str]:
+        return list(self)
+
 
 def edge_of(columns: Mapping[str, Array]) -> Named:
     """Places along the edge of a contact: columns "time", "frame", "radius_1" … by name."""

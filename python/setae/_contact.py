@@ -11,6 +11,7 @@ from . import _setae
 from ._columns import Columns, Named, edge_of
 from ._errors import InvalidArgument
 from ._given import Given, saved
+from ._names import renamed
 from ._options import Path, Size, Text, filled, path, require
 from ._quantities import Quantity, quantity_from
 from ._results import Answer
@@ -71,6 +72,7 @@ def made_surface(pixels: int | str | None, cell: Text | None, surface: str | Non
     return filled(_setae.MadeSurfaceRequest(), pixels=None if pixels is None else str(pixels), cell=cell, surface=surface, seed=seed)
 
 
+@renamed("nu", "layer", "range")
 def contact(
     measurement: Measured,
     *,
@@ -80,13 +82,13 @@ def contact(
     mean_gap: Text | None = None,
     stage_stiffness: Text | None = None,
     free: bool = False,
-    layer: Text | None = None,
+    layer_thickness: Text | None = None,
     bonded: bool = False,
     frictionless: bool = False,
-    nu: float | None = None,
+    poisson_ratio: float | None = None,
     hardness: Text | None = None,
     W_int: Text | None = None,
-    range: Text | None = None,
+    interaction_range: Text | None = None,
     law: str = "exponential",
     tolerance: float = 1e-8,
     pixels: int | str | None = None,
@@ -101,8 +103,8 @@ def contact(
 ) -> Contact:
     """A rigid rough surface pressed on an elastic body without friction: p ≥ 0, g ≥ 0, p g = 0 [Johnson 1985, ch. 13].
 
-    One of pressure, displacement and mean_gap is given. With W_int and range the bodies attract each other: V(0) = −W_int and
-    dV/dg = W_int/range at g = 0. The result is the equilibrium that is reached from a large distance, without hardness and free edges.
+    One of pressure, displacement and mean_gap is given. With W_int and interaction_range the bodies attract each other: V(0) = −W_int and
+    dV/dg = W_int/interaction_range at g = 0. The result is the equilibrium that is reached from a large distance, without hardness and free edges.
 
     If the file is the table of a spectrum, or a study, a surface is made from it (pixels, cell, surface, seed) with the waves of the spectrum
     that fit on the grid. Measured heights are levelled as before a spectrum, unless they are periodic. A map that is not periodic and is
@@ -110,55 +112,74 @@ def contact(
 
     Parameters
     ----------
+    measurement : scan, str, path, array, table or a list of them
+        one measurement, or the table of a spectrum
     contact_modulus : str or Quantity
         contact modulus E* = E/(1 - nu^2) of the soft body, such as "1 GPa"
-    pressure : str or Quantity
+    pressure : str or Quantity, optional
         mean pressure over the map, such as "10 MPa"
-    displacement : str or Quantity
+    displacement : str or Quantity, optional
         approach from first touch, such as "5 nm"
-    mean_gap : str or Quantity
+    mean_gap : str or Quantity, optional
         mean gap over the map, such as "2 nm"
-    stage_stiffness : str or Quantity
+    stage_stiffness : str or Quantity, optional
         stiffness of the stage that is displaced, with adhesion only, such as "10 N/m"
     free : bool, default False
         nothing touches beyond the map; without it the map repeats itself
-    layer : str or Quantity
+    layer_thickness : str or Quantity, optional
         thickness of an elastic layer on a rigid base, such as "1 um"; default: a half-space
     bonded : bool, default False
         the layer sticks to its base
     frictionless : bool, default False
         the layer slides on its base
-    nu : float
+    poisson_ratio : float, optional
         Poisson ratio of the layer, from 0 to 0.5
-    hardness : str or Quantity
+    hardness : str or Quantity, optional
         pressure at which the body flows, such as "1 GPa"; default: the body stays elastic
-    W_int : str or Quantity
+    W_int : str or Quantity, optional
         work of adhesion per unit area in contact, such as "50 mJ/m2"
-    range : str or Quantity
+    interaction_range : str or Quantity, optional
         range of the attraction: its greatest tension is the work of adhesion over the range, such as "0.3 nm"
     law : str, default 'exponential'
         decay of the attraction with the gap; one of exponential, cubic, dugdale, lennard_jones
     tolerance : float, default 1e-08
         largest relative duality gap of a converged contact
-    pixels : int or str
+    pixels : int or str, optional
         points of a surface made from a spectrum, 512 or 1024x512
-    cell : str or Quantity
+    cell : str or Quantity, optional
         extent of a surface made from a spectrum, such as "2 um"; default: twice the longest wavelength
-    surface : str
+    surface : str, optional
         name of the surface in a study from whose spectrum one is made
     seed : int, default 1
         seed of the phases of a surface made from a spectrum
-    trend : str
-        trend that is removed from the heights: 'none', 'mean', 'tilt' or 'parabola'
+    trend : str, optional
+        trend that is removed before the analysis; default: none after steps that level, else by instrument; one of none, mean, tilt,
+        parabola
     edges : str, default 'automatic'
-        edges of a map: 'automatic' (repeated, with a warning where heights do not match), 'periodic' or 'windowed'
-    size : str or Quantity or tuple
-        extent of the heights, where the file does not state it
-    unit : str
-        unit of the heights, where the file does not state it
+        edges of a map: automatic repeats the map, with a warning where heights do not match; one of automatic, periodic, windowed
+    size : str or Quantity or tuple, optional
+        extent of the heights, where the file does not state it, such as '5 um x 5 um'
+    unit : str, optional
+        unit of the heights, where the file does not state it, such as 'nm'
     keep_values : bool, default False
         heights are taken as they are: no value counts as a mark of missing data
 
+    Returns
+    -------
+    Contact
+        pressures and gaps as maps, and the quantities of the contact
+
+    Raises
+    ------
+    FileError
+        for a path that cannot be read
+    FormatError
+        for content of an unknown format, or damaged content
+    InvalidArgument
+        for a value outside its domain, with another dimension or without its unit
+
+    Examples
+    --------
     Full contact of a wave needs p = E* q A/2:
 
     >>> import numpy, setae
@@ -175,14 +196,14 @@ def contact(
         mean_gap=mean_gap,
         stage_stiffness=stage_stiffness,
         free=free,
-        layer=layer,
+        layer_thickness=layer_thickness,
         bonded=bonded,
         frictionless=frictionless,
-        nu=nu,
+        poisson_ratio=poisson_ratio,
         hardness=hardness,
         tolerance=tolerance,
     )
-    attraction = filled(_setae.InteractionRequest(), W_int=W_int, range=range, law=law)
+    attraction = filled(_setae.InteractionRequest(), W_int=W_int, interaction_range=interaction_range, law=law)
     measured = one(measurement, size, unit, keep_values, trend)
     solved: Any = _setae.contact(measured[0], request, attraction, made_surface(pixels, cell, surface, seed), edges)
     return Contact(solved.json, solved.pressures, solved.gaps, tuple(map(quantity_from, json.loads(solved.quantities()))))
@@ -233,22 +254,24 @@ class ContactSweep(_ContactLoop):
         return plot_columns(self, "mean_gap", ["tension"], ax, **style)
 
 
+@renamed("nu", "layer", "range", "largest_move")
 def contact_sweep(
     measurement: Measured,
     *,
     contact_modulus: Text,
     W_int: Text,
-    range: Text,
+    interaction_range: Text,
     law: str = "exponential",
     stage_stiffness: Text | None = None,
     to_gap: Text | None = None,
     to_pressure: Text | None = None,
-    largest_move: float = 1.0,
+    max_move: float = 1.0,
     maps: bool = False,
-    layer: Text | None = None,
+    restart: Path | None = None,
+    layer_thickness: Text | None = None,
     bonded: bool = False,
     frictionless: bool = False,
-    nu: float | None = None,
+    poisson_ratio: float | None = None,
     pixels: int | str | None = None,
     cell: Text | None = None,
     surface: str | None = None,
@@ -268,54 +291,75 @@ def contact_sweep(
 
     Parameters
     ----------
+    measurement : scan, str, path, array, table or a list of them
+        one measurement, or the table of a spectrum
     contact_modulus : str or Quantity
         contact modulus E* = E/(1 - nu^2) of the soft body, such as "1 GPa"
     W_int : str or Quantity
         work of adhesion per unit area in contact, such as "50 mJ/m2"
-    range : str or Quantity
+    interaction_range : str or Quantity
         range of the attraction: its greatest tension is the work of adhesion over the range, such as "0.3 nm"
     law : str, default 'exponential'
         decay of the attraction with the gap; one of exponential, cubic, dugdale, lennard_jones
-    stage_stiffness : str or Quantity
+    stage_stiffness : str or Quantity, optional
         stiffness of the stage that is moved, such as "10 N/m"; default: the mean gap is prescribed
-    to_gap : str or Quantity
+    to_gap : str or Quantity, optional
         mean gap, or position of the stage, where the sweep turns, such as "2 nm"; default: 0, full contact
-    to_pressure : str or Quantity
+    to_pressure : str or Quantity, optional
         mean pressure where the sweep turns, such as "10 kPa"
-    largest_move : float, default 1.0
+    max_move : float, default 1.0
         largest change of any gap per step, in ranges: 2 takes two thirds of the time, works change by up to 1 %
     maps : bool, default False
         states are kept point by point: at first load, at the turn, at zero load on retraction, at the greatest tension
-    layer : str or Quantity
+    restart : str or path
+        file written every 20 steps; where it exists the sweep continues from it, to the same bytes; removed at the end
+    layer_thickness : str or Quantity, optional
         thickness of an elastic layer on a rigid base, such as "1 um"; default: a half-space
     bonded : bool, default False
         the layer sticks to its base
     frictionless : bool, default False
         the layer slides on its base
-    nu : float
+    poisson_ratio : float, optional
         Poisson ratio of the layer, from 0 to 0.5
-    pixels : int or str
+    pixels : int or str, optional
         points of a surface made from a spectrum, 512 or 1024x512
-    cell : str or Quantity
+    cell : str or Quantity, optional
         extent of a surface made from a spectrum, such as "2 um"; default: twice the longest wavelength
-    surface : str
+    surface : str, optional
         name of the surface in a study from whose spectrum one is made
     seed : int, default 1
         seed of the phases of a surface made from a spectrum
-    trend : str
-        trend that is removed from the heights: 'none', 'mean', 'tilt' or 'parabola'
+    trend : str, optional
+        trend that is removed before the analysis; default: none after steps that level, else by instrument; one of none, mean, tilt,
+        parabola
     edges : str, default 'automatic'
-        edges of a map: 'automatic' (repeated, with a warning where heights do not match), 'periodic' or 'windowed'
-    size : str or Quantity or tuple
-        extent of the heights, where the file does not state it
-    unit : str
-        unit of the heights, where the file does not state it
+        edges of a map: automatic repeats the map, with a warning where heights do not match; one of automatic, periodic, windowed
+    size : str or Quantity or tuple, optional
+        extent of the heights, where the file does not state it, such as '5 um x 5 um'
+    unit : str, optional
+        unit of the heights, where the file does not state it, such as 'nm'
     keep_values : bool, default False
         heights are taken as they are: no value counts as a mark of missing data
 
+    Returns
+    -------
+    ContactSweep
+        one row per step, with the works and losses of the loop
+
+    Raises
+    ------
+    FileError
+        for a path that cannot be read
+    FormatError
+        for content of an unknown format, or damaged content
+    InvalidArgument
+        for a value outside its domain, with another dimension or without its unit
+
+    Examples
+    --------
     >>> import numpy, setae
     >>> flat = setae.scan(numpy.zeros((8, 8)), size="80 nm x 80 nm", unit="m", periodic=True)
-    >>> sweep = setae.contact_sweep(flat, contact_modulus="1 GPa", W_int="50 mJ/m2", range="10 nm")
+    >>> sweep = setae.contact_sweep(flat, contact_modulus="1 GPa", W_int="50 mJ/m2", interaction_range="10 nm")
     >>> sweep.complete, sweep.units["tension"]
     (True, 'Pa')
     """
@@ -325,17 +369,18 @@ def contact_sweep(
         _setae.SweepRequest(),
         contact_modulus=contact_modulus,
         W_int=W_int,
-        range=range,
+        interaction_range=interaction_range,
         law=law,
         stage_stiffness=stage_stiffness,
         to_gap=to_gap,
         to_pressure=to_pressure,
-        largest_move=largest_move,
+        max_move=max_move,
         maps=maps,
-        layer=layer,
+        restart=None if restart is None else path(restart),
+        layer_thickness=layer_thickness,
         bonded=bonded,
         frictionless=frictionless,
-        nu=nu,
+        poisson_ratio=poisson_ratio,
     )
     measured = one(measurement, size, unit, keep_values, trend)
     swept: Any = _setae.contact_sweep(measured[0], request, made_surface(pixels, cell, surface, seed), edges)
@@ -404,52 +449,71 @@ def contact_front(
 
     Parameters
     ----------
+    measurement : scan, str, path, array, table or a list of them
+        one measurement, or the table of a spectrum
     radius : str or Quantity
         radius of the sphere, such as "1.25 mm"
     contact_modulus : str or Quantity
         contact modulus E* of sphere and surface together, such as "1 MPa"
     W_int : str or Quantity
         energy gained per unit area of full contact, such as "50 mJ/m2"
-    to_force : str or Quantity
+    to_force : str or Quantity, optional
         force of a smooth sphere where the loop turns, such as "0.1 mN"
-    to_displacement : str or Quantity
+    to_displacement : str or Quantity, optional
         displacement of a smooth sphere where the loop turns, such as "1 um"
-    stage_stiffness : str or Quantity
+    stage_stiffness : str or Quantity, optional
         stiffness of the stage that is moved, such as "100 N/m"; default: the displacement of the sphere is prescribed
     dead_load : bool, default False
         the force is prescribed; the loop ends at pull-off
-    shortest_wavelength : str or Quantity
+    shortest_wavelength : str or Quantity, optional
         shortest wavelength that counts, such as "1 um"; default: four pixels
     realisations : int, default 1
         number of surfaces made, with seeds from `seed` on; results are means with their standard errors
     steps : int, default 500
         steps on approach; halved where the edge jumps
-    duration : str or Quantity
+    duration : str or Quantity, optional
         duration of the approach: times of the edge that is saved, such as "100 s"
     model : str, default 'constant_toughness'
         dependence of the energy on the position of the edge; one of constant_toughness, variational, energy_release_rate,
         stress_intensity, mean_circle
     method : str, default 'trust_region'
         solver for the equilibria; one of trust_region, rosso_krauth
-    pixels : int or str
+    pixels : int or str, optional
         points of a surface made from a spectrum, 512 or 1024x512
-    cell : str or Quantity
+    cell : str or Quantity, optional
         extent of a surface made from a spectrum, such as "2 um"; default: twice the longest wavelength
-    surface : str
+    surface : str, optional
         name of the surface in a study from whose spectrum one is made
     seed : int, default 1
         seed of the phases of a surface made from a spectrum
-    trend : str
-        trend that is removed from the heights: 'none', 'mean', 'tilt' or 'parabola'
+    trend : str, optional
+        trend that is removed before the analysis; default: none after steps that level, else by instrument; one of none, mean, tilt,
+        parabola
     edges : str, default 'automatic'
-        edges of a map: 'automatic' (repeated, with a warning where heights do not match), 'periodic' or 'windowed'
-    size : str or Quantity or tuple
-        extent of the heights, where the file does not state it
-    unit : str
-        unit of the heights, where the file does not state it
+        edges of a map: automatic repeats the map, with a warning where heights do not match; one of automatic, periodic, windowed
+    size : str or Quantity or tuple, optional
+        extent of the heights, where the file does not state it, such as '5 um x 5 um'
+    unit : str, optional
+        unit of the heights, where the file does not state it, such as 'nm'
     keep_values : bool, default False
         heights are taken as they are: no value counts as a mark of missing data
 
+    Returns
+    -------
+    ContactFront
+        one row per step, with the works, jumps and losses of the loop
+
+    Raises
+    ------
+    FileError
+        for a path that cannot be read
+    FormatError
+        for content of an unknown format, or damaged content
+    InvalidArgument
+        for a value outside its domain, with another dimension or without its unit
+
+    Examples
+    --------
     >>> import numpy, setae
     >>> x = numpy.arange(64) / 64
     >>> wave = setae.scan(2e-9 * numpy.sin(8 * numpy.pi * x)[:, None] * numpy.ones(64), size="64 um x 64 um", unit="m", periodic=True)
@@ -497,16 +561,17 @@ class PerssonContact(Columns):
         return f"PerssonContact({self.n} rows of {', '.join(self.columns)})"
 
 
+@renamed("nu", "layer", "longest", "shortest")
 def persson(
     measurements: Measured,
     *,
     contact_modulus: Text,
     pressure: Text,
     W_int: Text | None = None,
-    layer: Text | None = None,
+    layer_thickness: Text | None = None,
     bonded: bool = False,
     frictionless: bool = False,
-    nu: float | None = None,
+    poisson_ratio: float | None = None,
     energy_factor: float = 0.45,
     instrument: str | None = None,
     tip_radius: Text | None = None,
@@ -515,8 +580,8 @@ def persson(
     size: Size | None = None,
     unit: str | None = None,
     keep_values: bool = False,
-    longest: Text | None = None,
-    shortest: Text | None = None,
+    longest_wavelength: Text | None = None,
+    shortest_wavelength: Text | None = None,
     window: str | None = None,
     contours: str | None = None,
     skip_failed: bool = False,
@@ -527,60 +592,86 @@ def persson(
 
     Parameters
     ----------
+    measurements : scan, str, path, array, table or a list of them
+        one measurement, all measurements of one surface, or the table of a spectrum
     contact_modulus : str or Quantity
         contact modulus E* = E/(1 - nu^2) of the soft body, such as "1 GPa"
     pressure : str or Quantity
         mean pressure: one, several as 1MPa,10MPa, or ten per decade as 1MPa:100MPa; below 0 with adhesion
-    W_int : str or Quantity
+    W_int : str or Quantity, optional
         work of adhesion per unit projected area, such as "50 mJ/m2"; default: none
-    layer : str or Quantity
+    layer_thickness : str or Quantity, optional
         thickness of an elastic layer on a rigid base, such as "1 um"; default: a half-space
     bonded : bool, default False
         the layer sticks to its base
     frictionless : bool, default False
         the layer slides on its base
-    nu : float
+    poisson_ratio : float, optional
         Poisson ratio of the layer, from 0 to 0.5
     energy_factor : float, default 0.45
         factor of the stored energy of partial contact, in (0, 1]
-    instrument : str
-        kind of the instrument: 'stylus', 'afm', 'tem' or 'optical'
-    tip_radius : str or Quantity
-        radius of the tip, with its standard error, such as '10 ± 2 nm'
-    resolution : str or Quantity
-        distance below which the instrument does not resolve heights
-    trend : str
-        trend that is removed from the heights: 'none', 'mean', 'tilt' or 'parabola'
-    size : str or Quantity or tuple
-        extent of the heights, where the file does not state it
-    unit : str
-        unit of the heights, where the file does not state it
+    instrument : str, optional
+        kind of the instrument; default: that of the file; one of stylus, afm, tem, optical
+    tip_radius : str or Quantity, optional
+        radius of the tip, with its standard error, such as '10 ± 2 nm'; default: that of the file
+    resolution : str or Quantity, optional
+        shortest wavelength that the instrument resolves, such as '500 nm'; default: that of the file
+    trend : str, optional
+        trend that is removed before the analysis; default: none after steps that level, else by instrument; one of none, mean, tilt,
+        parabola
+    size : str or Quantity or tuple, optional
+        extent of the heights, where the file does not state it, such as '5 um x 5 um'
+    unit : str, optional
+        unit of the heights, where the file does not state it, such as 'nm'
     keep_values : bool, default False
         heights are taken as they are: no value counts as a mark of missing data
-    longest : str or Quantity
-        longest wavelength that counts
-    shortest : str or Quantity
-        shortest wavelength that counts
-    window : str
-        window of the spectrum: 'hann' or 'none'; None chooses by the heights
-    contours : str
-        treatment of traced contours: 'unique' or 'full'
+    longest_wavelength : str or Quantity, optional
+        longest wavelength in all integrals, such as "100 um"
+    shortest_wavelength : str or Quantity, optional
+        shortest wavelength in all integrals, such as "50 nm"
+    window : str, optional
+        window of the Fourier transform: automatic, none, hann or blackman_harris; default: automatic
+    contours : str, optional
+        spectrum of traced curves: corrected for straight segments between points, or of the segments as they are; default:
+        sinc_corrected; one of sinc_corrected, segments
     skip_failed : bool, default False
         measurements that cannot be analysed are left out with a warning
+
+    Returns
+    -------
+    PerssonContact
+        columns against pressure, or against the wavevector for one pressure
+
+    Raises
+    ------
+    FileError
+        for a path that cannot be read
+    FormatError
+        for content of an unknown format, or damaged content
+    InvalidArgument
+        for a value outside its domain, with another dimension or without its unit
+
+    Examples
+    --------
+    >>> import setae
+    >>> rough = setae.synthesize(hurst_exponent=0.8, rolloff="2 um", short_cutoff="250 nm", rms_height="20 nm", size="4 um", pixels=64).scan
+    >>> found = setae.persson(rough, contact_modulus="1 GPa", pressure="1 MPa,10 MPa")
+    >>> found.n, bool(found["area_fraction"][0] < found["area_fraction"][1])
+    (2, True)
     """
     request = filled(
         _setae.PerssonRequest(),
         contact_modulus=contact_modulus,
         pressure=pressure,
         W_int=W_int,
-        layer=layer,
+        layer_thickness=layer_thickness,
         bonded=bonded,
         frictionless=frictionless,
-        nu=nu,
+        poisson_ratio=poisson_ratio,
         energy_factor=energy_factor,
     )
     shared = shared_options(instrument, tip_radius, resolution, trend, size, unit, keep_values)
-    analysis = analysis_of(longest, shortest, window, contours)
+    analysis = analysis_of(longest_wavelength, shortest_wavelength, window, contours)
     found: Any = _setae.persson(items(measurements, shared), analysis, request, not skip_failed)
     return PerssonContact(found.columns, found.units, found.json)
 
@@ -607,20 +698,21 @@ class ContactComparison(Columns):
         return f"ContactComparison({len(self['pressure'])} pressures, {self.n} surfaces)"
 
 
-def contact_compare(
+@renamed("nu", "layer", "longest", "shortest", "surfaces")
+def contact_comparison(
     measurements: Measured,
     *,
     contact_modulus: Text,
     pressure: Text,
     pixels: str = "512",
     cell: Text | None = None,
-    surfaces: int = 4,
+    realisations: int = 4,
     seed: int = 0,
     tolerance: float = 1e-6,
-    layer: Text | None = None,
+    layer_thickness: Text | None = None,
     bonded: bool = False,
     frictionless: bool = False,
-    nu: float | None = None,
+    poisson_ratio: float | None = None,
     energy_factor: float = 0.45,
     instrument: str | None = None,
     tip_radius: Text | None = None,
@@ -629,8 +721,8 @@ def contact_compare(
     size: Size | None = None,
     unit: str | None = None,
     keep_values: bool = False,
-    longest: Text | None = None,
-    shortest: Text | None = None,
+    longest_wavelength: Text | None = None,
+    shortest_wavelength: Text | None = None,
     window: str | None = None,
     contours: str | None = None,
     skip_failed: bool = False,
@@ -641,58 +733,79 @@ def contact_compare(
 
     Parameters
     ----------
+    measurements : scan, str, path, array, table or a list of them
+        one measurement, all measurements of one surface, or the table of a spectrum
     contact_modulus : str or Quantity
         contact modulus E* = E/(1 - nu^2) of the soft body, such as "1 GPa"
     pressure : str or Quantity
         mean pressure: one, several as 1MPa,10MPa, or ten per decade as 1MPa:100MPa; below 0 with adhesion
     pixels : str, default '512'
         points of each surface, 512 or 1024x512; at least four per shortest wavelength
-    cell : str or Quantity
+    cell : str or Quantity, optional
         extent of each surface, such as "2 um"; default: twice the longest wavelength
-    surfaces : int, default 4
+    realisations : int, default 4
         number of surfaces
     seed : int, default 0
         seed of the first surface; the others have the next ones
     tolerance : float, default 1e-06
         largest relative duality gap of each contact
-    layer : str or Quantity
+    layer_thickness : str or Quantity, optional
         thickness of an elastic layer on a rigid base, such as "1 um"; default: a half-space
     bonded : bool, default False
         the layer sticks to its base
     frictionless : bool, default False
         the layer slides on its base
-    nu : float
+    poisson_ratio : float, optional
         Poisson ratio of the layer, from 0 to 0.5
     energy_factor : float, default 0.45
         factor of the stored energy of partial contact, in (0, 1]
-    instrument : str
-        kind of the instrument: 'stylus', 'afm', 'tem' or 'optical'
-    tip_radius : str or Quantity
-        radius of the tip, with its standard error, such as '10 ± 2 nm'
-    resolution : str or Quantity
-        distance below which the instrument does not resolve heights
-    trend : str
-        trend that is removed from the heights: 'none', 'mean', 'tilt' or 'parabola'
-    size : str or Quantity or tuple
-        extent of the heights, where the file does not state it
-    unit : str
-        unit of the heights, where the file does not state it
+    instrument : str, optional
+        kind of the instrument; default: that of the file; one of stylus, afm, tem, optical
+    tip_radius : str or Quantity, optional
+        radius of the tip, with its standard error, such as '10 ± 2 nm'; default: that of the file
+    resolution : str or Quantity, optional
+        shortest wavelength that the instrument resolves, such as '500 nm'; default: that of the file
+    trend : str, optional
+        trend that is removed before the analysis; default: none after steps that level, else by instrument; one of none, mean, tilt,
+        parabola
+    size : str or Quantity or tuple, optional
+        extent of the heights, where the file does not state it, such as '5 um x 5 um'
+    unit : str, optional
+        unit of the heights, where the file does not state it, such as 'nm'
     keep_values : bool, default False
         heights are taken as they are: no value counts as a mark of missing data
-    longest : str or Quantity
-        longest wavelength that counts
-    shortest : str or Quantity
-        shortest wavelength that counts
-    window : str
-        window of the spectrum: 'hann' or 'none'; None chooses by the heights
-    contours : str
-        treatment of traced contours: 'unique' or 'full'
+    longest_wavelength : str or Quantity, optional
+        longest wavelength in all integrals, such as "100 um"
+    shortest_wavelength : str or Quantity, optional
+        shortest wavelength in all integrals, such as "50 nm"
+    window : str, optional
+        window of the Fourier transform: automatic, none, hann or blackman_harris; default: automatic
+    contours : str, optional
+        spectrum of traced curves: corrected for straight segments between points, or of the segments as they are; default:
+        sinc_corrected; one of sinc_corrected, segments
     skip_failed : bool, default False
         measurements that cannot be analysed are left out with a warning
 
+    Returns
+    -------
+    ContactComparison
+        columns of solved contacts and of the theory against pressure
+
+    Raises
+    ------
+    FileError
+        for a path that cannot be read
+    FormatError
+        for content of an unknown format, or damaged content
+    InvalidArgument
+        for a value outside its domain, with another dimension or without its unit
+
+    Examples
+    --------
     >>> import setae
-    >>> made = setae.synthesize(hurst=0.8, rolloff="2 um", short_cutoff="250 nm", rms_height="20 nm", size="4 um", pixels="64")
-    >>> found = setae.contact_compare(made.scan, contact_modulus="1 GPa", pressure="10 MPa", shortest="250 nm", pixels="128", surfaces=2)
+    >>> made = setae.synthesize(hurst_exponent=0.8, rolloff="2 um", short_cutoff="250 nm", rms_height="20 nm", size="4 um", pixels="64")
+    >>> body = {"contact_modulus": "1 GPa", "pressure": "10 MPa"}
+    >>> found = setae.contact_comparison(made.scan, **body, shortest_wavelength="250 nm", pixels="128", realisations=2)
     >>> found.n, bool(abs(found["area_fraction_persson"][0] / found["area_fraction"][0] - 1) < 0.4)
     (2, True)
     """
@@ -700,16 +813,16 @@ def contact_compare(
         _setae.PerssonRequest(),
         contact_modulus=contact_modulus,
         pressure=pressure,
-        layer=layer,
+        layer_thickness=layer_thickness,
         bonded=bonded,
         frictionless=frictionless,
-        nu=nu,
+        poisson_ratio=poisson_ratio,
         energy_factor=energy_factor,
     )
     request = filled(
-        _setae.ComparisonRequest(), theory=theory, pixels=pixels, cell=cell, surfaces=surfaces, seed=seed, tolerance=tolerance
+        _setae.ComparisonRequest(), theory=theory, pixels=pixels, cell=cell, realisations=realisations, seed=seed, tolerance=tolerance
     )
     shared = shared_options(instrument, tip_radius, resolution, trend, size, unit, keep_values)
-    analysis = analysis_of(longest, shortest, window, contours)
+    analysis = analysis_of(longest_wavelength, shortest_wavelength, window, contours)
     found: Any = _setae.contact_compare(items(measurements, shared), analysis, request, not skip_failed)
     return ContactComparison(found.columns, found.units, found.json)

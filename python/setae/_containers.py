@@ -8,6 +8,7 @@ from typing import Any, Union
 
 from . import _setae
 from ._given import Given, is_path, plain_name, saved
+from ._names import renamed
 from ._options import Path, Text, filled, path, text
 from ._results import Answer
 from ._scan import Measured, scan
@@ -47,6 +48,7 @@ def heights_of(measurement: Measured) -> Given:
     return saved(measured.save, plain_name(str(measured.file)) + ending)
 
 
+@renamed("detrend")
 def write_container(
     output: Path,
     files: Sequence[Measured] = (),
@@ -57,7 +59,7 @@ def write_container(
     size: Stated = None,
     unit: Stated = None,
     channel: Stated = None,
-    detrend: Stated = None,
+    trend: Stated = None,
     layout: str | None = None,
     keep_values: bool = False,
     skip_failed: bool = False,
@@ -66,31 +68,58 @@ def write_container(
 
     Scans and other heights in memory are written after all steps.
 
-    Missing size, unit, channel and detrend are given for all files, or by file: ``unit={"scan.npy": "nm"}``.
+    Missing size, unit, channel and trend are given for all files, or by file: ``unit={"scan.npy": "nm"}``.
 
     Parameters
     ----------
+    output : str or path
+        container that is written, a ZIP archive
+    files : Sequence[scan, str, path, array, table or a list of them], default ()
+        measured files, scans and arrays, which become one surface
     taken_over : Sequence[str or path], default ()
         containers and studies (.toml) whose surfaces are taken over
-    name : str
+    name : str, optional
         name of the surface that measured files become; default: that of the output
-    description : str
+    description : str, optional
         description of the surface that measured files become
-    size : Stated
+    size : str or int or Mapping, optional
         extent where files do not state it, of all files or of one as "FILE=1 mm x 1 mm", such as "1 mm x 1 mm"
-    unit : Stated
+    unit : str or int or Mapping, optional
         unit of lengths where files do not state it, of all files or of one as FILE=um, such as "um"
-    channel : Stated
-        channel by its number, counted from 0, or by its name, of all files or of one as FILE=1; default: the preferred channel
-    detrend : Stated
-        trend to be removed: mean, tilt or parabola, of all files or of one as FILE=tilt; default: mean
-    layout : str
+    channel : str or int or Mapping, optional
+        channel by its number, counted from 0, or by its name, of all files or by file; default: the preferred channel
+    trend : str or int or Mapping, optional
+        trend that is to be removed, of all files or by file; default: mean; one of mean, tilt, parabola
+    layout : str, optional
         layout of a text file: a narrow map (matrix), points x y z (columns), or the table of a spectrum (spectrum); default: from
         numbers and header; one of matrix, columns, spectrum
     keep_values : bool, default False
         values that mark missing heights (NO_DATA), such as -9999, stay heights; without it they become undefined
     skip_failed : bool, default False
         measurements that cannot be analysed are left out with a warning
+
+    Returns
+    -------
+    Container
+        surfaces and measurements of the written container
+
+    Raises
+    ------
+    FileError
+        for a path that cannot be read
+    FormatError
+        for content of an unknown format, or damaged content
+    InvalidArgument
+        for a value outside its domain, with another dimension or without its unit
+
+    Examples
+    --------
+    >>> import pathlib, tempfile, setae
+    >>> line = setae.scan([0.0, 2.0, 1.0, 0.0], size="3 um", unit="nm", name="line")
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     written = setae.write_container(pathlib.Path(folder) / "surface.zip", [line], name="wafer")
+    ...     setae.check_container(pathlib.Path(folder) / "surface.zip")["containers"][0]["surfaces"][0]["name"]
+    'wafer'
     """
     measured: list[Any] = [file if is_path(file) else heights_of(file) for file in files]
     request = filled(
@@ -103,7 +132,7 @@ def write_container(
         sizes=stated(size, "size"),
         units=stated(unit),
         channels=stated(channel),
-        trends=stated(detrend),
+        trends=stated(trend),
         layout=layout,
         keep_values=keep_values,
         every_file=not skip_failed,
@@ -112,13 +141,47 @@ def write_container(
 
 
 def check_container(*files: Path) -> ContainerReport:
-    """Content and problems of containers, and their differences after writing and reading."""
+    """Content and problems of containers, and their differences after writing and reading.
+
+    Parameters
+    ----------
+    *files : str or path
+        containers: folders or ZIP archives
+
+    Returns
+    -------
+    ContainerReport
+        surfaces, measurements and problems of each container
+
+    Raises
+    ------
+    FileError
+        for a path that cannot be read
+    FormatError
+        for content of an unknown format, or damaged content
+
+    Examples
+    --------
+    >>> import pathlib, tempfile, setae
+    >>> line = setae.scan([0.0, 2.0, 1.0, 0.0], size="3 um", unit="nm")
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     written = setae.write_container(pathlib.Path(folder) / "surface.zip", [line])
+    ...     len(setae.check_container(pathlib.Path(folder) / "surface.zip")["containers"])
+    1
+    """
     return ContainerReport(_setae.check_containers([path(file) for file in files]))
 
 
 def formats() -> Formats:
     """All formats that are read or written.
 
+    Returns
+    -------
+    Formats
+        formats of topographies, force curves and micrographs
+
+    Examples
+    --------
     >>> "x3p" in [entry["identifier"] for entry in formats().data["formats"]]
     True
     """

@@ -76,6 +76,37 @@ def check(measurements: Measured, *, tip_radius: Text | None = None, size: Size 
 
     Tests look for spikes, scars, noise, quantised heights, offsets of scan lines, curves that turn back … (docs/reference/diagnostics.md).
 
+    Parameters
+    ----------
+    measurements : scan, str, path, array, table or a list of them
+        one measurement, or all measurements of one surface: scans, files, arrays with a size
+    tip_radius : str or Quantity, optional
+        radius of the tip, with its standard error, such as '10 ± 2 nm'; default: that of the file
+    size : str or Quantity or tuple, optional
+        extent of the heights, where the file does not state it, such as '5 um x 5 um'
+    unit : str, optional
+        unit of the heights, where the file does not state it, such as 'nm'
+    keep_values : bool, default False
+        heights are taken as they are: no value counts as a mark of missing data
+    skip_failed : bool, default False
+        measurements that cannot be analysed are left out with a warning
+
+    Returns
+    -------
+    Diagnosis
+        problems by their code; empty if there are none
+
+    Raises
+    ------
+    FileError
+        for a path that cannot be read
+    FormatError
+        for content of an unknown format, or damaged content
+    InvalidArgument
+        for a value outside its domain, with another dimension or without its unit
+
+    Examples
+    --------
     >>> import numpy, setae
     >>> heights = 1e-9 * numpy.random.default_rng(1).standard_normal((64, 64))
     >>> heights[3, 5] = 1e-6

@@ -4,19 +4,29 @@
 from __future__ import annotations
 
 import base64
+import json
+import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any, Union
+from typing import TYPE_CHECKING, Any, Union
 
 from . import _setae
 from ._columns import Columns, Named, edge_of
 from ._errors import InvalidArgument
 from ._given import Given, Source, as_file, saved
 from ._loops import Loop, bodies_of, checked_bodies, curve_file, files_of, loop_files
+from ._names import renamed
 from ._options import Path, Text, filled, named, path, text
 from ._quantities import Alert, Quantity, quantity_from
 from ._results import Answer, alerts_html, rows_html
 from ._scan import Scan
+
+if TYPE_CHECKING:
+    from ._columns import Array
+    from ._fits import Fitted
+    from typing_extensions import Unpack
+
+    from ._generated import RadiusRequest
 
 #: One file or several.
 Paths = Union[Path, Sequence[Path]]
@@ -44,27 +54,52 @@ class Lens(Answer):
         return found
 
 
+@renamed("pixel")
 def lens(file: Source, *, x: str | None = None, z: str | None = None, start: Text | None = None, stop: Text | None = None,
-         pixel: Text | None = None) -> Lens:
+         pixel_size: Text | None = None) -> Lens:
     """Radius and asphericity of a lens from a table of two lengths, a profilometer trace, or a picture of its side.
 
     The table may be in memory: a DataFrame, or a dictionary of arrays, with units as for :func:`loop`; or a line of :func:`scan`.
 
     Parameters
     ----------
-    x : str
+    file : str or path or table
+        path of a file, or a table in memory
+    x : str, optional
         column of positions along the lens; default: the first column of lengths
-    z : str
+    z : str, optional
         column of heights; default: the second column of lengths
-    start : str or Quantity
+    start : str or Quantity, optional
         start of the range along the lens; points before are left out, such as "-0.2 mm"
-    stop : str or Quantity
+    stop : str or Quantity, optional
         end of the range along the lens; points beyond are left out, such as "0.2 mm"
-    pixel : str or Quantity
+    pixel_size : str or Quantity, optional
         size of a pixel in pictures that do not state it, such as "2.05 um"
+
+    Returns
+    -------
+    Lens
+        radius of curvature and asphericity
+
+    Raises
+    ------
+    FileError
+        for a path that cannot be read
+    FormatError
+        for content of an unknown format, or damaged content
+    InvalidArgument
+        for a value outside its domain, with another dimension or without its unit
+
+    Examples
+    --------
+    >>> import numpy, setae
+    >>> x = numpy.linspace(-0.2e-3, 0.2e-3, 81)
+    >>> lens = setae.lens({"x [m]": x, "z [m]": numpy.sqrt(1e-3**2 - x**2)})
+    >>> round(float(lens.radius), 9)
+    0.001
     """
     profile = as_file(line_of(file) if isinstance(file, Scan) else file, "lens")
-    return Lens(_setae.lens(path(profile), filled(_setae.LensRequest(), x=x, z=z, start=start, stop=stop, pixel=pixel)))
+    return Lens(_setae.lens(path(profile), filled(_setae.LensRequest(), x=x, z=z, start=start, stop=stop, pixel_size=pixel_size)))
 
 
 def line_of(scan: Scan) -> dict[str, Any]:
@@ -86,7 +121,35 @@ class Camera(Answer):
 
 
 def camera(pictures: Paths, pitch: Text) -> Camera:
-    """Pixel size and distortion from pictures of a ruling. ``pitch`` is the distance of its lines, "10 um" or "10 ± 0.02 um"."""
+    """Pixel size and distortion from pictures of a ruling.
+
+    Parameters
+    ----------
+    pictures : str or path or Sequence[str or path]
+        pictures of a ruling
+    pitch : str or Quantity
+        distance of the lines of the ruling, such as '10 um' or '10 ± 0.02 um'
+
+    Returns
+    -------
+    Camera
+        pixel size and distortion
+
+    Raises
+    ------
+    FileError
+        for a path that cannot be read
+    FormatError
+        for content of an unknown format, or damaged content
+    InvalidArgument
+        for a value outside its domain, with another dimension or without its unit
+
+    Examples
+    --------
+    >>> import setae
+    >>> f"{float(setae.camera('ruling_upright.png', pitch='10 um').pixel_size):.4g} m"
+    '1.25e-06 m'
+    """
     return Camera(_setae.camera_scale(paths(pictures), text(pitch, "pitch")))
 
 
@@ -127,17 +190,18 @@ class ContactRadii(Recording):
         return plot_columns(self, "time", ["contact_radius"], ax, **style)
 
 
+@renamed("pixel", "smallest_radius")
 def contact_radii(
     frames: Paths,
     *,
-    pixel: Text | None = None,
+    pixel_size: Text | None = None,
     frame_rate: float | None = None,
     first: int | None = None,
     last: int | None = None,
     region: str | None = None,
     polarity: str = "automatic",
     fringes: bool = False,
-    smallest_radius: float | None = None,
+    min_radius: float | None = None,
     min_confidence: float | None = None,
     exclude: Sequence[int] = (),
     reason: str | None = None,
@@ -147,41 +211,64 @@ def contact_radii(
 
     Parameters
     ----------
-    pixel : str or Quantity
+    frames : str or path or Sequence[str or path]
+        TIFF stack, AVI, folder of pictures, or pictures
+    pixel_size : str or Quantity, optional
         size of a pixel in the camera's pictures, such as "1.82 um"
-    frame_rate : float
+    frame_rate : float, optional
         frames per second of the camera
-    first : int
+    first : int, optional
         number of the first frame that is analysed
-    last : int
+    last : int, optional
         number of the last frame that is analysed
-    region : str
+    region : str, optional
         part of the frames that is analysed: x,y,width,height in pixels, such as "100,80,320,240"
     polarity : str, default 'automatic'
         grey level of the contact relative to the surroundings; one of automatic, dark, bright
     fringes : bool, default False
         pictures show Newton's rings around the contact; the innermost ring is the edge
-    smallest_radius : float
+    min_radius : float, optional
         smallest radius of a contact, in pixels
-    min_confidence : float
+    min_confidence : float, optional
         smallest confidence of a reported contact, from 0 to 1
     exclude : Sequence[int], default ()
         numbers of frames that are left out, such as "12,17"
-    reason : str
+    reason : str, optional
         reason why frames are left out, such as "glare"
     ignore_stated_pixel_size : bool, default False
         the given size of a pixel counts, even where a file states another
+
+    Returns
+    -------
+    ContactRadii
+        one row per frame, with the contact radius and its error
+
+    Raises
+    ------
+    FileError
+        for a path that cannot be read
+    FormatError
+        for content of an unknown format, or damaged content
+    InvalidArgument
+        for a value outside its domain, with another dimension or without its unit
+
+    Examples
+    --------
+    >>> import setae
+    >>> radii = setae.contact_radii("frames", pixel_size="2 um", frame_rate=10)
+    >>> radii, radii.units["contact_radius"]
+    (ContactRadii(5 frames, 4 measured), 'm')
     """
     request = filled(
         _setae.RadiusRequest(),
-        pixel=pixel,
+        pixel_size=pixel_size,
         frame_rate=frame_rate,
         first=first,
         last=last,
         region=region,
         polarity=polarity,
         fringes=fringes,
-        smallest_radius=smallest_radius,
+        min_radius=min_radius,
         min_confidence=min_confidence,
         exclude=list(exclude),
         reason=reason,
@@ -228,19 +315,20 @@ def recorded_edge(frames: Sources) -> Sources:
     return getattr(frames, "edge", frames)
 
 
+@renamed("pixel", "smallest_radius", "smallest_void", "smallest_mode", "largest_mode")
 def contact_line(
     frames: Sources,
     *,
     angles: int | None = None,
-    smallest_void: float = 16.0,
+    min_void_area: float = 16.0,
     ring_width: Text | None = None,
     threshold: float = 3.0,
-    smallest_mode: int = 3,
-    largest_mode: int = 0,
+    min_mode: int = 3,
+    max_mode: int = 0,
     radius: Text | None = None,
     contact_modulus: Text | None = None,
     displacement: Source | None = None,
-    **recording: Any,
+    **recording: Unpack[RadiusRequest],
 ) -> ContactLine:
     """Roughness and motion of the edge of a contact: roughness exponent, speeds, jumps, arrests, voids inside.
 
@@ -250,26 +338,72 @@ def contact_line(
 
     Parameters
     ----------
-    angles : int
+    frames : str or path or table or a list of them
+        recording as for `contact_radii`, a table of the edge, or a result with an edge
+    angles : int, optional
         number of places along the edge; default: one every 2 px of the largest contact
-    smallest_void : float, default 16.0
+    min_void_area : float, default 16.0
         smallest area of a reported void, in px^2
-    ring_width : str or Quantity
+    ring_width : str or Quantity, optional
         width of the rings whose cells have a speed each, such as "5 um"; default: the step of the edge from frame to frame
     threshold : float, default 3.0
         factor by which a jump is faster, and an arrest slower, than the mean speed
-    smallest_mode : int, default 3
+    min_mode : int, default 3
         smallest mode of the edge's roughness; mode 1 is the centre, mode 2 an ellipse
-    largest_mode : int, default 0
+    max_mode : int, default 0
         largest mode of the edge's roughness; default: a quarter of the places
-    radius : str or Quantity
+    radius : str or Quantity, optional
         radius of the sphere, for the energy release rate, such as "1 mm"
-    contact_modulus : str or Quantity
+    contact_modulus : str or Quantity, optional
         contact modulus E* of both bodies, for the energy release rate, such as "1 MPa"
-    displacement : str or path or table
+    displacement : str or path or table, optional
         table of time and displacement of the sphere, for the energy release rate; default: the displacement in the table of the edge
-    **recording
-        keywords of recordings, as those of `contact_radii`
+    pixel_size : str or Quantity, optional
+        size of a pixel in the camera's pictures, such as "1.82 um"
+    frame_rate : float, optional
+        frames per second of the camera
+    fringes : bool, default False
+        pictures show Newton's rings around the contact; the innermost ring is the edge
+    um_per_px : float, optional
+        size of a pixel in micrometres, such as "1.82"
+    ignore_stated_pixel_size : bool, default False
+        the given size of a pixel counts, even where a file states another
+    first : int, optional
+        number of the first frame that is analysed
+    last : int, optional
+        number of the last frame that is analysed
+    region : str or Quantity, optional
+        part of the frames that is analysed: x,y,width,height in pixels, such as "100,80,320,240"
+    polarity : str or Quantity, default 'automatic'
+        grey level of the contact relative to the surroundings; one of automatic, dark, bright
+    min_radius : float, default 5.0
+        smallest radius of a contact, in pixels
+    min_confidence : float, default 0.5
+        smallest confidence of a reported contact, from 0 to 1
+    exclude : Sequence[float], optional
+        numbers of frames that are left out, such as "12,17"
+    reason : str or Quantity, optional
+        reason why frames are left out, such as "glare"
+
+    Returns
+    -------
+    ContactLine
+        one row per frame, with roughness and motion of the edge
+
+    Raises
+    ------
+    FileError
+        for a path that cannot be read
+    FormatError
+        for content of an unknown format, or damaged content
+    InvalidArgument
+        for a value outside its domain, with another dimension or without its unit
+
+    Examples
+    --------
+    >>> import setae
+    >>> setae.contact_line("frames", pixel_size="2 um", frame_rate=10, angles=64)
+    ContactLine(2 frames, 64 places each)
     """
     recorded = sources(recorded_edge(frames), "edge.csv")
     moved = None if displacement is None else as_file(displacement, "displacement")
@@ -279,11 +413,11 @@ def contact_line(
         contact_modulus=contact_modulus,
         displacement=None if moved is None else path(moved),
         angles=angles,
-        smallest_void=smallest_void,
+        min_void_area=min_void_area,
         ring_width=ring_width,
         threshold=threshold,
-        smallest_mode=smallest_mode,
-        largest_mode=largest_mode,
+        min_mode=min_mode,
+        max_mode=max_mode,
         **recording,
     )
     found: Any = _setae.contact_line(list(map(path, recorded)), request)
@@ -312,10 +446,27 @@ class Contour(Answer):
         return f"<img src='data:image/png;base64,{picture}'>{rows_html(self._data['segments'])}{alerts_html(self.alerts)}"
 
 
+#: Points (x, y) in pixels, one file of them, or an earlier trace.
+Anchors = Union[Path, Contour, Sequence[Sequence[float]]]
+
+
+def anchors_file(anchors: Anchors | None) -> str | Given:
+    """A file of anchors for the library; empty without anchors."""
+    if anchors is None:
+        return ""
+    if isinstance(anchors, Contour):
+        return Given("trace.json", anchors.json().encode())
+    if isinstance(anchors, (str, os.PathLike)):
+        return os.fspath(anchors)
+    points = [list(map(float, point)) for point in anchors]
+    return Given("anchors.json", json.dumps({"anchors": points}).encode())
+
+
+@renamed("pixel", "least_length")
 def contour(
     picture: Path,
     *,
-    pixel: Text | None = None,
+    pixel_size: Text | None = None,
     scale_bar: Text | None = None,
     calibration: Path | None = None,
     vacuum: str = "automatic",
@@ -325,19 +476,76 @@ def contour(
     whole_picture: bool = False,
     smoothing: float | None = None,
     denoise: float = 0.0,
-    least_length: float | None = None,
+    min_length: float | None = None,
     image: int | str | None = None,
     ignore_stated_pixel_size: bool = False,
+    anchors: Anchors | None = None,
 ) -> Contour:
     """The profile of a sample in a picture of its side: DM3, DM4, TIFF, PNG, JPEG, SER, EMD or MRC.
 
-    pixel: size of a pixel, if the file does not state it; or scale_bar: length of the scale bar; or calibration: a calibration file.
-    vacuum: "bright", "dark" or "automatic".  shape: "envelope", "cut" or "parametric".  hidden: "x,y,width,height" of parts without sample.
-    image: number, counted from 0, or title of an image in a file of several images; default: the first picture.
+    The scale is that of the file, or one of pixel_size, scale_bar and calibration is given.
+
+    Parameters
+    ----------
+    picture : str or path
+        picture of the side of a sample: DM3, DM4, TIFF, PNG, JPEG, SER, EMD or MRC
+    pixel_size : str or Quantity, optional
+        size of a pixel, or width and height as '1 nm x 0.2 nm', such as '0.055 nm'; default: that of the file
+    scale_bar : str or Quantity, optional
+        length that the scale bar in the picture stands for, such as '500 nm'
+    calibration : str or path, optional
+        file of a calibration that was saved from another picture
+    vacuum : str, default 'automatic'
+        side of the picture that is vacuum, by grey level; one of automatic, bright, dark
+    shape : str, default 'envelope'
+        profile where the contour turns back: the highest point over each x, a cut, or the curve itself; one of envelope, cut,
+        parametric
+    foil_thickness : str or Quantity, optional
+        thickness of the sample along the beam, such as '20 nm'
+    hidden : Sequence[str], default ()
+        parts of the picture without sample, as 'x,y,width,height' in pixels
+    whole_picture : bool, default False
+        scale bars and text that are found are not hidden
+    smoothing : float, optional
+        length of the smoothing spline in pixels; default: that of the smallest expected error
+    denoise : float, default 0.0
+        standard deviation in pixels of a Gaussian that smooths the picture first
+    min_length : float, optional
+        shortest length in pixels of a segment that is kept; default: 50, of masks 0
+    image : int or str, optional
+        number, counted from 0, or title of an image in a file of several; default: the first that is no spectrum and no Fourier
+        transform
+    ignore_stated_pixel_size : bool, default False
+        pixel size or scale bar given hold even where the file contradicts them
+    anchors : sequence of (x, y), Contour or path, optional
+        points in pixels that the trace passes, or a file of them; or an earlier trace, or its JSON file, which is repeated with its
+        own options
+
+    Returns
+    -------
+    Contour
+        profiles with standard errors, the longest first, and the picture with the edge drawn in
+
+    Raises
+    ------
+    FileError
+        for a path that cannot be read
+    FormatError
+        for content of an unknown format, or damaged content
+    InvalidArgument
+        for a value outside its domain, with another dimension or without its unit
+
+    Examples
+    --------
+    >>> import setae
+    >>> traced = setae.contour("wave.png", pixel_size="0.1 nm")
+    >>> setae.power_spectrum(traced, instrument="tem").units["C1D"]
+    'm3'
     """
+    points = anchors_file(anchors)
     request = filled(
         _setae.ContourRequest(),
-        pixel=pixel,
+        pixel_size=pixel_size,
         scale_bar=scale_bar,
         calibration=None if calibration is None else path(calibration),
         vacuum=vacuum,
@@ -347,18 +555,46 @@ def contour(
         whole_picture=whole_picture,
         smoothing=smoothing,
         denoise=denoise,
-        least_length=least_length,
+        min_length=min_length,
         image=named(image),
         ignore_stated_pixel_size=ignore_stated_pixel_size,
     )
-    traced = _setae.contour(path(picture), request)
+    traced = _setae.contour(path(picture), request, path(points) if points else "")
     return Contour(traced.json(), tuple(traced.profile(i) for i in range(traced.segments)), traced.overlay())
 
 
+@dataclass(frozen=True, repr=False)
 class ForceCurves(Answer):
     """Fits of a force curve ("segments", "summary"), or of every curve of a file ("curves"), as printed by ``setae jkr fit --json``."""
 
     tables = ("curves", "segments")
+
+    samples: Mapping[str, Mapping[str, Any]] = field(default_factory=dict, compare=False)  #: columns of each fitted segment of one curve
+
+    def points(self, segment: str | None = None) -> Fitted:
+        """The fitted samples of a segment, "approach" or "retract", with the model; default: the segment whose fit is the result."""
+        from ._fits import curve_of_segment
+
+        if not self.samples:
+            raise InvalidArgument("no points of a single curve; expected the fit of one curve, such as force_curves(…, curve_number=0)")
+        chosen = segment or self._data["summary"]["fitted_segment"]
+        if chosen not in self.samples:
+            raise InvalidArgument(f"segment: '{chosen}'; expected one of {', '.join(self.samples)}")
+        return curve_of_segment(self.samples[chosen])
+
+    @property
+    def best_fit(self) -> Array:
+        """Force of the model [N] at the fitted samples of the segment whose fit is the result."""
+        return self.points().best_fit
+
+    @property
+    def residuals(self) -> Array:
+        """Measured minus fitted force [N]."""
+        return self.points().residuals
+
+    def plot(self, ax: Any = None, *, segment: str | None = None, **style: Any) -> Any:
+        """Plots a segment and its fit on axes of matplotlib, with a panel of residuals; ``style``: keywords of matplotlib for the points."""
+        return self.points(segment).plot(ax, **style)
 
     @property
     def quantities(self) -> tuple[Quantity, ...]:
@@ -366,6 +602,7 @@ class ForceCurves(Answer):
         return self._entry("summary").quantities if "summary" in self._data else ()
 
 
+@renamed("nu", "counter_E", "counter_nu")
 def force_curves(
     file: Source | Loop,
     *,
@@ -377,9 +614,9 @@ def force_curves(
     fit_range: str | None = None,
     contact_point: Text = "fit",
     keep_baseline_slope: bool = False,
-    nu: float | None = None,
-    counter_E: Text | None = None,
-    counter_nu: float | None = None,
+    poisson_ratio: float | None = None,
+    counter_youngs_modulus: Text | None = None,
+    counter_poisson_ratio: float | None = None,
     mapping: str | None = None,
     spring_constant: Text | None = None,
     sensitivity: Text | None = None,
@@ -391,9 +628,11 @@ def force_curves(
 
     Parameters
     ----------
-    units : Mapping[str, str]
+    file : str or path or table or Loop
+        path of a file, or a table in memory
+    units : Mapping[str, str], optional
         units of columns of a table in memory, where neither names nor attributes state them, such as {'force': 'mN'}
-    radius : str or Quantity
+    radius : str or Quantity, optional
         radius of the sphere; fits of loops include a given ±, such as "7.5 um"; default: as the file states
     tip : str, default 'paraboloid'
         shape of the tip of a force curve; one of paraboloid, cone, three_sided_pyramid
@@ -401,30 +640,54 @@ def force_curves(
         half angle of a conical tip, or inclination of a pyramid's faces, in degrees
     model : str, default 'hertz'
         contact model of a force curve: hertz, dmt, jkr, maugis_dugdale or large_strain
-    fit_range : str
+    fit_range : str, optional
         range of a force curve that is fitted, FROM:TO in indentation, force or shares of the largest indentation, such as "0 nm:500
         nm"; default: -1:1
     contact_point : str or Quantity, default 'fit'
         contact point of a force curve: fit, found (where the force leaves the baseline), or a length
     keep_baseline_slope : bool, default False
         only the mean of free flight is removed from a force curve, not the slope
-    nu : float
+    poisson_ratio : float, optional
         Poisson ratio of the soft body, from 0 to 0.5; default: 0.5
-    counter_E : str or Quantity
+    counter_youngs_modulus : str or Quantity, optional
         Young's modulus of the counter-body, such as "70 GPa"; default: rigid
-    counter_nu : float
+    counter_poisson_ratio : float, optional
         Poisson ratio of the counter-body, from 0 to 0.5; default: 0
-    mapping : str
+    mapping : str, optional
         mapping (TOML) that names the columns of a foreign table: a file or a known name, such as "eoh"
-    spring_constant : str or Quantity
+    spring_constant : str or Quantity, optional
         spring constant of the cantilever of a force curve, such as "0.05 N/m"
-    sensitivity : str or Quantity
+    sensitivity : str or Quantity, optional
         deflection sensitivity of the cantilever of a force curve, such as "55 nm/V"
-    curve_number : int
+    curve_number : int, optional
         number of one force curve in a file of many, as the file counts them, from 0; default: `setae jkr fit` fits every curve
+
+    Returns
+    -------
+    ForceCurves
+        fits of one curve, or of every curve of a file
+
+    Raises
+    ------
+    FileError
+        for a path that cannot be read
+    FormatError
+        for content of an unknown format, or damaged content
+    InvalidArgument
+        for a value outside its domain, with another dimension or without its unit
+
+    Examples
+    --------
+    >>> import numpy, setae
+    >>> depth = numpy.linspace(-1e-6, 0.5e-6, 300)
+    >>> force = setae.models.hertz(depth, radius=5e-6, contact_modulus=10e3, zero_outside=True)
+    >>> fit = setae.force_curves({"force [N]": force, "displacement [m]": depth}, radius="5 um", poisson_ratio=0.5)
+    >>> round(float(fit["summary"]["contact_modulus"]) / 10e3, 2)
+    1.0
     """
     files = files_of(mapping=mapping, spring_constant=spring_constant, sensitivity=sensitivity, curve_number=curve_number)
-    bodies = bodies_of(radius=radius, nu=nu, counter_E=counter_E, counter_nu=counter_nu)
+    bodies = bodies_of(radius=radius, poisson_ratio=poisson_ratio, counter_youngs_modulus=counter_youngs_modulus,
+                       counter_poisson_ratio=counter_poisson_ratio)
     request = filled(
         _setae.CurveRequest(),
         tip=tip,
@@ -435,7 +698,8 @@ def force_curves(
         keep_baseline_slope=keep_baseline_slope,
     )
     curve = curve_file(file, "curve", units)
-    return ForceCurves(_setae.fit_force_curves(path(curve), loop_files(files), checked_bodies(bodies), request))
+    fitted = _setae.fit_force_curves(path(curve), loop_files(files), checked_bodies(bodies), request)
+    return ForceCurves(fitted.json, fitted.segments)
 
 
 class Replicates(Answer):
@@ -467,30 +731,55 @@ def replicates(
 
     Parameters
     ----------
+    files : str or path or table or a list of them
+        tables with one row per fit
     quantity : str, default 'W'
         quantity that is summarised: W, E*, E_loss, F_po, or the name of a column
     group_by : Sequence[str], default ()
         columns of the groups, outermost first, such as "surface,lens"; default: surface, lens and spot, as far as the tables have them
     crossed : Sequence[str], default ()
         group columns whose labels name the same item on every surface, such as a lens pressed on all surfaces
-    value : str
+    value : str, optional
         column of the values, where the name of the quantity does not determine it
-    error : str
+    error : str, optional
         column of the standard errors, where the name of the quantity does not determine it
-    unit : str
+    unit : str, optional
         unit of values whose column states none, such as "mJ/m2"
-    method : str
+    method : str, optional
         fit method that is summarised, where tables have several; default: the primary fit, where tables name it
-    branch : str
+    branch : str, optional
         branch that is summarised, where tables have several, such as "loading"
-    elastomer : str
+    elastomer : str, optional
         elastomer that is summarised, where tables have several and no groups of elastomers
     exclude : Sequence[str], default ()
         rows that are left out, as COLUMN=LABEL with a reason, such as "file=a.csv;reason=dust on the lens"; may be repeated
-    exclusions : str or path
+    exclusions : str or path, optional
         file of exclusions: TOML with [[exclude]], or CSV with a column `reason`
     each_surface : bool, default False
         separate variances for each surface, not pooled
+
+    Returns
+    -------
+    Replicates
+        means of the groups and their variances
+
+    Raises
+    ------
+    FileError
+        for a path that cannot be read
+    FormatError
+        for content of an unknown format, or damaged content
+    InvalidArgument
+        for a value outside its domain, with another dimension or without its unit
+
+    Examples
+    --------
+    >>> import setae
+    >>> fits = {"surface": ["A", "A", "B", "B"], "lens": ["1", "2", "1", "2"], "W [mJ/m2]": [40.0, 42.0, 30.0, 33.0],
+    ...         "W standard_error [mJ/m2]": [1.0, 1.0, 1.0, 1.0]}
+    >>> found = setae.replicates(fits, group_by=["surface", "lens"])
+    >>> [entry["surface"] for entry in found["surfaces"]]
+    ['A', 'B']
     """
     tables = sources(files, "fits")
     request = filled(

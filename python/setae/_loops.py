@@ -12,18 +12,54 @@ from typing import TYPE_CHECKING, Any
 from . import _setae
 from ._columns import Named
 from ._given import Given, Source, as_file, shown
-from ._options import MAPPINGS, Text, filled, path, texts, texts_of
+from ._names import renamed
+from ._options import MAPPINGS, Path, Text, filled, path, text, texts, texts_of
 from ._quantities import Alert, Quantity, alerts_from
 from ._results import Answer
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
+    from ._columns import Array
+    from ._fits import Fitted
     from ._generated import LoopSettings
 
 
+@dataclass(frozen=True, repr=False)
 class LoopFit(Answer):
     """All fits to a loop, as printed by ``setae jkr fit --json``: ``fit["loading"]["fits"]["joint"]``, ``fit["pull_off"]`` …"""
+
+    samples: Mapping[str, Mapping[str, Any]] = field(default_factory=dict, compare=False)  #: columns of "record", "loading" and "unloading"
+
+    def points(self, *, branch: str = "loading", route: str | None = None, model: str | None = None) -> Fitted:
+        """The fitted samples with the model at these samples, for the primary fit of a branch, for another route, or for an additional model.
+
+        Parameters
+        ----------
+        branch : str, default 'loading'
+            loading or unloading
+        route : str
+            name in ``fit["loading"]["fits"]``, such as "joint"; default: the primary fit
+        model : str
+            model of ``fit(models=…)``, such as "dmt", on the branch to which it was fitted
+        """
+        from ._fits import loop_curve, model_curve
+
+        return model_curve(self._data, self.samples, model) if model else loop_curve(self._data, self.samples, branch, route)
+
+    @property
+    def best_fit(self) -> Array:
+        """The model of the primary fit at the samples of loading, in the unit of :attr:`residuals`."""
+        return self.points().best_fit
+
+    @property
+    def residuals(self) -> Array:
+        """Measured minus fitted values of the primary fit of loading: contact radius [m], displacement [m] or force [N]."""
+        return self.points().residuals
+
+    def plot(self, ax: Any = None, *, branch: str = "loading", route: str | None = None, model: str | None = None, **style: Any) -> Any:
+        """Plots the record, the fitted samples and the model on axes of matplotlib, with a panel of residuals; arguments of :meth:`points`."""
+        return self.points(branch=branch, route=route, model=model).plot(ax, **style)
 
     @property
     def E_star(self) -> Quantity:
@@ -113,6 +149,9 @@ class Loop:
     def __getitem__(self, name: str) -> Any:
         return self.columns[name]
 
+    def _ipython_key_completions_(self) -> list[str]:
+        return list(self.units)
+
     def _answer(self, models: dict[str, Any], settings: dict[str, Any]) -> _setae.LoopAnswer:
         asked, wanted = filled(_setae.LoopSettings(), **settings), filled(_setae.LoopModels(), **models)
         return _setae.fit_loop(self._opened, checked_bodies(dict(self.bodies)), asked, wanted)
@@ -141,38 +180,38 @@ class Loop:
         errors : str, default 'orthogonal_distance'
             treatment of measurement errors in additional models and common fits; one of effective_variance, orthogonal_distance,
             force_only
-        model_contact_point : str or Quantity
+        model_contact_point : str or Quantity, optional
             contact point that is held fixed in additional models, such as "1.2 um"; default: fitted
-        cohesive_stress : str or Quantity
+        cohesive_stress : str or Quantity, optional
             cohesive stress that is held fixed in the model maugis_dugdale, such as "5 MPa"; default: fitted
         profile : bool, default False
             intervals of E* and W by profile likelihood
         crack_speed : bool, default False
             fit of G(v) = G0 (1 + (v/v0)^n) to the edge during retraction
-        exponent : float
+        exponent : float, optional
             exponent n that is held fixed in the fit of G(v); default: fitted
-        machine_stiffness : str or Quantity
+        machine_stiffness : str or Quantity, optional
             stiffness of the testing machine, where the displacement is that of the stage, such as "30 ± 1 N/m"
-        rigid_contact : str or Quantity
+        rigid_contact : str or Quantity, optional
             file of a loop on a rigid body that gives the stiffness of the testing machine
         contact_point : str or Quantity, default 'auto'
             contact point of force-displacement fits: auto, fit, a method such as jump_in, or a displacement
-        segments : Sequence[str] or str
+        segments : Sequence[str] or str, optional
             range of samples or times that replaces a segment found; also cut=400 for cycles, "ignore=30:35 (slip)" for excluded data,
             such as "loading=120:900"
-        baseline_share : float
+        baseline_share : float, optional
             share of the record, from the start, that is free flight; default: found from the record
         drift : str or Quantity, default 'auto'
             drift of the force zero in time: auto, none, linear, quadratic, cubic, or extrapolate (only the free flight before contact)
-        force_zero : str or Quantity
+        force_zero : str or Quantity, optional
             zero of force for a record without free flight; no drift is removed, such as "0 N"
-        displacement_drift : str or Quantity
+        displacement_drift : str or Quantity, optional
             drift rate of the displacement, where known, such as "0.1 nm/s"
         area_ratio : float, default 1.0
             ratio of true to apparent area of the hard surface, for losses per true area
         samples_dropped : int, default 3
             number of samples left out after the jump into contact
-        relaxation : Sequence[str] or str
+        relaxation : Sequence[str] or str, optional
             term SHARE:TIME of the bulk's relaxation E(t)/E∞ = 1 + Σ g e^(−t/τ), which is removed from the force first, such as
             "0.1:20s"
         unweighted : bool, default False
@@ -183,6 +222,26 @@ class Loop:
             fit of the retraction from the largest force on, pinned stretch included
         retraction_modulus_free : bool, default False
             E* as a free parameter of the retraction fit (Eq. S2)
+
+        Returns
+        -------
+        LoopFit
+            fits of every route by name, with E*, W, pull-off force and loss
+
+        Raises
+        ------
+        InvalidArgument
+            for a value outside its domain, with another dimension or without its unit
+        UndefinedDataError
+            for too few defined values
+
+        Examples
+        --------
+        >>> import setae
+        >>> import setae
+        >>> fit = setae.loop("loop_laboratory.csv", radius="1 mm").fit()
+        >>> f"E* = {fit.E_star.to('MPa').value:.3f} MPa, W = {fit.W.to('mJ/m2').value:.2f} mJ/m2"
+        'E* = 1.000 MPa, W = 50.01 mJ/m2'
         """
         wanted = {
             "models": texts(models),
@@ -194,7 +253,8 @@ class Loop:
             "crack_speed": crack_speed,
             "exponent": exponent,
         }
-        return LoopFit(self._answer(wanted, dict(settings)).fit)
+        answer = self._answer(wanted, dict(settings))
+        return LoopFit(answer.fit, {"record": answer.record, "loading": answer.loading, "unloading": answer.unloading})
 
     def energy(self, **settings: Unpack[LoopSettings]) -> LoopEnergy:
         """Energy budget: work in and out, jumps, loss of a smooth sphere, loss per area."""
@@ -203,6 +263,10 @@ class Loop:
     def machine_stiffness(self) -> MachineStiffness:
         """Stiffness from a loop on a rigid body: slope of force against the position of the stage."""
         return MachineStiffness(_setae.machine_stiffness(self._opened))
+
+    def save(self, file: Path, **metadata: Text) -> None:
+        """Writes a loop file in SI, as ``setae jkr import -o``, with metadata such as ``sphere_radius="1.25 mm"`` or ``surface="UNCD"``."""
+        self._opened.save(path(file), {name: text(value, name) for name, value in metadata.items()})
 
     def to_pandas(self) -> Any:
         """As a DataFrame of pandas; units and metadata are in ``attrs``. :func:`loop` takes it."""
@@ -240,7 +304,7 @@ def curve_file(source: Source | Loop, name: str, units: Mapping[str, str] | None
 def files_of(*, camera: Source | None = None, frame_rate: float | None = None, fringes: bool = False, curve_number: int | None = None,
              columns: Mapping[str, str] | None = None, **texts: Text | None) -> dict[str, Any]:
     """Attributes of LoopFiles; arguments that are not given keep their defaults."""
-    names = ("mapping", "camera_mapping", "clock_offset", "pixel", "spring_constant", "sensitivity")
+    names = ("mapping", "camera_mapping", "clock_offset", "pixel_size", "spring_constant", "sensitivity")
     return {
         **texts_of(_setae.LoopFiles, **{name: texts.get(name) for name in names}),
         "camera": "" if camera is None else as_file(camera, "camera"),
@@ -257,13 +321,15 @@ def loop_files(given: Mapping[str, Any]) -> _setae.LoopFiles:
     return filled(_setae.LoopFiles(), **{**given, "camera": path(given["camera"])})
 
 
-def bodies_of(*, radius: Text | None = None, lens_height: Text | None = None, layer_thickness: Text | None = None, nu: float | None = None,
-              counter_E: Text | None = None, counter_nu: float | None = None) -> dict[str, Any]:
+def bodies_of(*, radius: Text | None = None, lens_height: Text | None = None, layer_thickness: Text | None = None,
+              poisson_ratio: float | None = None, counter_youngs_modulus: Text | None = None,
+              counter_poisson_ratio: float | None = None) -> dict[str, Any]:
     """Attributes of LoopBodies."""
     return {
-        **texts_of(_setae.LoopBodies, radius=radius, lens_height=lens_height, layer_thickness=layer_thickness, counter_E=counter_E),
-        "nu": nu,
-        "counter_nu": counter_nu,
+        **texts_of(_setae.LoopBodies, radius=radius, lens_height=lens_height, layer_thickness=layer_thickness,
+                   counter_youngs_modulus=counter_youngs_modulus),
+        "poisson_ratio": poisson_ratio,
+        "counter_poisson_ratio": counter_poisson_ratio,
     }
 
 
@@ -274,21 +340,22 @@ def checked_bodies(given: Mapping[str, Any]) -> _setae.LoopBodies:
     return bodies
 
 
+@renamed("nu", "counter_E", "counter_nu", "pixel")
 def loop(
     file: Source | Loop,
     *,
     units: Mapping[str, str] | None = None,
     radius: Text | None = None,
-    nu: float | None = None,
-    counter_E: Text | None = None,
-    counter_nu: float | None = None,
+    poisson_ratio: float | None = None,
+    counter_youngs_modulus: Text | None = None,
+    counter_poisson_ratio: float | None = None,
     lens_height: Text | None = None,
     layer_thickness: Text | None = None,
     mapping: str | None = None,
     camera: Source | None = None,
     camera_mapping: str | None = None,
     clock_offset: Text | None = None,
-    pixel: Text | None = None,
+    pixel_size: Text | None = None,
     frame_rate: float | None = None,
     fringes: bool = False,
     spring_constant: Text | None = None,
@@ -304,50 +371,75 @@ def loop(
 
     Parameters
     ----------
-    units : Mapping[str, str]
+    file : str or path or table or Loop
+        path of a file, or a table in memory
+    units : Mapping[str, str], optional
         units of columns of a table in memory, where neither names nor attributes state them, such as {'force': 'mN'}
-    radius : str or Quantity
+    radius : str or Quantity, optional
         radius of the sphere; fits of loops include a given ±, such as "7.5 um"; default: as the file states
-    nu : float
+    poisson_ratio : float, optional
         Poisson ratio of the soft body, from 0 to 0.5; default: 0.5
-    counter_E : str or Quantity
+    counter_youngs_modulus : str or Quantity, optional
         Young's modulus of the counter-body, such as "70 GPa"; default: rigid
-    counter_nu : float
+    counter_poisson_ratio : float, optional
         Poisson ratio of the counter-body, from 0 to 0.5; default: 0
-    lens_height : str or Quantity
+    lens_height : str or Quantity, optional
         height of the soft sphere above the mount; fits are corrected for the finite height, such as "3 ± 0.1 mm"
-    layer_thickness : str or Quantity
+    layer_thickness : str or Quantity, optional
         thickness of a soft layer on a rigid base; fits are corrected for the finite thickness, such as "0.5 mm"
-    mapping : str
+    mapping : str, optional
         mapping (TOML) that names the columns of a foreign table: a file or a known name, such as "eoh"
-    camera : str or path or table
+    camera : str or path or table, optional
         camera record with a separate clock: a table of time and contact_radius, a TIFF stack, an AVI or a folder of pictures
-    camera_mapping : str
+    camera_mapping : str, optional
         mapping (TOML) of the camera's table
-    clock_offset : str or Quantity
+    clock_offset : str or Quantity, optional
         time that is added to the camera's times, such as "0.12 s"; default: found from the records
-    pixel : str or Quantity
+    pixel_size : str or Quantity, optional
         size of a pixel in the camera's pictures, such as "1.82 um"
-    frame_rate : float
+    frame_rate : float, optional
         frames per second of the camera
     fringes : bool, default False
         pictures show Newton's rings around the contact; the innermost ring is the edge
-    spring_constant : str or Quantity
+    spring_constant : str or Quantity, optional
         spring constant of the cantilever of a force curve, such as "0.05 N/m"
-    sensitivity : str or Quantity
+    sensitivity : str or Quantity, optional
         deflection sensitivity of the cantilever of a force curve, such as "55 nm/V"
-    curve_number : int
+    curve_number : int, optional
         number of one force curve in a file of many, as the file counts them, from 0; default: `setae jkr fit` fits every curve
-    columns : Mapping[str, str]
-        column of a role as ROLE=COLUMN, by name or number from 1, or ROLE=EXPRESSION; roles are force, displacement, contact_radius,
-        time, such as "force=-1 * load"; default: guessed from names and units
+    columns : Mapping[str, str], optional
+        columns of the file by their role (force, displacement, contact_radius, time), such as {'force': 'Load'}, with a missing unit as
+        in {'force': 'Kraft[uN]'}, or an expression over columns; default: guessed from names and units
+
+    Returns
+    -------
+    Loop
+        columns in SI, with the properties of the bodies; its methods fit them
+
+    Raises
+    ------
+    FileError
+        for a path that cannot be read
+    FormatError
+        for content of an unknown format, or damaged content
+    InvalidArgument
+        for a value outside its domain, with another dimension or without its unit
+
+    Examples
+    --------
+    >>> import numpy, setae
+    >>> depth = numpy.concatenate([numpy.linspace(-1e-6, 1e-6, 101), numpy.linspace(1e-6, -1e-6, 101)])
+    >>> force = setae.models.hertz(depth, radius=1e-3, contact_modulus=1e6, zero_outside=True)
+    >>> loop = setae.loop({"force [N]": force, "displacement [m]": depth, "time [s]": numpy.arange(202.0)}, radius="1 mm")
+    >>> loop["force"].size, loop.units["displacement"]
+    (202, 'm')
     """
     files = files_of(
         mapping=mapping,
         camera=camera,
         camera_mapping=camera_mapping,
         clock_offset=clock_offset,
-        pixel=pixel,
+        pixel_size=pixel_size,
         frame_rate=frame_rate,
         fringes=fringes,
         spring_constant=spring_constant,
@@ -355,8 +447,8 @@ def loop(
         curve_number=curve_number,
         columns=columns,
     )
-    bodies = bodies_of(radius=radius, lens_height=lens_height, layer_thickness=layer_thickness, nu=nu, counter_E=counter_E,
-                       counter_nu=counter_nu)
+    bodies = bodies_of(radius=radius, lens_height=lens_height, layer_thickness=layer_thickness, poisson_ratio=poisson_ratio,
+                       counter_youngs_modulus=counter_youngs_modulus, counter_poisson_ratio=counter_poisson_ratio)
     checked_bodies(bodies)
     opened = Loop(curve_file(file, "loop", units), tuple(files.items()), tuple(bodies.items()))
     opened._opened  # noqa: B018

@@ -7,7 +7,7 @@ import difflib
 import os
 import pathlib
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from numbers import Integral, Real
 from typing import Any, TypeVar, Union
@@ -15,6 +15,7 @@ from typing import Any, TypeVar, Union
 import numpy as np
 
 from ._errors import InvalidArgument
+from ._names import RENAMED, option_of
 from ._quantities import PintQuantity, Quantity, UncertainNumber, of_other_package
 from ._units import have_one_dimension, kind_of
 
@@ -42,18 +43,19 @@ Path = Union[str, "os.PathLike[str]"]
 MAPPINGS = str(pathlib.Path(__file__).parent / "share" / "setae" / "mappings")
 
 #: Examples of arguments that many functions have; those of requests are in their documentation.
-EXAMPLES = {"tip_radius": "10 ± 2 nm", "resolution": "0.5 um", "size": "5 um x 5 um", "longest": "10 um", "shortest": "100 nm",
+EXAMPLES = {"tip_radius": "10 ± 2 nm", "resolution": "0.5 um", "size": "5 um x 5 um", "longest_wavelength": "10 um",
+            "shortest_wavelength": "100 nm", "longest_distance": "10 um",
             "distance": "100 nm", "pressure": "1 MPa", "contact_point": "1.2 um", "pitch": "10 um",
-            "pixel": "2.05 um", "scale_bar": "500 nm", "foil_thickness": "50 nm"}
+            "pixel_size": "2.05 um", "scale_bar": "500 nm", "foil_thickness": "50 nm"}
 _NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?\s*([^\d\s]\S*(?: \S+)*|)")
 _SIGNS = re.compile(r"±|\+-|\+/-|\bto\b|(?<=[\w.])\s*\bx\b\s*(?=[\d.])")
 _EXAMPLE = re.compile(r'such as "([^"]*)"')
 #: Options of requests that take a standard error. Other options take the value of a quantity without it.
 UNCERTAIN = {
-    "Analysis": ("longest", "longest_wavelength", "shortest", "shortest_wavelength"),
+    "Analysis": ("longest_wavelength", "shortest_wavelength"),
     "LoopBodies": ("radius", "lens_height", "layer_thickness"),
     "LoopSettings": ("machine_stiffness",),
-    "Solids": ("E", "youngs_modulus", "W_int", "work_of_adhesion", "gamma", "surface_energy", "radius"),
+    "Solids": ("youngs_modulus", "W_int", "surface_energy", "radius"),
 }
 _KINDS = {"True or False": (bool, np.bool_), "a whole number": (Integral,), "a number": (Real,), "a text": (str,)}
 
@@ -164,23 +166,24 @@ def filled(request: Request, **given: Any) -> Request:
 
 
 def fill(request: Any, name: str, value: Any) -> None:
-    """Sets an option. A quantity becomes a text, or a number where the option is one."""
-    if not hasattr(request, name):
-        raise TypeError(f"unknown argument '{name}'; expected one of {', '.join(n for n in dir(request) if n[0] != '_')}")
-    now = getattr(request, name)
+    """Sets the option of an argument. A quantity becomes a text, or a number where the option is one."""
+    option = option_of(request, name)
+    if not hasattr(request, option):
+        require_known(name, [RENAMED.get(known, known) for known in dir(request) if known[0] != "_"])
+    now = getattr(request, option)
     if isinstance(now, list):
-        setattr(request, name, texts(value) if isinstance(value, str) else list(value) if isinstance(value, tuple) else value)
+        setattr(request, option, texts(value) if isinstance(value, str) else list(value) if isinstance(value, tuple) else value)
         return
     value = text(value) if isinstance(value, Length) else value
     quantity = value if isinstance(value, Quantity) else of_other_package(value)
     value = plain_number(value) if isinstance(value, Real) and not isinstance(value, bool) else value
-    is_text = isinstance(now, str) or (now is None and takes(request, name, "", now))
+    is_text = isinstance(now, str) or (now is None and takes(request, option, "", now))
     if is_text and (quantity is not None or isinstance(value, (str, int, float))) and not isinstance(value, bool):
         value = option_text(type(request), name, value if quantity is None else quantity)
-        require_word(value, name, getattr(type(request), name).__doc__ or "", now)
+        require_word(value, name, getattr(type(request), option).__doc__ or "", now)
     elif quantity is not None:
         value = number_of(quantity, name)
-    setattr(request, name, value)
+    setattr(request, option, value)
 
 
 def require_word(given: str, argument: str, documentation: str, default: Any) -> None:
@@ -195,8 +198,8 @@ def require_word(given: str, argument: str, documentation: str, default: Any) ->
 
 
 def example_of(request: type, name: str) -> str:
-    """The example in the documentation of an option; empty without one."""
-    found = _EXAMPLE.search(getattr(request, name).__doc__ or "")
+    """The example in the documentation of the option of an argument; empty without one."""
+    found = _EXAMPLE.search(getattr(request, option_of(request, name)).__doc__ or "")
     return found[1] if found else ""
 
 
@@ -234,12 +237,11 @@ def number_of(quantity: Quantity, argument: str) -> float:
     return float(quantity.to("1"))
 
 
-def require_known(given: Mapping[str, Any], known: Sequence[str]) -> None:
-    """Raises an error for a keyword that a function does not have."""
-    for name in given:
-        if name not in known:
-            near = difflib.get_close_matches(name, known, 1)
-            raise TypeError(f"unknown argument '{name}'; " + (f"did you mean '{near[0]}'?; " if near else "") + f"expected one of {', '.join(known)}")
+def require_known(name: str, known: Sequence[str]) -> None:
+    """Raises an error for an argument that a function does not have."""
+    if name not in known:
+        near = difflib.get_close_matches(name, known, 1)
+        raise TypeError(f"unknown argument '{name}'; " + (f"did you mean '{near[0]}'?; " if near else "") + f"expected one of {', '.join(known)}")
 
 
 def named(value: int | str | None) -> str | None:

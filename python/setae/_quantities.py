@@ -19,6 +19,7 @@ import numpy as np
 
 from . import _setae
 from ._errors import InvalidArgument
+from ._names import SINCE, renamed
 from ._units import SI_UNITS, described, factor, have_one_dimension, kind_of, pint_unit, plain_unit, product, registry, shown_unit, si_unit, unit_of_pint
 
 if TYPE_CHECKING:
@@ -117,7 +118,7 @@ class Quantity:
         number of measurements, points or pairs
     source : str
         formula with reference
-    input : str
+    input_name : str
         name of an input: quantities with one name have one error
 
     Examples
@@ -144,7 +145,7 @@ class Quantity:
     n: int | None = None
     source: str = ""
     alerts: tuple[Alert, ...] = ()
-    input: str = ""
+    input_name: str = ""
 
     def to(self, unit: str) -> Quantity:
         """The quantity in another unit of its dimension.
@@ -166,8 +167,8 @@ class Quantity:
         if "_scaled" in self.__dict__:
             scale, whole = self.__dict__["_scaled"]
             return scale * whole._uncertain
-        if self.input:
-            return self.value + self.standard_error * error_of_input(self.input)
+        if self.input_name:
+            return self.value + self.standard_error * error_of_input(self.input_name)
         shared: SharedErrors | None = self.__dict__.get("_shared")
         found = None if shared is None else shared.of(self)
         return uncertain(self.value, self.standard_error) if found is None else found
@@ -316,6 +317,15 @@ class Quantity:
         if any(isinstance(value, np.ndarray) and value.ndim > 0 for value in inputs):
             return np.frompyfunc(of_elements, len(inputs), 1)(*(np.asarray(value, dtype=object) for value in inputs))
         return of_elements(*inputs)
+
+    @property
+    def input(self) -> str:
+        """Former name of ``input_name``."""
+        warnings.warn(f"input: deprecated since setae {SINCE}; use input_name", DeprecationWarning, stacklevel=2)
+        return self.input_name
+
+
+Quantity.__init__ = renamed(input="input_name")(Quantity.__init__)  # type: ignore[method-assign]
 
 
 def uncertain(value: float, error: float) -> Any:
@@ -499,6 +509,7 @@ _NUMBER = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(.*?)\s*
 _NAME = re.compile(r"\s*([A-Za-z_]\w*)\s*=(.*)")
 
 
+@renamed(input="input_name")
 def quantity(
     value: str | float | Quantity | PintQuantity | UncertainNumber,
     unit: str | None = None,
@@ -506,7 +517,7 @@ def quantity(
     standard_error: float = 0.0,
     name: str = "",
     symbol: str = "",
-    input: str | None = None,
+    input_name: str | None = None,
 ) -> Quantity:
     """A quantity from a text as on paper, from a number with its unit, or from a value of pint or uncertainties.
 
@@ -514,18 +525,30 @@ def quantity(
 
     Parameters
     ----------
-    value : str or float or Quantity
-        text such as "1.25 ± 0.01 mm" or "lens = 1.25 ± 0.01 mm", a number, a quantity of pint, a number of uncertainties
-    unit : str
-        unit of a number, such as "mm"
+    value : str or float or Quantity or quantity of pint or number of uncertainties
+        text such as '1.25 ± 0.01 mm' or 'lens = 1.25 ± 0.01 mm', a number, a quantity of pint, a number of uncertainties
+    unit : str, optional
+        unit of a number, such as 'mm'
     standard_error : float, default 0.0
         standard error of a number, in its unit
     name : str, default ''
-        name of the quantity, such as "radius"
+        name of the quantity, such as 'radius'
     symbol : str, default ''
-        symbol, such as "R"
-    input : str
+        symbol, such as 'R'
+    input_name : str, optional
         name of the input; quantities with one name have one error, as under [inputs] of a study
+
+    Returns
+    -------
+    Quantity
+        the quantity, which calculates with its unit and error
+
+    Raises
+    ------
+    InvalidArgument
+        for a text that is no number with its unit, or an unknown unit
+    TypeError
+        for a value of another kind
 
     Examples
     --------
@@ -549,14 +572,14 @@ def quantity(
         if "_uncertain" in found.__dict__ and standard_error == 0.0:
             stated.__dict__["_uncertain"] = found._uncertain
         found = stated
-    named = {key: text for key, text in (("quantity", name), ("symbol", symbol), ("input", input)) if text}
+    named = {key: text for key, text in (("quantity", name), ("symbol", symbol), ("input_name", input_name)) if text}
     return relabelled(found, **named) if named else found
 
 
 def relabelled(of: Quantity, **named: str) -> Quantity:
     """The quantity with another name; the error is the same unless the input is named."""
     made = replace(of, **named)  # type: ignore[arg-type]
-    if "input" not in named:
+    if "input_name" not in named:
         made.__dict__.update({key: kept for key, kept in of.__dict__.items() if key in ("_uncertain", "_shared", "_scaled")})
     return made
 
@@ -579,7 +602,7 @@ def quantity_of_text(text: str) -> Quantity:
         value, error, method = 0.5 * (value + error), (error - value) / math.sqrt(12.0), "rectangular"
     if error < 0.0:
         raise InvalidArgument(f"'{text}' has an error below 0; expected a standard error of 0 or above, or a range from its smaller end")
-    return Quantity("", "", value, unit, error, method=method, input=named[1] if named else "")
+    return Quantity("", "", value, unit, error, method=method, input_name=named[1] if named else "")
 
 
 def alerts_from(entries: Json) -> tuple[Alert, ...]:

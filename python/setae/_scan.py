@@ -4,21 +4,25 @@
 from __future__ import annotations
 
 import dataclasses
+import functools
 import html
 import json
 import pathlib
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Union, cast
 
 from . import _setae
 from ._given import Given, is_path, shown
+from ._names import former_method
 from ._options import Length, Path, Size, Text, exact, named, path, require, size_text, text
 from ._quantities import Alert, Json, Quantity, alerts_from, quantity_from
 from ._results import Answer, alerts_html
 
 if TYPE_CHECKING:
     from ._columns import Array
+    from ._own_steps import OwnStep
 
 
 class Info(Answer):
@@ -47,7 +51,7 @@ class Step:
     alerts: tuple[Alert, ...]
 
     def __str__(self) -> str:
-        return self.step + ": " + ", ".join(f"{q.quantity.replace('_', ' ')} {q}" for q in self.numbers)
+        return ": ".join(filter(None, (self.step, ", ".join(f"{q.quantity.replace('_', ' ')} {q}" for q in self.numbers))))
 
 
 class Processing(Answer):
@@ -98,6 +102,7 @@ class Scan:
     layout: str = ""
     keep_values: bool = False
     source: Any = field(default=None, repr=False)  #: the array, its size, and whether it is periodic; None for a file
+    earlier: str = field(default="", repr=False)  #: history up to the last function of Python, as JSON
 
     @cached_property
     def _given(self) -> _setae.Heights | None:
@@ -172,7 +177,8 @@ class Scan:
     @property
     def alerts(self) -> tuple[Alert, ...]:
         """Warnings about reading the heights: values taken as undefined, points averaged."""
-        return alerts_from(json.loads(shown(self._heights.alerts)))
+        earlier = json.loads(self.earlier)["alerts"] if self.earlier else []
+        return alerts_from([*earlier, *json.loads(shown(self._heights.alerts))])
 
     @property
     def processing(self) -> Processing:
@@ -183,10 +189,27 @@ class Scan:
         >>> print(ramp.processing.steps[0].step, float(abs(ramp.heights).max()) < 1e-20)
         level_plane True
         """
-        return Processing(self._processed[1])
+        return Processing(with_earlier(self._processed[1], self.earlier))
 
-    def process(self, step: str, **parameters: Text | float | bool) -> Scan:
-        """Adds a step by its name in docs/reference/processing-steps.md: ``scan.process("gaussian_filter", cutoff="8 um")``."""
+    def process(self, step: str | OwnStep | Sequence[str | OwnStep], **parameters: Any) -> Scan:
+        """Adds a step by its name in docs/reference/processing-steps.md, a function of Python, or several steps.
+
+        A function gets the heights as an array in metres, and returns heights of the same shape. It also gets the scan if it has a parameter
+        ``scan``. A function that returns a scan may change the size. It is called at once. :attr:`processing` records its name.
+
+        >>> import numpy, setae
+        >>> wave = setae.scan(numpy.arange(8.0), size="8 um", unit="nm")
+        >>> wave.process(["level_mean", numpy.flip]).process("level_mean").processing.data["pipeline"]
+        ['level_mean', 'flip()', 'level_mean']
+        """
+        if isinstance(step, Sequence) and not isinstance(step, str):
+            if parameters:
+                raise TypeError("several steps with common parameters; expected \"gaussian_filter cutoff=8um\" or functools.partial(function, …)")
+            return functools.reduce(Scan.process, step, self)
+        if not isinstance(step, str):
+            from ._own_steps import with_own_step
+
+            return with_own_step(self, step, parameters)
         line = step
         for name, value in parameters.items():
             word = str(value).lower() if isinstance(value, bool) else text(value)
@@ -211,7 +234,7 @@ class Scan:
         """Fills undefined heights."""
         return self.process("fill_undefined", **parameters)
 
-    def stated(
+    def assign_metadata(
         self,
         *,
         instrument: str | None = None,
@@ -226,6 +249,8 @@ class Scan:
             if value is not None
         }
         return dataclasses.replace(self, **given)
+
+    stated = former_method("stated", assign_metadata)
 
     def plot(self, ax: Any = None, **style: Any) -> Any:
         """Plots the heights on axes of matplotlib, a map with y upwards as the program draws it; ``style``: keywords of matplotlib."""
@@ -273,7 +298,7 @@ class Scan:
     def _repr_html_(self) -> str:
         shape = " × ".join(map(str, self.heights.shape))
         extent = " × ".join(_setae.format_uncertain(length, float("nan"), "m") for length in self.size)
-        steps = self.processing._repr_html_() if self.steps or self.pipeline else ""
+        steps = self.processing._repr_html_() if self.steps or self.pipeline or self.earlier else ""
         return f"<b>{html.escape(self.name or str(self.file))}</b>: {shape} points, {extent}{steps}"
 
 
@@ -292,11 +317,50 @@ def read(
 ) -> Scan:
     """A channel of a file by its number, counted from 0, or its name; without ``channel`` the preferred channel of heights.
 
-    size, unit, layout: metadata that the file does not contain, as ``--size``, ``--unit`` and ``--as`` of the program.
-    keep_values: values that mark missing heights, such as −9999, stay heights. Otherwise they are undefined, with a warning in ``Scan.alerts``.
+    Values that mark missing heights, such as −9999, are undefined, with a warning in ``Scan.alerts``, unless ``keep_values`` is given.
 
-    :raises FileError: for a path that cannot be read
-    :raises FormatError: for content of an unknown format, or damaged content
+    Parameters
+    ----------
+    file : str or path
+        path of a file, of any format in `setae.formats()`
+    channel : int or str, optional
+        channel by its number, counted from 0, or by its name; default: the preferred channel of heights
+    size : str or Quantity or tuple, optional
+        extent of the heights, where the file does not state it, such as '5 um x 5 um'
+    unit : str, optional
+        unit of the heights, where the file does not state it, such as 'nm'
+    layout : str, optional
+        layout of a text file: a narrow map, points x y z, or the table of a spectrum; one of matrix, columns, spectrum
+    keep_values : bool, default False
+        heights are taken as they are: no value counts as a mark of missing data
+    instrument : str, optional
+        kind of the instrument; default: that of the file; one of stylus, afm, tem, optical
+    tip_radius : str or Quantity, optional
+        radius of the tip, with its standard error, such as '10 ± 2 nm'; default: that of the file
+    resolution : str or Quantity, optional
+        shortest wavelength that the instrument resolves, such as '500 nm'; default: that of the file
+    trend : str, optional
+        trend that is removed before the analysis; default: none after steps that level, else by instrument; one of none, mean, tilt,
+        parabola
+
+    Returns
+    -------
+    Scan
+        a map, a line or a traced curve; heights are read at the first use
+
+    Raises
+    ------
+    FileError
+        for a path that cannot be read
+    FormatError
+        for content of an unknown format, or damaged content
+
+    Examples
+    --------
+    >>> import setae
+    >>> scan = setae.read("map_bump.csv", size="15 nm x 15 nm", unit="nm", layout="matrix", instrument="afm", tip_radius="10 ± 2 nm")
+    >>> scan.level().despike().heights.shape
+    (15, 15)
     """
     require("True or False", keep_values=keep_values)
     scan = Scan(
@@ -315,15 +379,104 @@ def read(
     return scan
 
 
-def channels(file: Path, **stated: Any) -> tuple[Scan, ...]:
-    """All channels of heights of a file, or measurements of a container; ``stated``: arguments of :func:`read`."""
-    first = read(file, **stated)
+def channels(
+    file: Path,
+    *,
+    size: Size | None = None,
+    unit: str | None = None,
+    layout: str | None = None,
+    keep_values: bool = False,
+    instrument: str | None = None,
+    tip_radius: Text | None = None,
+    resolution: Text | None = None,
+    trend: str | None = None,
+) -> tuple[Scan, ...]:
+    """All channels of heights of a file, or measurements of a container, with metadata as for :func:`read`.
+
+    Parameters
+    ----------
+    file : str or path
+        path of a file or a container
+    size : str or Quantity or tuple, optional
+        extent of the heights, where the file does not state it, such as '5 um x 5 um'
+    unit : str, optional
+        unit of the heights, where the file does not state it, such as 'nm'
+    layout : str, optional
+        layout of a text file: a narrow map, points x y z, or the table of a spectrum; one of matrix, columns, spectrum
+    keep_values : bool, default False
+        heights are taken as they are: no value counts as a mark of missing data
+    instrument : str, optional
+        kind of the instrument; default: that of the file; one of stylus, afm, tem, optical
+    tip_radius : str or Quantity, optional
+        radius of the tip, with its standard error, such as '10 ± 2 nm'; default: that of the file
+    resolution : str or Quantity, optional
+        shortest wavelength that the instrument resolves, such as '500 nm'; default: that of the file
+    trend : str, optional
+        trend that is removed before the analysis; default: none after steps that level, else by instrument; one of none, mean, tilt,
+        parabola
+
+    Returns
+    -------
+    tuple of Scan
+        one scan per channel or measurement
+
+    Raises
+    ------
+    FileError
+        for a path that cannot be read
+    FormatError
+        for content of an unknown format, or damaged content
+
+    Examples
+    --------
+    >>> import setae
+    >>> [scan.name for scan in setae.channels("map_two_channels.txt")]
+    ['Height (trace)', 'Height (retrace)']
+    """
+    first = read(file, size=size, unit=unit, layout=layout, keep_values=keep_values, instrument=instrument, tip_radius=tip_radius,
+                 resolution=resolution, trend=trend)
     return tuple(dataclasses.replace(first, channel=index) for index in _setae.channels(first._item, True))
 
 
 def info(*paths: Path, heights: bool | None = None, size: Size | None = None, unit: str | None = None, layout: str | None = None,
          channel: int | str | None = None, keep_values: bool = False) -> Info:
-    """Content of files or folders. heights: read (True), not read (False), or read from files up to 64 MB (None)."""
+    """Content of files or folders.
+
+    Parameters
+    ----------
+    *paths : str or path
+        files or folders
+    heights : bool, optional
+        heights are read (True), not read (False), or read from files up to 64 MB (None)
+    size : str or Quantity or tuple, optional
+        extent of the heights, where the file does not state it, such as '5 um x 5 um'
+    unit : str, optional
+        unit of the heights, where the file does not state it, such as 'nm'
+    layout : str, optional
+        layout of a text file: a narrow map, points x y z, or the table of a spectrum; one of matrix, columns, spectrum
+    channel : int or str, optional
+        channel by its number, counted from 0, or by its name; default: the preferred channel of heights
+    keep_values : bool, default False
+        heights are taken as they are: no value counts as a mark of missing data
+
+    Returns
+    -------
+    Info
+        channels and files with their metadata
+
+    Raises
+    ------
+    FileError
+        for a path that cannot be read
+    FormatError
+        for content of an unknown format, or damaged content
+
+    Examples
+    --------
+    >>> import setae
+    >>> setae.info("map_two_channels.txt", "line.csv")
+    Info(2 files, 3 channels)
+    """
     require("True or False", heights=heights, keep_values=keep_values)
     item = _setae.Item("")
     item.set_file(size_text(size), text(unit), text(layout), named(channel), keep_values)
@@ -333,6 +486,23 @@ def info(*paths: Path, heights: bool | None = None, size: Size | None = None, un
 def lengths(size: Size) -> list[float]:
     """Lengths in metres.
 
+    Parameters
+    ----------
+    size : str or Quantity or tuple
+        one length, or extents separated by x, such as '2 um x 1 mm'
+
+    Returns
+    -------
+    list of float
+        lengths in metres
+
+    Raises
+    ------
+    InvalidArgument
+        for a value outside its domain, with another dimension or without its unit
+
+    Examples
+    --------
     >>> lengths("2 um x 1 m")
     [2e-06, 1.0]
     """
@@ -350,28 +520,43 @@ def scan(heights: Any, size: Size | None = None, unit: str | None = None, *, x: 
 
     Parameters
     ----------
-    heights : array, table, or object of another package
-        an array with the first index x, an array of pint, a DataArray of xarray with coordinates, a topography of SurfaceTopography, a table
-        of positions and heights with units (DataFrame, dictionary of arrays), or a result of setae: a scan, a simulated surface, a contour
-    size : str or Quantity, or one value per direction
-        extent of an array, such as "5 um x 5 um" or ``other.size``; needed for arrays without x
-    unit : str
-        unit of an array, such as "nm"; with x also "mm, um" of positions and heights
-    x : array
+    heights : object
+        array with the first index x, array of pint, DataArray of xarray, topography of SurfaceTopography, table of positions and
+        heights with units, or a result of setae: a scan, a simulated surface, a contour
+    size : str or Quantity or tuple, optional
+        extent of an array, such as '5 um x 5 um' or `other.size`; needed for arrays without x
+    unit : str, optional
+        unit of an array, such as 'nm'; with x also 'mm, um' of positions and heights
+    x : object, optional
         positions of the heights along a line
     periodic : bool, default False
         the heights repeat themselves beyond their edges
-    name : str
-        name in results and messages; default: "array"
-    instrument : str
-        kind of the instrument: 'stylus', 'afm', 'tem' or 'optical'
-    tip_radius : str or Quantity
-        radius of the tip, with its standard error, such as '10 ± 2 nm'
-    resolution : str or Quantity
-        distance below which the instrument does not resolve heights
-    trend : str
-        trend that is removed from the heights: 'none', 'mean', 'tilt' or 'parabola'
+    name : str, optional
+        name in results and messages; default: 'array'
+    instrument : str, optional
+        kind of the instrument; default: that of the file; one of stylus, afm, tem, optical
+    tip_radius : str or Quantity, optional
+        radius of the tip, with its standard error, such as '10 ± 2 nm'; default: that of the file
+    resolution : str or Quantity, optional
+        shortest wavelength that the instrument resolves, such as '500 nm'; default: that of the file
+    trend : str, optional
+        trend that is removed before the analysis; default: none after steps that level, else by instrument; one of none, mean, tilt,
+        parabola
 
+    Returns
+    -------
+    Scan
+        heights with their size, for every function of measurements
+
+    Raises
+    ------
+    InvalidArgument
+        for a value outside its domain, with another dimension or without its unit
+    TypeError
+        for a value of another kind
+
+    Examples
+    --------
     >>> import numpy
     >>> wave = scan(3e-9 * numpy.cos(2 * numpy.pi * 8 * numpy.arange(512) / 512), size="2 um", unit="m")
     >>> wave.size, wave.heights.shape
@@ -413,6 +598,16 @@ def own_scan(value: Any) -> Scan | None:
 def scan_of(heights: _setae.Heights, name: str) -> Scan:
     """A scan of heights from setae, without a copy."""
     return Scan(name, source=(heights.array, heights.size, heights.periodic))
+
+
+def with_earlier(records: str, earlier: str) -> str:
+    """JSON of processing with the steps of an earlier history before its own."""
+    if not earlier:
+        return records
+    data, before = json.loads(records), json.loads(earlier)
+    data["pipeline"] = before["pipeline"] + data["pipeline"]
+    data["files"][0]["steps"] = before["steps"] + data["files"][0]["steps"]
+    return json.dumps(data, indent=2, ensure_ascii=False) + "\n"
 
 
 #: Measurements: scans, files, arrays with a size.

@@ -13,6 +13,23 @@ from ._options import require
 def schema(command: str) -> dict[str, Any]:
     """JSON Schema (draft 2020-12) of the output of ``setae COMMAND --json`` and of ``.json()`` of results; "study": of study.json.
 
+    Parameters
+    ----------
+    command : str
+        name of the command, such as 'psd' or 'contact solve'; 'study' for study.json
+
+    Returns
+    -------
+    dict
+        the schema, with units and meanings
+
+    Raises
+    ------
+    InvalidArgument
+        for a command without JSON
+
+    Examples
+    --------
     >>> import setae
     >>> setae.schema("psd")["properties"]["wavevector"]["unit"]
     '1/m'

@@ -7,14 +7,20 @@ import pathlib
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from . import _setae
 from ._errors import InvalidArgument
 from ._given import shown
+from ._names import former_method, renamed
 from ._options import MAPPINGS, Path, filled, require
 from ._quantities import Quantity
 from ._results import Answer
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from ._generated import PatchSurveyRequest
 
 
 @dataclass(frozen=True)
@@ -72,6 +78,9 @@ class Figures(Mapping[str, Figure]):
 
     def __len__(self) -> int:
         return len(self._figures)
+
+    def _ipython_key_completions_(self) -> list[str]:
+        return list(self)
 
 
 class StudyResult(Answer):
@@ -136,9 +145,12 @@ class StudyResult(Answer):
         require("a whole number", trials=trials, seed=seed, threads=threads)
         return Answer(self.handle.predict(trials, seed, threads))
 
-    def conform(self, **patches: Any) -> PatchSurvey:
-        """Random patches with the spectra and U_el/(A W) of the pairs of the study; ``patches``: arguments of :func:`conform`."""
-        return conform(self, **patches)
+    def patch_survey(self, **patches: Unpack[PatchSurveyRequest]) -> PatchSurvey:
+        """Random patches with the spectra and U_el/(A W) of the pairs of the study; ``patches``: arguments of :func:`patch_survey`."""
+        options: Any = patches
+        return patch_survey(self, **options)
+
+    conform = former_method("conform", patch_survey)
 
     def report(self, file: Path | None = None) -> str:
         """The report, one HTML page that works offline; written to ``file`` if it is given."""
@@ -166,7 +178,8 @@ class PatchSurvey(Answer):
     tables = ("rows",)
 
 
-def conform(
+@renamed("seeds")
+def patch_survey(
     of: StudyResult | None = None,
     *,
     energy_shares: Sequence[float] | None = None,
@@ -176,7 +189,7 @@ def conform(
     waves_per_side: float | None = None,
     hurst_exponent: float | None = None,
     law: str | None = None,
-    seeds: int | None = None,
+    realisations: int | None = None,
     seed: int | None = None,
     loops: bool = False,
 ) -> PatchSurvey:
@@ -186,29 +199,43 @@ def conform(
 
     Parameters
     ----------
-    energy_shares : Sequence[float]
+    of : StudyResult, optional
+        result of a study, whose pairs give the spectra and energies of the patches
+    energy_shares : Sequence[float], optional
         ratio U_el/(A W) of stored to gained energy of the patches
-    points : Sequence[int]
+    points : Sequence[int], optional
         number of points along each side of a patch
-    points_per_wave : Sequence[float]
+    points_per_wave : Sequence[float], optional
         number of points per shortest wavelength
-    squared_ratios : Sequence[float]
+    squared_ratios : Sequence[float], optional
         ratio w dx/(E* ρ²) of the grid, at most 1, which sets the range of the attraction
-    waves_per_side : float
+    waves_per_side : float, optional
         number of longest wavelengths along each side of a patch
-    hurst_exponent : float
+    hurst_exponent : float, optional
         Hurst exponent of patches, where no study gives the spectrum
-    law : str
+    law : str, optional
         decay of the attraction with the gap; one of exponential, cubic, dugdale, lennard_jones
-    seeds : int
+    realisations : int, optional
         number of patches of each kind
-    seed : int
+    seed : int, optional
         seed of the first patch; further patches use the next numbers
     loops : bool, default False
         whole loops as well, which take minutes instead of seconds
 
+    Returns
+    -------
+    PatchSurvey
+        one entry per kind of patch
+
+    Raises
+    ------
+    InvalidArgument
+        for a value outside its domain, with another dimension or without its unit
+
+    Examples
+    --------
     >>> import setae
-    >>> found = setae.conform(energy_shares=[0.05], points=[64], points_per_wave=[8], seeds=2)
+    >>> found = setae.patch_survey(energy_shares=[0.05], points=[64], points_per_wave=[8], realisations=2)
     >>> found["rows"][0]["area_from_far"]["value"]
     1.0
     """
@@ -221,7 +248,7 @@ def conform(
         waves_per_side=waves_per_side,
         hurst_exponent=hurst_exponent,
         law=law,
-        seeds=seeds,
+        realisations=realisations,
         seed=seed,
         loops=loops,
     )

@@ -34,8 +34,10 @@ class Study:
     work_of_adhesion : str or Quantity
         W_int for predictions, such as "37.0 ± 3.7 mJ/m2"; default: the fitted W_int
 
+    Examples
+    --------
     >>> import setae
-    >>> wafer = setae.synthesize(hurst=0.8, rolloff="1 um", short_cutoff="80 nm", rms_height="5 nm", size="5 um", pixels=128).scan
+    >>> wafer = setae.synthesize(hurst_exponent=0.8, rolloff="1 um", short_cutoff="80 nm", rms_height="5 nm", size="5 um", pixels=128).scan
     >>> study = (
     ...     setae.Study(title="One pair")
     ...     .rough_solid(youngs_modulus="130 GPa", poisson_ratio=0.28)
@@ -119,6 +121,8 @@ class Study:
         **shared
             keys of measurements, such as instrument="afm", for all measurements that do not state their own
 
+        Examples
+        --------
         >>> import setae
         >>> setae.Study().surface("A", ["afm_1.spm", "afm_2.spm"], instrument="afm", tip_radius="10 ± 2 nm")
         Study('': 1 surface, 0 elastomers, 0 pairs)
@@ -165,6 +169,8 @@ class Study:
         **keys
             further keys of an elastomer, such as preload="1 mN"
 
+        Examples
+        --------
         >>> import setae
         >>> setae.Study().elastomer("soft", youngs_modulus="0.7 MPa", surface_energy="25 mJ/m2", preload="1 mN")
         Study('': 0 surfaces, 1 elastomer, 0 pairs)
@@ -187,6 +193,8 @@ class Study:
             keys of an experiment for all these loops, such as sphere_radius="1.25 mm"; without loops published values: approach, pull_off,
             retraction (J/m²), loss (J), contact_radius (m), such as approach="41 ± 1 mJ/m2"
 
+        Examples
+        --------
         >>> import setae
         >>> setae.Study().pair("A", "soft", ["loop_1.csv", "loop_2.csv"], drift="linear").pair("A", "stiff", approach="41 ± 1 mJ/m2")
         Study('': 0 surfaces, 0 elastomers, 2 pairs)
@@ -198,6 +206,8 @@ class Study:
     def reference(self, elastomer: str, loops: Any = None, *, stage: str | None = None, **keys: Any) -> Study:
         """Adds loops of an elastomer on a smooth reference, measured "before" or "after" the rough loops (stage), or published values of it.
 
+        Examples
+        --------
         >>> import setae
         >>> setae.Study().reference("soft", "smooth.csv", stage="before")
         Study('': 0 surfaces, 0 elastomers, 0 pairs, 1 reference)
@@ -212,6 +222,8 @@ class Study:
         Columns of values are approach, pull_off, retraction, loss or contact_radius; columns such as "approach standard_error" or
         "approach_standard_error" contain their standard errors. Rows without a surface are smooth references.
 
+        Examples
+        --------
         >>> import setae
         >>> values = {"surface": ["A", "B"], "elastomer": ["soft", "soft"], "approach [mJ/m2]": [41.4, 30.1], "approach_standard_error": [0.9, 1.2]}
         >>> setae.Study().pairs(values)
@@ -262,7 +274,10 @@ class Study:
 
         Paths in the file are relative to the file. The results of the file have the bytes of the results of :meth:`run`.
 
-        :raises FormatError: for an unknown key, a missing or wrong unit, a name that is not declared, with the line in the file
+        Raises
+        ------
+        FormatError
+            for an unknown key, a missing or wrong unit, a name that is not declared, with the line in the file
         """
         if self._file is not None:
             raise InvalidArgument(f"{self._file}: a study file; copy the file")
@@ -394,8 +409,25 @@ def study(file: Path | Mapping[str, Any]) -> Study:
 
     In a dictionary, paths are relative to the current folder, and content in memory takes the place of files, as in :class:`Study`.
 
-    :raises FormatError: for an unknown key, a missing or wrong unit, a name that is not declared
+    Parameters
+    ----------
+    file : str or path or Mapping[str, object]
+        path of a study file, or a dictionary with the keys of a study file
 
+    Returns
+    -------
+    Study
+        a study that runs, or that is continued
+
+    Raises
+    ------
+    FormatError
+        for an unknown key, a missing or wrong unit, a name that is not declared
+    FileError
+        for a path that cannot be read
+
+    Examples
+    --------
     >>> import setae
     >>> setae.study({"title": "From a dictionary", "surfaces": {"A": {"measurements": [{"file": "afm.spm", "instrument": "afm"}]}}})
     Study('From a dictionary': 1 surface, 0 elastomers, 0 pairs)

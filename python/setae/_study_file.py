@@ -205,7 +205,7 @@ def of_loop(loop: Loop) -> dict[str, Any]:
     if files.get("curve_number") is not None:
         raise InvalidArgument(f"{loop.file}: curve_number; expected a loop of a file with one curve, or loop.to_pandas()")
     camera = {"file": files.get("camera"), "mapping": files.get("camera_mapping"), "clock_offset": files.get("clock_offset"),
-              "pixel_size": files.get("pixel"), "frame_rate": files.get("frame_rate") and f"{files['frame_rate']!r} 1/s",
+              "pixel_size": files.get("pixel_size"), "frame_rate": files.get("frame_rate") and f"{files['frame_rate']!r} 1/s",
               "fringes": files.get("fringes") or None}
     entry = {
         "file": loop.file,

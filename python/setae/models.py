@@ -72,6 +72,18 @@ def hertz(displacement: ArrayLike, radius: Number, contact_modulus: Number, *, z
     zero_outside : bool, default False
         0 in place of NaN for δ < 0, where the bodies do not touch
 
+    Returns
+    -------
+    float or array
+        force in N, in the shape of the first argument
+
+    Raises
+    ------
+    InvalidArgument
+        for a parameter with another dimension, or outside its domain
+
+    Examples
+    --------
     >>> round(float(hertz(1e-6, 1e-3, 1e6) / (4 / 3 * 1e6 * 1e-3**0.5 * 1e-6**1.5)), 12)
     1.0
     """
@@ -81,6 +93,18 @@ def hertz(displacement: ArrayLike, radius: Number, contact_modulus: Number, *, z
 def hertz_contact_radius(force: ArrayLike, radius: Number, contact_modulus: Number, *, zero_outside: bool = False) -> Any:
     """Contact radius a = (3RF/4E*)^(1/3) [m] of a sphere without adhesion under force F [N]; parameters as for :func:`hertz`.
 
+    Returns
+    -------
+    float or array
+        contact radius in m, in the shape of the first argument
+
+    Raises
+    ------
+    InvalidArgument
+        for a parameter with another dimension, or outside its domain
+
+    Examples
+    --------
     >>> round(float(hertz_contact_radius(4e-3 / 3, 1e-3, 1e6)), 9)
     0.0001
     """
@@ -103,6 +127,18 @@ def dmt(displacement: ArrayLike, radius: Number, contact_modulus: Number, work_o
     zero_outside : bool, default False
         0 in place of NaN for δ < 0, where the bodies do not touch
 
+    Returns
+    -------
+    float or array
+        force in N, in the shape of the first argument
+
+    Raises
+    ------
+    InvalidArgument
+        for a parameter with another dimension, or outside its domain
+
+    Examples
+    --------
     >>> float(dmt(0.0, 1e-3, 1e6, 0.05) / dmt_pull_off(1e-3, 0.05))
     1.0
     """
@@ -112,6 +148,18 @@ def dmt(displacement: ArrayLike, radius: Number, contact_modulus: Number, work_o
 def dmt_contact_radius(force: ArrayLike, radius: Number, contact_modulus: Number, work_of_adhesion: Number, *, zero_outside: bool = False) -> Any:
     """Contact radius a = (3R(F + 2πRW)/4E*)^(1/3) [m] under force F [N]; parameters as for :func:`dmt`.
 
+    Returns
+    -------
+    float or array
+        contact radius in m, in the shape of the first argument
+
+    Raises
+    ------
+    InvalidArgument
+        for a parameter with another dimension, or outside its domain
+
+    Examples
+    --------
     >>> float(dmt_contact_radius(dmt_pull_off(1e-3, 0.05), 1e-3, 1e6, 0.05))
     0.0
     """
@@ -121,6 +169,18 @@ def dmt_contact_radius(force: ArrayLike, radius: Number, contact_modulus: Number
 def dmt_pull_off(radius: Number, work_of_adhesion: Number) -> float:
     """Force −2πRW [N] at which a sphere separates; parameters as for :func:`dmt`.
 
+    Returns
+    -------
+    float
+        force in N
+
+    Raises
+    ------
+    InvalidArgument
+        for a parameter with another dimension, or outside its domain
+
+    Examples
+    --------
     >>> round(dmt_pull_off(1e-3, 0.05) / (-2 * math.pi * 1e-3 * 0.05), 12)
     1.0
     """
@@ -148,6 +208,18 @@ def jkr(displacement: ArrayLike, radius: Number, contact_modulus: Number, work_o
     zero_outside : bool, default False
         0 in place of NaN where no equilibrium exists, after pull-off
 
+    Returns
+    -------
+    float or array
+        force in N, in the shape of the first argument
+
+    Raises
+    ------
+    InvalidArgument
+        for a parameter with another dimension, or outside its domain
+
+    Examples
+    --------
     >>> round(float(jkr(0.0, 1e-3, 1e6, 0.05)) / (-4 / 3 * math.pi * 1e-3 * 0.05), 9)
     1.0
     """
@@ -158,6 +230,18 @@ def jkr_contact_radius(force: ArrayLike, radius: Number, contact_modulus: Number
                        zero_outside: bool = False) -> Any:
     """Contact radius a³ = (3R/4E*) (√P + √(F + P))², P = 3/2 πRW, under force F [N]; parameters as for :func:`jkr`.
 
+    Returns
+    -------
+    float or array
+        contact radius in m, in the shape of the first argument
+
+    Raises
+    ------
+    InvalidArgument
+        for a parameter with another dimension, or outside its domain
+
+    Examples
+    --------
     >>> a = float(jkr_contact_radius(0.0, 1e-3, 1e6, 0.05))
     >>> round(a**3 / (4.5 * math.pi * 0.05 * 1e-6 / 1e6), 9)
     1.0
@@ -177,6 +261,18 @@ def jkr_pull_off(radius: Number, work_of_adhesion: Number, *, control: str = "fi
     control : str, default 'fixed_load'
         controlled quantity: 'fixed_load' or 'fixed_grips'
 
+    Returns
+    -------
+    float
+        force in N
+
+    Raises
+    ------
+    InvalidArgument
+        for a parameter with another dimension, or outside its domain
+
+    Examples
+    --------
     >>> round(jkr_pull_off(1e-3, 0.05) / (math.pi * 1e-3 * 0.05), 12)
     -1.5
     """
@@ -209,6 +305,18 @@ def maugis_dugdale(displacement: ArrayLike, radius: Number, contact_modulus: Num
     zero_outside : bool, default False
         0 in place of NaN where no equilibrium exists
 
+    Returns
+    -------
+    float or array
+        force in N, in the shape of the first argument
+
+    Raises
+    ------
+    InvalidArgument
+        for a parameter with another dimension, or outside its domain
+
+    Examples
+    --------
     >>> jkr_like = maugis_dugdale(1e-6, 1e-3, 1e6, 0.05, 1e9)
     >>> bool(abs(jkr_like / jkr(1e-6, 1e-3, 1e6, 0.05) - 1) < 1e-3)
     True
@@ -221,6 +329,18 @@ def maugis_dugdale_contact_radius(force: ArrayLike, radius: Number, contact_modu
                                   branch: str = "outer", zero_outside: bool = False) -> Any:
     """Contact radius [m] under force F [N]; parameters as for :func:`maugis_dugdale`.
 
+    Returns
+    -------
+    float or array
+        contact radius in m, in the shape of the first argument
+
+    Raises
+    ------
+    InvalidArgument
+        for a parameter with another dimension, or outside its domain
+
+    Examples
+    --------
     >>> bool(maugis_dugdale_contact_radius(0.0, 1e-3, 1e6, 0.05, 1e9) > 0)
     True
     """
@@ -231,6 +351,18 @@ def maugis_dugdale_contact_radius(force: ArrayLike, radius: Number, contact_modu
 def maugis_dugdale_pull_off(radius: Number, contact_modulus: Number, work_of_adhesion: Number, cohesive_stress: Number) -> float:
     """Force [N] at which a sphere separates under a dead load, between −2πRW (DMT) and −3/2 πRW (JKR); parameters as for :func:`maugis_dugdale`.
 
+    Returns
+    -------
+    float
+        force in N
+
+    Raises
+    ------
+    InvalidArgument
+        for a parameter with another dimension, or outside its domain
+
+    Examples
+    --------
     >>> -2.0 < maugis_dugdale_pull_off(1e-3, 1e6, 0.05, 1e4) / (math.pi * 1e-3 * 0.05) < -1.5
     True
     """
@@ -264,6 +396,18 @@ def layer(displacement: ArrayLike, radius: Number, contact_modulus: Number, work
     zero_outside : bool, default False
         0 in place of NaN where no equilibrium exists
 
+    Returns
+    -------
+    float or array
+        force in N, in the shape of the first argument
+
+    Raises
+    ------
+    InvalidArgument
+        for a parameter with another dimension, or outside its domain
+
+    Examples
+    --------
     >>> bool(abs(layer(1e-6, 1e-3, 1e6, 0.05, 1.0, 0.5) / jkr(1e-6, 1e-3, 1e6, 0.05) - 1) < 1e-3)
     True
     """
@@ -275,6 +419,18 @@ def layer_contact_radius(force: ArrayLike, radius: Number, contact_modulus: Numb
                          poisson_ratio: float, *, branch: str = "outer", zero_outside: bool = False) -> Any:
     """Contact radius [m] on a layer under force F [N]; parameters as for :func:`layer`.
 
+    Returns
+    -------
+    float or array
+        contact radius in m, in the shape of the first argument
+
+    Raises
+    ------
+    InvalidArgument
+        for a parameter with another dimension, or outside its domain
+
+    Examples
+    --------
     >>> thin = layer_contact_radius(1e-3, 1e-3, 1e6, 0.0, 1e-4, 0.5)
     >>> bool(thin < hertz_contact_radius(1e-3, 1e-3, 1e6))
     True
@@ -299,6 +455,18 @@ def flat_punch(displacement: ArrayLike, radius: Number, contact_modulus: Number,
     zero_outside : bool, default False
         0 in place of NaN after pull-off
 
+    Returns
+    -------
+    float or array
+        force in N, in the shape of the first argument
+
+    Raises
+    ------
+    InvalidArgument
+        for a parameter with another dimension, or outside its domain
+
+    Examples
+    --------
     >>> float(flat_punch(1e-6, 1e-3, 1e6, 0.0))
     0.002
     """
@@ -312,6 +480,18 @@ def flat_punch(displacement: ArrayLike, radius: Number, contact_modulus: Number,
 def flat_punch_pull_off(radius: Number, contact_modulus: Number, work_of_adhesion: Number) -> float:
     """Force −√(8πE*W a³) [N] at which a flat punch separates; parameters as for :func:`flat_punch`.
 
+    Returns
+    -------
+    float
+        force in N
+
+    Raises
+    ------
+    InvalidArgument
+        for a parameter with another dimension, or outside its domain
+
+    Examples
+    --------
     >>> round(flat_punch_pull_off(1e-3, 1e6, 0.05), 6)
     -0.035449
     """

@@ -174,8 +174,8 @@ def test_isotropic_spectra_and_their_surfaces(psd):
     C_iso = 1e-27 * (q / 1e6) ** -3.6
     surface = setae.surface({"q [1/m]": q, "C_iso [m4]": C_iso})
     assert surface.method == "given" and surface.C_iso == pytest.approx(C_iso, rel=1e-15)
-    work = setae.work_of_adhesion({"q [1/m]": q, "C_iso [m4]": C_iso}, E="1 MPa", W_int="50 mJ/m2", gamma="25 mJ/m2")
-    assert float(work) == float(setae.work_of_adhesion(surface, E="1 MPa", W_int="50 mJ/m2", gamma="25 mJ/m2"))
+    work = setae.work_of_adhesion({"q [1/m]": q, "C_iso [m4]": C_iso}, youngs_modulus="1 MPa", W_int="50 mJ/m2", surface_energy="25 mJ/m2")
+    assert float(work) == float(setae.work_of_adhesion(surface, youngs_modulus="1 MPa", W_int="50 mJ/m2", surface_energy="25 mJ/m2"))
     made = setae.synthesize(spectrum={"q [1/m]": q, "C_iso [m4]": C_iso}, size="2 um", pixels=64)
     assert "/" not in made.data.get("spectrum_file", "") and made.scan.heights.std() > 0.0
 
@@ -238,7 +238,7 @@ def test_force_curves_in_memory():
     depth = np.concatenate([np.linspace(-200.0, 300.0, 400), np.linspace(300.0, -200.0, 400)])
     force = 4 / 3 * 1e6 * np.sqrt(5e-6) * np.maximum(1e-9 * depth, 0.0) ** 1.5 + 1e-11 * rng.standard_normal(depth.size)
     curve = {"displacement": UNITS.Quantity(depth, "nm"), "force": UNITS.Quantity(1e9 * force, "nN")}
-    fit = setae.force_curves(curve, radius="5 um", model="hertz", nu=0.5)
+    fit = setae.force_curves(curve, radius="5 um", model="hertz", poisson_ratio=0.5)
     moduli = [q for q in fit["segments"][0].values() if isinstance(q, setae.Quantity) and q.quantity == "contact_modulus"]
     assert [float(q) for q in moduli] == pytest.approx([1e6], rel=5e-3)
     assert tempfile.gettempdir() not in fit.json()

@@ -24,7 +24,8 @@ NOTEBOOKS = sorted((ROOT / "docs/notebooks").glob("*.py"))
 
 
 @pytest.mark.parametrize("name", ["__init__", *MODULES])
-def test_examples_in_docstrings(name):
+def test_examples_in_docstrings(name, monkeypatch):
+    monkeypatch.chdir(ROOT / "tests/cli/data")  # with the files that examples read
     module = setae if name == "__init__" else importlib.import_module(f"setae.{name}")
     assert doctest.testmod(module, optionflags=doctest.NORMALIZE_WHITESPACE).failed == 0
 

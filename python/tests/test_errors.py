@@ -68,10 +68,13 @@ def test_loops(tmp_path, data):
 
 @pytest.mark.parametrize(
     ("argument", "words"),
-    [({"nu": 0.7}, "0.5"), ({"E": "0.7"}, "0.7"), ({"E": "-1 MPa"}, "above 0"), ({"W_int": "37 mJ"}, "J"), ({"radius": "1 mm"}, "preload")],
+    [
+        ({"poisson_ratio": 0.7}, "0.5"), ({"youngs_modulus": "0.7"}, "0.7"), ({"youngs_modulus": "-1 MPa"}, "above 0"),
+        ({"W_int": "37 mJ"}, "J"), ({"radius": "1 mm"}, "preload"),
+    ],  # fmt: skip
 )
 def test_solids(argument, words, data):
-    solids = {"E": "0.7 MPa", "W_int": "37 mJ/m2", "gamma": "25 mJ/m2", **argument}
+    solids = {"youngs_modulus": "0.7 MPa", "W_int": "37 mJ/m2", "surface_energy": "25 mJ/m2", **argument}
     with pytest.raises(setae.InvalidArgument, match=words):
         setae.work_of_adhesion(data / "rougher/afm_1.txt", **solids)
 
@@ -83,7 +86,10 @@ def test_value_of_another_type(data):
 
 @pytest.mark.parametrize(
     "argument",
-    [{"window": "hamming"}, {"longest": "1 kg"}, {"contours": "lines"}, {"conversion": "none"}, {"memory": -1.0}, {"bootstrap_resamples": -1}],
+    [
+        {"window": "hamming"}, {"longest_wavelength": "1 kg"}, {"contours": "lines"}, {"conversion": "none"}, {"memory": -1.0},
+        {"bootstrap_resamples": -1},
+    ],  # fmt: skip
 )
 def test_analysis(argument, data):
     with pytest.raises(setae.InvalidArgument):
@@ -93,7 +99,7 @@ def test_analysis(argument, data):
 def test_functions_of_scale(data):
     for argument in ({"order": 4}, {"distance": "3 kg"}, {"statistic": "median"}, {"along": "z"}, {"bins_per_decade": 0}, {"weighting": "none"}):
         with pytest.raises(setae.InvalidArgument):
-            setae.scale_dependent(data / "rougher/afm_1.txt", **argument)
+            setae.scale_dependent_roughness(data / "rougher/afm_1.txt", **argument)
     with pytest.raises(TypeError, match="bins"):
         setae.autocorrelation(data / "rougher/afm_1.txt", bins=3)
 

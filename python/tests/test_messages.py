@@ -14,10 +14,10 @@ import setae
 from conftest import ROOT
 
 DATA = ROOT / "tests/cli/data"
-SOLIDS = {"E": "0.7 MPa", "W_int": "37 mJ/m2", "gamma": "25 mJ/m2"}
+SOLIDS = {"youngs_modulus": "0.7 MPa", "W_int": "37 mJ/m2", "surface_energy": "25 mJ/m2"}
 BODY = {"contact_modulus": "1 MPa", "pressure": "1 kPa"}
 SPHERE = {"radius": "1 mm", "contact_modulus": "1 MPa", "W_int": "50 mJ/m2", "to_displacement": "1 um"}
-MADE = {"hurst": 0.8, "rolloff": "1 um", "short_cutoff": "80 nm", "rms_height": "20 nm", "size": "5 um", "pixels": 64}
+MADE = {"hurst_exponent": 0.8, "rolloff": "1 um", "short_cutoff": "80 nm", "rms_height": "20 nm", "size": "5 um", "pixels": 64}
 SCAN = setae.scan(1e-9 * np.random.default_rng(1).standard_normal((32, 32)), size="1 um x 1 um", unit="m")
 
 #: Calls by the name of the function; keywords of a case replace those of the call.
@@ -27,24 +27,24 @@ CALLS: dict[str, Callable[..., Any]] = {
     "parameters": lambda **given: setae.parameters(SCAN, **given),
     "surface": lambda **given: setae.surface(SCAN, **given),
     "texture": lambda **given: setae.texture(SCAN, **{"standard": "iso25178", **given}),
-    "scale_dependent": lambda **given: setae.scale_dependent(SCAN, **given),
+    "scale_dependent_roughness": lambda **given: setae.scale_dependent_roughness(SCAN, **given),
     "contact": lambda **given: setae.contact(SCAN, **{**BODY, **given}),
-    "contact_sweep": lambda **given: setae.contact_sweep(SCAN, **{"contact_modulus": "1 MPa", "W_int": "50 mJ/m2", "range": "10 nm", **given}),
+    "contact_sweep": lambda **given: setae.contact_sweep(SCAN, **{"contact_modulus": "1 MPa", "W_int": "50 mJ/m2", "interaction_range": "10 nm", **given}),
     "contact_front": lambda **given: setae.contact_front(SCAN, **{**SPHERE, **given}),
     "persson": lambda **given: setae.persson(SCAN, **{**BODY, **given}),
     "synthesize": lambda **given: setae.synthesize(**{**MADE, **given}),
     "tip": lambda **given: setae.tip(SCAN, **{"points": 5, **given}),
     "check": lambda **given: setae.check(SCAN, **given),
-    "stated": lambda **given: SCAN.stated(**given),
+    "assign_metadata": lambda **given: SCAN.assign_metadata(**given),
     "scan": lambda **given: setae.scan(np.ones((4, 4)), **{"size": "1 um x 1 um", "unit": "m", **given}),
     "loop": lambda **given: setae.loop(DATA / "loop_on_glass.csv", **given),
     "lens": lambda **given: setae.lens(DATA / "lens_profile.csv", **given),
     "camera": lambda **given: setae.camera(DATA / "ruling_upright.png", **given),
-    "contact_radii": lambda **given: setae.contact_radii(DATA / "frames", **{"pixel": "2 um", "frame_rate": 10, **given}),
-    "contour": lambda **given: setae.contour(DATA / "wave.png", **{"pixel": "0.1 nm", **given}),
+    "contact_radii": lambda **given: setae.contact_radii(DATA / "frames", **{"pixel_size": "2 um", "frame_rate": 10, **given}),
+    "contour": lambda **given: setae.contour(DATA / "wave.png", **{"pixel_size": "0.1 nm", **given}),
     "force_curves": lambda **given: setae.force_curves(DATA / "map.jpk-force-map", **{"radius": "1 mm", **given}),
     "write_container": lambda **given: setae.write_container("none.zip", [DATA / "line.csv"], **given),
-    "conform": lambda **given: setae.conform(**{"energy_shares": [0.05], "points": [64], "points_per_wave": [8], **given}),
+    "patch_survey": lambda **given: setae.patch_survey(**{"energy_shares": [0.05], "points": [64], "points_per_wave": [8], **given}),
     "limit_threads": lambda **given: setae.limit_threads(**given),
     "schema": lambda **given: setae.schema(**given),
     "info": lambda **given: setae.info(DATA / "line.csv", **given),
@@ -52,24 +52,24 @@ CALLS: dict[str, Callable[..., Any]] = {
 
 PRESSURE, LENGTH, WORK, STIFFNESS = "a pressure", "a length", "an energy per area", "a stiffness"
 WITHOUT_UNIT = [
-    ("work_of_adhesion", "E", PRESSURE),
-    ("work_of_adhesion", "rough_E", PRESSURE),
+    ("work_of_adhesion", "youngs_modulus", PRESSURE),
+    ("work_of_adhesion", "rough_youngs_modulus", PRESSURE),
     ("work_of_adhesion", "W_int", WORK),
-    ("work_of_adhesion", "gamma", WORK),
+    ("work_of_adhesion", "surface_energy", WORK),
     ("work_of_adhesion", "radius", LENGTH),
     ("work_of_adhesion", "preload", "a force"),
     ("power_spectrum", "tip_radius", LENGTH),
     ("power_spectrum", "resolution", LENGTH),
-    ("power_spectrum", "longest", LENGTH),
-    ("parameters", "shortest", LENGTH),
+    ("power_spectrum", "longest_wavelength", LENGTH),
+    ("parameters", "shortest_wavelength", LENGTH),
     ("texture", "s_filter", LENGTH),
-    ("scale_dependent", "distance", LENGTH),
+    ("scale_dependent_roughness", "distance", LENGTH),
     ("contact", "contact_modulus", PRESSURE),
     ("contact", "pressure", PRESSURE),
     ("contact", "mean_gap", LENGTH),
     ("contact", "stage_stiffness", STIFFNESS),
     ("contact_sweep", "W_int", WORK),
-    ("contact_sweep", "range", LENGTH),
+    ("contact_sweep", "interaction_range", LENGTH),
     ("contact_front", "to_force", "a force"),
     ("contact_front", "duration", "a time"),
     ("persson", "pressure", PRESSURE),
@@ -77,7 +77,7 @@ WITHOUT_UNIT = [
     ("synthesize", "plateau", "a spectral density"),
     ("tip", "threshold", LENGTH),
     ("check", "tip_radius", LENGTH),
-    ("stated", "tip_radius", LENGTH),
+    ("assign_metadata", "tip_radius", LENGTH),
     ("scan", "size", LENGTH),
     ("scan", "tip_radius", LENGTH),
     ("loop", "radius", LENGTH),
@@ -87,8 +87,8 @@ WITHOUT_UNIT = [
     ("loop", "clock_offset", "a time"),
     ("lens", "start", LENGTH),
     ("camera", "pitch", LENGTH),
-    ("contact_radii", "pixel", LENGTH),
-    ("contour", "pixel", LENGTH),
+    ("contact_radii", "pixel_size", LENGTH),
+    ("contour", "pixel_size", LENGTH),
     ("contour", "scale_bar", LENGTH),
     ("force_curves", "radius", LENGTH),
     ("force_curves", "contact_point", LENGTH),
@@ -109,8 +109,8 @@ def test_a_number_without_unit_names_argument_and_dimension(function, argument, 
 
 def test_numbers_of_uncertainties_have_no_unit():
     uncertainties = pytest.importorskip("uncertainties")
-    with pytest.raises(setae.InvalidArgument, match=re.escape("E: '0.7 ± 0.02' has no unit; expected a pressure")):
-        CALLS["work_of_adhesion"](E=uncertainties.ufloat(0.7, 0.02))
+    with pytest.raises(setae.InvalidArgument, match=re.escape("youngs_modulus: '0.7 ± 0.02' has no unit; expected a pressure")):
+        CALLS["work_of_adhesion"](youngs_modulus=uncertainties.ufloat(0.7, 0.02))
 
 
 def test_settings_of_a_loop_name_their_arguments(data):
@@ -130,7 +130,7 @@ def test_settings_of_a_loop_name_their_arguments(data):
 @pytest.mark.parametrize(
     ("function", "argument", "value", "words"),
     [
-        ("work_of_adhesion", "E", "1 kg", "'1 kg' is a mass; expected a pressure"),
+        ("work_of_adhesion", "youngs_modulus", "1 kg", "'1 kg' is a mass; expected a pressure"),
         ("work_of_adhesion", "W_int", "37 ± 1 nm", "'37 ± 1 nm' is a length; expected an energy per area"),
         ("power_spectrum", "tip_radius", "10 kPa", "'10 kPa' is a pressure; expected a length"),
         ("scan", "size", "5 um x 5 kg", "'5 um x 5 kg' is a mass; expected a length"),
@@ -156,16 +156,16 @@ def test_units_of_one_dimension_are_accepted(function, argument, value):
 @pytest.mark.parametrize(
     ("function", "argument"),
     [
-        ("contact", "law"), ("contact", "edges"), ("contact_front", "model"), ("contact_front", "method"), ("conform", "law"),
+        ("contact", "law"), ("contact", "edges"), ("contact_front", "model"), ("contact_front", "method"), ("patch_survey", "law"),
         ("surface", "spectrum"), ("parameters", "conversion"), ("parameters", "window"), ("parameters", "contours"),
-        ("power_spectrum", "instrument"), ("power_spectrum", "trend"), ("texture", "standard"), ("texture", "only"),
-        ("scale_dependent", "statistic"), ("scale_dependent", "along"), ("synthesize", "amplitudes"), ("contact_radii", "polarity"),
-        ("contour", "vacuum"), ("contour", "shape"), ("force_curves", "model"), ("force_curves", "tip"), ("write_container", "detrend"),
-        ("scale_dependent", "weighting"),
+        ("power_spectrum", "instrument"), ("power_spectrum", "trend"), ("texture", "standard"), ("texture", "only"), ("parameters", "only"),
+        ("scale_dependent_roughness", "statistic"), ("scale_dependent_roughness", "along"), ("synthesize", "amplitudes"), ("contact_radii", "polarity"),
+        ("contour", "vacuum"), ("contour", "shape"), ("force_curves", "model"), ("force_curves", "tip"), ("write_container", "trend"),
+        ("scale_dependent_roughness", "weighting"),
     ],
 )  # fmt: skip
 def test_unknown_models_and_words_are_refused(function, argument):
-    given = {"W_int": "50 mJ/m2", "range": "10 nm"} if (function, argument) == ("contact", "law") else {}
+    given = {"W_int": "50 mJ/m2", "interaction_range": "10 nm"} if (function, argument) == ("contact", "law") else {}
     with pytest.raises(setae.InvalidArgument, match="'?\"?bogus.*(expected|did you mean)|no parameter") as caught:
         CALLS[function](**given, **{argument: "bogus"})
     assert "bogus" in str(caught.value)
@@ -185,8 +185,8 @@ def test_unknown_models_and_words_are_refused(function, argument):
         ("contact", "contact_modulus", [1], "list; expected a text"),
         ("contact_sweep", "maps", "yes", "str; expected True or False"),
         ("contact_front", "realisations", "2", "str; expected a whole number"),
-        ("work_of_adhesion", "nu", "0.5", "str; expected a number"),
-        ("work_of_adhesion", "E", True, "bool; expected a text"),
+        ("work_of_adhesion", "poisson_ratio", "0.5", "str; expected a number"),
+        ("work_of_adhesion", "youngs_modulus", True, "bool; expected a text"),
         ("tip", "points", "many", "str; expected a whole number"),
         ("scan", "periodic", "no", "str; expected True or False"),
         ("limit_threads", "count", "a", "str; expected a whole number"),
@@ -201,23 +201,23 @@ def test_a_value_of_another_kind(function, argument, value, expected):
 
 
 def test_a_quantity_with_a_unit_for_a_number():
-    with pytest.raises(setae.InvalidArgument, match="nu: 1.000 nm has a unit; expected a number without unit"):
-        CALLS["work_of_adhesion"](nu=setae.quantity("1 nm"))
+    with pytest.raises(setae.InvalidArgument, match="poisson_ratio: 1.000 nm has a unit; expected a number without unit"):
+        CALLS["work_of_adhesion"](poisson_ratio=setae.quantity("1 nm"))
 
 
 def test_an_unknown_argument_names_near_ones():
-    with pytest.raises(TypeError, match="unknown argument 'windo'; did you mean 'window'"):
-        CALLS["work_of_adhesion"](windo="hann")
+    with pytest.raises(TypeError, match="unknown argument 'min_radiu'; did you mean 'min_radius'"):
+        setae.contact_line(DATA / "frames", pixel_size="2 um", frame_rate=10, min_radiu=4)
 
 
 @pytest.mark.parametrize(
     ("function", "argument", "value", "words"),
     [
-        ("work_of_adhesion", "E", "-1 MPa", "'-1 MPa', expected above 0"),
-        ("work_of_adhesion", "nu", 0.7, "'0.7', expected from 0 to 0.5"),
-        ("work_of_adhesion", "gamma", "1 blubb", "'blubb' is not a known unit"),
-        ("loop", "nu", 0.7, "'0.7', expected from 0 to 0.5"),
-        ("power_spectrum", "longest", "-1 um", "'-1 um', expected above 0"),
+        ("work_of_adhesion", "youngs_modulus", "-1 MPa", "'-1 MPa', expected above 0"),
+        ("work_of_adhesion", "poisson_ratio", 0.7, "'0.7', expected from 0 to 0.5"),
+        ("work_of_adhesion", "surface_energy", "1 blubb", "'blubb' is not a known unit"),
+        ("loop", "poisson_ratio", 0.7, "'0.7', expected from 0 to 0.5"),
+        ("power_spectrum", "longest_wavelength", "-1 um", "'-1 um', expected above 0"),
         ("contact", "contact_modulus", "0 MPa", "'0 MPa', expected above 0"),
     ],
 )
@@ -227,20 +227,20 @@ def test_values_outside_the_domain_name_the_argument(function, argument, value, 
 
 
 ACCEPTED = [
-    ("work_of_adhesion", "E", "0.7 ± 0.02 MPa"),
+    ("work_of_adhesion", "youngs_modulus", "0.7 ± 0.02 MPa"),
     ("power_spectrum", "tip_radius", "10 ± 2 nm"),
     ("contact", "pressure", "1 kPa"),
-    ("contact_sweep", "range", "400 nm"),
+    ("contact_sweep", "interaction_range", "400 nm"),
     ("persson", "pressure", "1 kPa"),
     ("synthesize", "rms_height", "20 nm"),
     ("synthesize", "size", "5 um"),
     ("texture", "s_filter", "100 nm"),
-    ("scale_dependent", "distance", "100 nm"),
+    ("scale_dependent_roughness", "distance", "100 nm"),
     ("tip", "threshold", "0.2 nm"),
     ("check", "tip_radius", "10 ± 2 nm"),
     ("lens", "start", "-0.4 mm"),
-    ("contact_radii", "pixel", "2 um"),
-    ("contour", "pixel", "0.1 nm"),
+    ("contact_radii", "pixel_size", "2 um"),
+    ("contour", "pixel_size", "0.1 nm"),
     ("force_curves", "radius", "1 mm"),
 ]
 
@@ -260,8 +260,8 @@ def test_quantities_of_every_package_are_accepted(function, argument, value):
 
 def test_quantities_are_accepted_for_numbers():
     pint = pytest.importorskip("pint")
-    by_number = CALLS["work_of_adhesion"](nu=0.4).json()
+    by_number = CALLS["work_of_adhesion"](poisson_ratio=0.4).json()
     for nu in (setae.quantity("0.4"), pint.UnitRegistry()("40 percent"), np.float64(0.4)):
-        assert CALLS["work_of_adhesion"](nu=nu).json() == by_number
+        assert CALLS["work_of_adhesion"](poisson_ratio=nu).json() == by_number
     share = CALLS["contact"]()["area_fraction"]
-    assert setae.loop(DATA / "loop_on_glass.csv", radius="1 mm", nu=0.5 * share / share).bodies
+    assert setae.loop(DATA / "loop_on_glass.csv", radius="1 mm", poisson_ratio=0.5 * share / share).bodies

@@ -67,8 +67,8 @@ def test_errors_of_one_quantity_are_one_error():
 
 
 def test_named_inputs_are_one_error():
-    lens, again = quantity("lens_3 = 1.25 ± 0.01 mm"), quantity("1.25e-3 ± 1e-5 m", input="lens_3")
-    assert lens.input == "lens_3" and (lens - again).standard_error == pytest.approx(0.0, abs=1e-15)
+    lens, again = quantity("lens_3 = 1.25 ± 0.01 mm"), quantity("1.25e-3 ± 1e-5 m", input_name="lens_3")
+    assert lens.input_name == "lens_3" and (lens - again).standard_error == pytest.approx(0.0, abs=1e-15)
     other = pickle.loads(pickle.dumps(lens))
     assert (other - lens).standard_error == (pickle.loads(pickle.dumps(2 * lens)) - 2 * lens).standard_error == 0.0
     assert (lens - quantity("lens_4 = 1.25 ± 0.01 mm")).standard_error == pytest.approx(0.01 * math.sqrt(2))
@@ -96,7 +96,7 @@ def test_parameters_of_a_fit_are_correlated(data):
 
 
 def test_parameters_of_a_spectrum_are_correlated():
-    made = setae.synthesize(hurst=0.8, rolloff="1 um", short_cutoff="80 nm", rms_height="10 nm", size="5 um", pixels=64)
+    made = setae.synthesize(hurst_exponent=0.8, rolloff="1 um", short_cutoff="80 nm", rms_height="10 nm", size="5 um", pixels=64)
     psd = setae.power_spectrum(made.scan, fit=True)
     hurst, rolloff = psd.fit["hurst_exponent"], psd.fit["rolloff_wavelength"]
     rho = psd.data["fit"]["correlation"][1][2]

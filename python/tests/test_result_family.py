@@ -15,14 +15,14 @@ import setae
 from conftest import ROOT
 
 DATA = ROOT / "tests/cli/data"
-SOLIDS = {"E": "0.7 MPa", "W_int": "37 mJ/m2", "gamma": "25 mJ/m2"}
+SOLIDS = {"youngs_modulus": "0.7 MPa", "W_int": "37 mJ/m2", "surface_energy": "25 mJ/m2"}
 BODY = {"contact_modulus": "1 GPa", "pressure": "10 MPa"}
-ATTRACTION = {"contact_modulus": "1 MPa", "W_int": "50 mJ/m2", "range": "400 nm"}
+ATTRACTION = {"contact_modulus": "1 MPa", "W_int": "50 mJ/m2", "interaction_range": "400 nm"}
 
 
 @pytest.fixture(scope="module")
 def scan() -> setae.Scan:
-    return setae.synthesize(hurst=0.8, rolloff="1 um", short_cutoff="300 nm", rms_height="10 nm", size="5 um", pixels=32).scan
+    return setae.synthesize(hurst_exponent=0.8, rolloff="1 um", short_cutoff="300 nm", rms_height="10 nm", size="5 um", pixels=32).scan
 
 
 def spiky() -> setae.Scan:
@@ -43,7 +43,7 @@ MAKERS: dict[str, Callable[[setae.Scan, pathlib.Path], Any]] = {
     "Processing": lambda scan, data: scan.level().processing,
     "Info": lambda scan, data: setae.info(data / "rougher"),
     "Formats": lambda scan, data: setae.formats(),
-    "Synthesis": lambda scan, data: setae.synthesize(hurst=0.8, rolloff="1 um", short_cutoff="300 nm", rms_height="10 nm", size="5 um", pixels=32),
+    "Synthesis": lambda scan, data: setae.synthesize(hurst_exponent=0.8, rolloff="1 um", short_cutoff="300 nm", rms_height="10 nm", size="5 um", pixels=32),
     "Tip": lambda scan, data: setae.tip(scan, points=5),
     "Contact": lambda scan, data: setae.contact(scan, **BODY),
     "ContactSweep": lambda scan, data: setae.contact_sweep(scan, **ATTRACTION, to_pressure="1 kPa", maps=True),
@@ -51,23 +51,26 @@ MAKERS: dict[str, Callable[[setae.Scan, pathlib.Path], Any]] = {
         scan, radius="10 um", contact_modulus="100 kPa", W_int="50 mJ/m2", to_displacement="100 nm", steps=20, shortest_wavelength="4 um"
     ),
     "PerssonContact": lambda scan, data: setae.persson(scan, **BODY),
-    "ContactComparison": lambda scan, data: setae.contact_compare(scan, **BODY, pixels="64", surfaces=2, cell="5 um", shortest="1 um"),
+    "ContactComparison": lambda scan, data: setae.contact_comparison(scan, **BODY, pixels="64", realisations=2, cell="5 um", shortest_wavelength="1 um"),
     "LoopFit": lambda scan, data: setae.loop(data / "loops/rougher_soft.csv", radius="1.25 mm").fit(),
     "LoopEnergy": lambda scan, data: setae.loop(data / "loops/rougher_soft.csv", radius="1.25 mm").energy(),
     "MachineStiffness": lambda scan, data: setae.loop(DATA / "loop_on_glass.csv").machine_stiffness(),
     "ForceCurves": lambda scan, data: setae.force_curves(DATA / "map.jpk-force-map", radius="1 mm"),
     "Lens": lambda scan, data: setae.lens(DATA / "lens_profile.csv", x="x", z="z"),
     "Camera": lambda scan, data: setae.camera(DATA / "ruling_upright.png", "20 um"),
-    "ContactRadii": lambda scan, data: setae.contact_radii(DATA / "frames", pixel="2 um", frame_rate=10),
-    "ContactLine": lambda scan, data: setae.contact_line(DATA / "frames", pixel="2 um", frame_rate=10, angles=64),
-    "Contour": lambda scan, data: setae.contour(DATA / "wave.png", pixel="0.1 nm"),
+    "ContactRadii": lambda scan, data: setae.contact_radii(DATA / "frames", pixel_size="2 um", frame_rate=10),
+    "ContactLine": lambda scan, data: setae.contact_line(DATA / "frames", pixel_size="2 um", frame_rate=10, angles=64),
+    "Contour": lambda scan, data: setae.contour(DATA / "wave.png", pixel_size="0.1 nm"),
     "Replicates": lambda scan, data: setae.replicates(DATA / "fits.csv", branch="loading", group_by=["surface", "lens"]),
-    "PatchSurvey": lambda scan, data: setae.conform(energy_shares=[0.05], points=[64], points_per_wave=[8], seeds=1),
+    "Fitted": lambda scan, data: setae.loop(data / "loops/rougher_soft.csv", radius="1.25 mm").fit().points(),
+    "SharedFit": lambda scan, data: setae.fit_together([setae.loop(data / f"loops/{name}_soft.csv", radius="1.25 mm") for name in ("rougher", "smoother")]),
+    "StudyDraft": lambda scan, data: setae.draft_study(data / "rougher"),
+    "PatchSurvey": lambda scan, data: setae.patch_survey(energy_shares=[0.05], points=[64], points_per_wave=[8], realisations=1),
     "ContainerReport": lambda scan, data: setae.check_container(DATA / "container_v0.zip"),
 }
 #: Results without numbers to draw.
 NOT_DRAWN = {
-    "Parameters", "Texture", "Diagnosis", "Processing", "Info", "Formats", "LoopFit", "LoopEnergy", "MachineStiffness", "ForceCurves", "Lens",
+    "Parameters", "Texture", "Diagnosis", "Processing", "Info", "Formats", "LoopEnergy", "MachineStiffness", "SharedFit", "StudyDraft", "Lens",
     "Camera", "Contour", "Replicates", "PatchSurvey", "ContainerReport",
 }  # fmt: skip
 
@@ -182,7 +185,8 @@ def test_plots_take_axes_and_style(results, scan, data):
     drawn = {name: result for name, result in results.items() if hasattr(type(result), "plot")}
     assert results.keys() - drawn.keys() == NOT_DRAWN | {"Container"}
     loop = setae.loop(data / "loops/rougher_soft.csv", radius="1.25 mm")
-    for name, result in {**drawn, "Scan": scan, "Loop": loop}.items():
+    curve = setae.force_curves(DATA / "map.jpk-force-map", radius="1 mm", curve_number=1)
+    for name, result in {**drawn, "Scan": scan, "Loop": loop, "ForceCurves": curve}.items():
         figure, ax = plt.subplots()
         style = {"alpha": 0.5} if name in ("Scan", "Contact", "Synthesis", "Tip") else {"color": "tab:red", "linewidth": 3}
         assert result.plot(ax=ax, **style) is ax, name

@@ -51,7 +51,7 @@ def test_results_are_copied_and_pickled(scan, make, moved):
 
 def test_a_pickled_surface_is_analysed_again(scan):
     surface = setae.surface(scan)
-    solids = {"E": "0.7 MPa", "W_int": "37 mJ/m2", "gamma": "25 mJ/m2"}
+    solids = {"youngs_modulus": "0.7 MPa", "W_int": "37 mJ/m2", "surface_energy": "25 mJ/m2"}
     other = pickle.loads(pickle.dumps(surface))
     assert setae.work_of_adhesion(other, **solids).json() == setae.work_of_adhesion(surface, **solids).json()
 
@@ -70,7 +70,7 @@ def test_results_are_frozen(scan):
 
 def test_results_have_html_for_notebooks(scan):
     surface = setae.surface(scan)
-    work = setae.work_of_adhesion(surface, E="0.7 MPa", W_int="37 mJ/m2", gamma="25 mJ/m2")
+    work = setae.work_of_adhesion(surface, youngs_modulus="0.7 MPa", W_int="37 mJ/m2", surface_energy="25 mJ/m2")
     for shown in (scan, scan.level(), setae.power_spectrum(scan), setae.parameters(scan), surface, work, work.estimate, scan.level().processing):
         assert shown._repr_html_().startswith("<") and repr(shown)
     known = setae.Quantity("work_of_adhesion", "W", 0.03709, "J/m2", 0.0021, setae.Interval(0.03262, 0.04156))
@@ -120,14 +120,14 @@ def test_uncertainties_and_pint():
 
 
 def test_parts_of_an_answer(scan):
-    work = setae.work_of_adhesion(setae.surface(scan), E="0.7 MPa", W_int="37 mJ/m2", gamma="25 mJ/m2")
+    work = setae.work_of_adhesion(setae.surface(scan), youngs_modulus="0.7 MPa", W_int="37 mJ/m2", surface_energy="25 mJ/m2")
     assert float(work) == work["work_of_adhesion"].value
     assert work["answers"]["recommended"] == "patches"
     assert isinstance(work["scales"], setae.Answer) and len(work["scales"]["gained"]) == len(work["scales"]["wavevector"])
     with pytest.raises(KeyError):
         work["no such thing"]
     with pytest.raises(TypeError, match="analysed already"):
-        setae.work_of_adhesion(setae.surface(scan), E="0.7 MPa", W_int="37 mJ/m2", gamma="25 mJ/m2", tip_radius="3 nm")
+        setae.work_of_adhesion(setae.surface(scan), youngs_modulus="0.7 MPa", W_int="37 mJ/m2", surface_energy="25 mJ/m2", tip_radius="3 nm")
 
 
 def test_budgets_contain_inputs_of_loops(data, tmp_path):

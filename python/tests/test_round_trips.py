@@ -17,7 +17,7 @@ from conftest import ROOT
 pytest.importorskip("pandas"), pytest.importorskip("xarray")
 
 CLI_DATA = ROOT / "tests/cli/data"
-SOLIDS = {"E": "1 MPa", "W_int": "50 mJ/m2", "gamma": "25 mJ/m2"}
+SOLIDS = {"youngs_modulus": "1 MPa", "W_int": "50 mJ/m2", "surface_energy": "25 mJ/m2"}
 PRESSED = {"contact_modulus": "1 MPa", "pressure": "10 kPa"}
 MADE = {"pixels": 32, "cell": "2 um"}
 MOMENTS = {"rms_height": "4 nm", "rms_slope": 0.4, "rms_curvature": "1 1/nm", "short_wavevector": "1e10 1/m"}
@@ -27,7 +27,7 @@ Folder = pathlib.Path
 
 @cache
 def synthesis() -> setae.Synthesis:
-    return setae.synthesize(hurst=0.8, rolloff="1 um", short_cutoff="126 nm", rms_height="10 nm", size="2 um", pixels=32, amplitudes="exact")
+    return setae.synthesize(hurst_exponent=0.8, rolloff="1 um", short_cutoff="126 nm", rms_height="10 nm", size="2 um", pixels=32, amplitudes="exact")
 
 
 def rough_map() -> setae.Scan:
@@ -80,7 +80,7 @@ def work() -> setae.WorkOfAdhesion:
 
 @cache
 def line_of_contact() -> setae.ContactLine:
-    return setae.contact_line(CLI_DATA / "frames", pixel="2 um", frame_rate=10, angles=32)
+    return setae.contact_line(CLI_DATA / "frames", pixel_size="2 um", frame_rate=10, angles=32)
 
 
 @cache
@@ -118,7 +118,7 @@ PRODUCERS: dict[str, dict[str, Producer]] = {
         "curve": lambda data, folder: curve(),
         "curve.to_xarray": lambda data, folder: curve().to_xarray(),
         "curve.save": lambda data, folder: saved(curve(), folder / "curve.csv"),
-        "Contour": lambda data, folder: setae.contour(CLI_DATA / "mushroom.png", pixel="1 nm"),
+        "Contour": lambda data, folder: setae.contour(CLI_DATA / "mushroom.png", pixel_size="1 nm"),
     },
     "spectrum": {
         "power_spectrum": lambda data, folder: setae.power_spectrum(rough_map(), isotropic=True),
@@ -173,15 +173,15 @@ MEASUREMENT: dict[str, Consumer] = {
     "surface": lambda value, folder: setae.surface(value)["rms_height"],
     "work_of_adhesion": lambda value, folder: setae.work_of_adhesion(value, **SOLIDS),
     "persson": lambda value, folder: setae.persson(value, **PRESSED)["area_fraction"],
-    "contact_compare": lambda value, folder: setae.contact_compare(
-        value, **PRESSED, pixels="64", cell="2 um", surfaces=1, shortest="250 nm", longest="2 um"
+    "contact_comparison": lambda value, folder: setae.contact_comparison(
+        value, **PRESSED, pixels="64", cell="2 um", realisations=1, shortest_wavelength="250 nm", longest_wavelength="2 um"
     )["area_fraction"],
     "Study.surface": lambda value, folder: setae.Study().surface("A", value).run(output=folder / "study")["surfaces"]["A"]["rms_height"],
 }
 HEIGHTS: dict[str, Consumer] = {
     "scan": lambda value, folder: setae.scan(setae.read(value) if isinstance(value, pathlib.Path) else value).heights,
     "several": lambda value, folder: setae.surface([value, value], spectrum="average")["rms_height"],
-    "scale_dependent": lambda value, folder: setae.scale_dependent(value).value,
+    "scale_dependent_roughness": lambda value, folder: setae.scale_dependent_roughness(value).value,
     "autocorrelation": lambda value, folder: setae.autocorrelation(value).value,
     "variable_bandwidth": lambda value, folder: setae.variable_bandwidth(value).value,
     "check": lambda value, folder: setae.check(value),
@@ -197,10 +197,10 @@ CONSUMERS: dict[str, dict[str, Consumer]] = {
         "tip": lambda value, folder: setae.tip(value, points=5).radius,
         "contact": lambda value, folder: setae.contact(value, **PRESSED)["area_fraction"],
         "contact_sweep": lambda value, folder: setae.contact_sweep(
-            value, contact_modulus="1 MPa", W_int="50 mJ/m2", range="100 nm", to_gap="30 nm", largest_move=2.0
+            value, contact_modulus="1 MPa", W_int="50 mJ/m2", interaction_range="100 nm", to_gap="30 nm", max_move=2.0
         )["mean_gap"],
     },
-    "line": {**{name: MEASUREMENT[name] for name in MEASUREMENT if name != "contact_compare"}, **HEIGHTS},
+    "line": {**{name: MEASUREMENT[name] for name in MEASUREMENT if name != "contact_comparison"}, **HEIGHTS},
     "spectrum": {
         **{name: MEASUREMENT[name] for name in MEASUREMENT if name != "Study.surface"},
         "contact": lambda value, folder: setae.contact(value, **PRESSED, **MADE)["area_fraction"],
@@ -224,23 +224,23 @@ CONSUMERS: dict[str, dict[str, Consumer]] = {
         "scan(size=)": lambda value, folder: setae.scan(rough_line().heights, size=value, unit="m").size[0],
         "scan(tip_radius=)": lambda value, folder: setae.scan(rough_line().heights, size="2 um", unit="m", tip_radius=value).tip_radius,
         "loop(radius=)": lambda value, folder: setae.loop(CLI_DATA / "loop_on_glass.csv", radius=value).bodies,
-        "contact(displacement=)": lambda value, folder: setae.persson(rough_map(), **PRESSED, layer=value, nu=0.4, bonded=True)["mean_gap"],
+        "contact(displacement=)": lambda value, folder: setae.persson(rough_map(), **PRESSED, layer_thickness=value, poisson_ratio=0.4, bonded=True)["mean_gap"],
         "Study.elastomer": lambda value, folder: setae.Study().elastomer("soft", surface_energy="25 mJ/m2", sphere_radius=value),
     },
     "pressure": {
         "contact(pressure=)": lambda value, folder: setae.contact(rough_map(), contact_modulus="1 MPa", pressure=value)["area_fraction"],
         "persson(contact_modulus=)": lambda value, folder: setae.persson(rough_map(), contact_modulus=value, pressure="1 kPa")["area_fraction"],
-        "work_of_adhesion(E=)": lambda value, folder: setae.work_of_adhesion(rough_map(), E=value, W_int="50 mJ/m2", gamma="25 mJ/m2"),
+        "work_of_adhesion(youngs_modulus=)": lambda value, folder: setae.work_of_adhesion(rough_map(), youngs_modulus=value, W_int="50 mJ/m2", surface_energy="25 mJ/m2"),
     },
     "energy": {
-        "work_of_adhesion(W_int=)": lambda value, folder: setae.work_of_adhesion(rough_map(), E="1 MPa", W_int=value, gamma="25 mJ/m2"),
+        "work_of_adhesion(W_int=)": lambda value, folder: setae.work_of_adhesion(rough_map(), youngs_modulus="1 MPa", W_int=value, surface_energy="25 mJ/m2"),
         "persson(W_int=)": lambda value, folder: setae.persson(rough_map(), **PRESSED, W_int=value)["area_fraction"],
         "Study(work_of_adhesion=)": lambda value, folder: setae.Study(work_of_adhesion=value).surface("A", moments=MOMENTS).run(output=folder / "study"),
     },
     "study": {
         "Study.run": lambda value, folder: value.run(output=folder / "results").work_of_adhesion,
-        "conform": lambda value, folder: setae.conform(
-            value.run(output=folder / "results"), points=[64], points_per_wave=[8], waves_per_side=2, squared_ratios=[1], seeds=1
+        "patch_survey": lambda value, folder: setae.patch_survey(
+            value.run(output=folder / "results"), points=[64], points_per_wave=[8], waves_per_side=2, squared_ratios=[1], realisations=1
         ),
         "contact of the study's file": lambda value, folder: setae.contact(
             value.run(output=folder / "results").file, **PRESSED, surface="A", pixels=32, cell="100 nm"

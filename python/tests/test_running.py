@@ -107,7 +107,7 @@ def test_ten_thousand_calls_leak_no_memory():
 
 def test_simulated_maps_leak_no_memory():
     def call(seed: int) -> None:
-        made = setae.synthesize(hurst=0.8, rolloff="1 um", short_cutoff="80 nm", rms_height="20 nm", size="5 um", pixels=256, seed=seed)
+        made = setae.synthesize(hurst_exponent=0.8, rolloff="1 um", short_cutoff="80 nm", rms_height="20 nm", size="5 um", pixels=256, seed=seed)
         small = setae.scan(made.scan.heights[::8, ::8], size="5 um x 5 um", unit="m", periodic=True)
         assert setae.contact(small, contact_modulus="1 GPa", pressure="10 MPa").pressures.max() > 0
 
@@ -124,7 +124,7 @@ def test_the_end_of_python_has_no_output():
     """Scans and results in modules are released without messages."""
     source = """
 import setae
-made = setae.synthesize(hurst=0.8, rolloff="1 um", short_cutoff="80 nm", rms_height="20 nm", size="5 um", pixels=32)
+made = setae.synthesize(hurst_exponent=0.8, rolloff="1 um", short_cutoff="80 nm", rms_height="20 nm", size="5 um", pixels=32)
 levelled = made.scan.level()
 solved = setae.contact(levelled, contact_modulus="1 GPa", pressure="1 MPa")
 found = setae.persson(made.scan, contact_modulus="1 GPa", pressure="1 MPa")

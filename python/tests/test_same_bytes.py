@@ -3,17 +3,19 @@
 
 from __future__ import annotations
 
+import json
 import os
 import pathlib
 import re
 
 import numpy
+import PIL.Image
 import pytest
 import setae
 
 from conftest import ROOT
 
-SOLIDS = {"E": "0.7 ± 0.02 MPa", "W_int": "37 ± 2 mJ/m2", "gamma": "25 mJ/m2"}
+SOLIDS = {"youngs_modulus": "0.7 ± 0.02 MPa", "W_int": "37 ± 2 mJ/m2", "surface_energy": "25 mJ/m2"}
 SOLIDS_TYPED = ("--E", "0.7 ± 0.02 MPa", "--w", "37 ± 2 mJ/m2", "--gamma", "25 mJ/m2")
 
 #: Data files of the tests of the program.
@@ -27,37 +29,38 @@ FUNCTIONS = {
     "level": "`Scan.level`, `Scan.process` …; `Scan.processing` is its JSON",
     "container check": "`setae.check_container`; `setae.channels` reads a container",
     "container write": "`setae.write_container`",
-    "contour": "`setae.contour`; anchors and repeated traces only with the program",
+    "contour": "`setae.contour`; `anchors=…` also repeats a trace",
     "check": "`setae.check`",
     "tip": "`setae.tip`",
     "psd": "`setae.power_spectrum`",
-    "sdrp": "`setae.scale_dependent`",
+    "sdrp": "`setae.scale_dependent_roughness`",
     "acf": "`setae.autocorrelation`",
     "vbw": "`setae.variable_bandwidth`",
     "params": "`setae.parameters`; of a standard (`--standard`) `setae.texture`",
     "adhesion": "`setae.work_of_adhesion`",
     "contact solve": "`setae.contact`",
-    "contact sweep": "`setae.contact_sweep`; figure and `--restart` only with the program",
-    "contact front": "`setae.contact_front`; figure only with the program",
+    "contact sweep": "`setae.contact_sweep`",
+    "contact front": "`setae.contact_front`",
     "contact persson": "`setae.persson`",
-    "contact compare": "`setae.contact_compare`; figure only with the program",
+    "contact compare": "`setae.contact_comparison`; figure only with the program",
     "jkr radius": "`setae.contact_radii`; pictures with the edge drawn in (`--overlay`) only with the program",
     "jkr line": "`setae.contact_line`; figure only with the program",
     "jkr lens": "`setae.lens`",
     "jkr camera": "`setae.camera`",
     "jkr stiffness": "`setae.loop(…).machine_stiffness()`",
-    "jkr fit": "`setae.loop(…).fit()` for one loop; `setae.force_curves`; shared fits of several loops only with the program",
+    "jkr import": "`setae.loop(…).save()`; `setae.loop(…, mapping=…)` reads the same tables",
+    "jkr fit": "`setae.loop(…).fit()` for one loop, `setae.fit_together` for several; `setae.force_curves`, `setae.force_curve_series`",
     "jkr energy": "`setae.loop(…).energy()`",
     "jkr summary": "`setae.replicates`; figure and tables only with the program",
     "synthesize": "`setae.synthesize`",
+    "study init": "`setae.draft_study`",
     "study": "`setae.study(…).run()`; `--next` is `StudyResult.next_measurements`",
-    "lab conform": "`setae.conform`, `StudyResult.conform`; table and figure only with the program",
+    "lab conform": "`setae.patch_survey`, `StudyResult.patch_survey`; table and figure only with the program",
     "predict": "`setae.study(…).run().predict()`; tables and figures only with the program",
     "schema": "`setae.schema`",
 }
 GAPS = {
     "profile": "slices of `Scan.heights`",
-    "jkr import": "`setae.loop(…, mapping=…)` reads the same tables",
     "lab make": "writes files; call `python -m setae lab make` with `subprocess`",
     "lab loops": "as lab make",
     "lab records": "as lab closure",
@@ -68,7 +71,6 @@ GAPS = {
     "lab recording": "as lab make",
     "lab causes": "as lab closure",
     "lab next": "as lab closure",
-    "study init": "writes a draft for an editor",
     "plot": "`StudyResult.figures[…].save()`, `.plot()`",
     "cache": "use the program; package and program share the cache",
     "man": "`help()`",
@@ -113,13 +115,22 @@ def test_params(printed):
     assert list(one.headline) == [f"{name}_from_spectrum" for name in ("rms_height", "rms_slope", "rms_curvature", "true_area_ratio")]
 
 
+def test_single_parameters_are_those_of_all():
+    maps = ["rougher/afm_1.txt", "rougher/afm_2.txt"]
+    of_all = setae.parameters(maps).data
+    for only in ("Sq", "rms_height, rms_slope", "rms_slope_from_spectrum, Sa"):
+        names = only.split(", ")
+        expected = [entry for entry in of_all if entry["quantity"] in names or entry["symbol"] in names]
+        assert len(expected) > 1 and setae.parameters(maps, only=only).data == expected
+
+
 def test_functions_of_scale(printed):
     map_of, two = "rougher/afm_1.txt", ["rougher/afm_1.txt", "rougher/afm_2.txt"]
-    assert setae.scale_dependent(map_of).json() == printed("sdrp", map_of)
-    curvature = setae.scale_dependent(two, order=2, distance=["100 nm", "200 nm"], statistic="variance", along="both", tip_radius="10 nm")
+    assert setae.scale_dependent_roughness(map_of).json() == printed("sdrp", map_of)
+    curvature = setae.scale_dependent_roughness(two, order=2, distance=["100 nm", "200 nm"], statistic="variance", along="both", tip_radius="10 nm")
     options = ("--order", 2, "--distance", "100 nm,200 nm", "--statistic", "variance", "--along", "both", "--tip-radius", "10 nm")
     assert curvature.json() == printed("sdrp", *two, *options)
-    assert setae.autocorrelation(map_of, area=True, all=True).json() == printed("acf", map_of, "--area", "--all")
+    assert setae.autocorrelation(map_of, area=True, keep_unreliable=True).json() == printed("acf", map_of, "--area", "--all")
     assert setae.autocorrelation(two, slope=True, weighting="by_count").json() == printed("acf", *two, "--slope", "--weighting", "by_count")
     assert setae.variable_bandwidth(map_of, binned=True).json() == printed("vbw", map_of, "--binned")
 
@@ -156,7 +167,39 @@ def test_jkr(printed):
     assert loop.energy().json() == printed("jkr", "energy", *typed)
 
 
-SELF_AFFINE = {"hurst": 0.8, "rolloff": "2 um", "short_cutoff": "100 nm", "rms_height": "20 nm", "size": "8 um x 4 um", "pixels": "128x64"}
+def test_loops_fitted_together(printed):
+    files = ["loops/rougher_soft.csv", "loops/smoother_soft.csv"]
+    loops = [setae.loop(file, radius="1.25 ± 0.01 mm") for file in files]
+    typed = (*files, "--radius", "1.25 ± 0.01 mm")
+    together = setae.fit_together(loops)
+    assert together.json() == printed("jkr", "fit", *typed, "--share", "modulus")
+    assert [q.symbol for q in together.quantities] == ["E*"] and 0.0 <= together.p_value <= 1.0 and len(together.to_pandas()) == 2
+    both = setae.fit_together(loops, share=["modulus", "work"], model="dmt", no_drift=True)
+    assert both.json() == printed("jkr", "fit", *typed, "--share", "modulus", "--share", "work", "--model", "dmt", "--no-drift")
+    with pytest.raises(setae.InvalidArgument, match="one loop; expected a list of two or more"):
+        setae.fit_together(loops[:1])
+
+
+def test_loop_files(printed):
+    setae.loop("loops/rougher_soft.csv").save("mine.csv", surface="UNCD", sphere_radius="1.25 mm")
+    printed("jkr", "import", "loops/rougher_soft.csv", "--set", "surface=UNCD", "--set", "sphere_radius=1.25 mm", "-o", "theirs.csv")
+    assert pathlib.Path("mine.csv").read_bytes() == pathlib.Path("theirs.csv").read_bytes()
+    assert setae.loop("mine.csv").metadata["surface"] == "UNCD"
+
+
+def test_draft_of_a_study(printed):
+    draft = setae.draft_study(["rougher", "loops"], file="mine.toml")
+    theirs = json.loads(printed("study", "init", "rougher", "loops", "-o", "theirs.toml"))
+    assert draft.toml == pathlib.Path("theirs.toml").read_text() and {**draft.data, "study": "theirs.toml"} == theirs
+    assert draft.save() == "mine.toml" and pathlib.Path("mine.toml").read_text() == draft.toml
+    with pytest.raises(setae.InvalidArgument, match="file exists"):
+        draft.save()
+    pathlib.Path("empty").mkdir(exist_ok=True)
+    with pytest.raises(setae.InvalidArgument, match="no measurement, loop, spectrum or micrograph"):
+        setae.draft_study("empty")
+
+
+SELF_AFFINE = {"hurst_exponent": 0.8, "rolloff": "2 um", "short_cutoff": "100 nm", "rms_height": "20 nm", "size": "8 um x 4 um", "pixels": "128x64"}
 SELF_AFFINE_TYPED = ("--hurst", 0.8, "--rolloff", "2 um", "--short-cutoff", "100 nm", "--rms-height", "20 nm", "--size", "8 um x 4 um", "--pixels", "128x64")
 
 
@@ -196,7 +239,7 @@ def test_tip(printed):
 
 def test_containers(printed):
     given = [DATA / "line.csv", DATA / "plain.txt"]
-    mine = setae.write_container("wafer.zip", given, unit={"plain.txt": "um"}, detrend="tilt", name="wafer")
+    mine = setae.write_container("wafer.zip", given, unit={"plain.txt": "um"}, trend="tilt", name="wafer")
     bytes_of_mine = pathlib.Path("wafer.zip").read_bytes()
     assert mine.json() == printed("container", "write", *given, "--unit", "plain.txt=um", "--detrend", "tilt", "--name", "wafer", "-o", "wafer.zip")
     assert pathlib.Path("wafer.zip").read_bytes() == bytes_of_mine
@@ -208,12 +251,27 @@ def test_containers(printed):
 
 def test_contour(printed):
     picture = DATA / "wave.png"
-    traced = setae.contour(picture, pixel="0.1 nm")
+    traced = setae.contour(picture, pixel_size="0.1 nm")
     assert traced.json() == printed("contour", picture, "--pixel", "0.1 nm", "-o", "traced.csv")
     traced.save("mine.csv")
     assert pathlib.Path("mine.csv").read_text() == pathlib.Path("traced.csv").read_text()
     assert traced.overlay == pathlib.Path("traced.png").read_bytes()
     assert setae.read("mine.csv").heights.size > 100
+
+
+def test_contour_with_anchors(printed):
+    picture, anchors = DATA / "wave.png", DATA / "anchors.json"
+    mine = setae.contour(picture, pixel="1 nm", shape="parametric", anchors=anchors)
+    assert mine.json() == printed("contour", picture, "--pixel", "1 nm", "--shape", "parametric", "--anchors", anchors, "-o", "curve.csv")
+    points = json.loads(anchors.read_text())["anchors"]
+    assert setae.contour(picture, pixel="1 nm", shape="parametric", anchors=points).profiles == mine.profiles
+    again = setae.contour(picture, anchors=mine)
+    assert again.profiles == mine.profiles and again.json() == printed("contour", picture, "--anchors", "curve.json", "-o", "again.csv")
+    PIL.Image.open(picture).save("encoded_again.png", compress_level=1)
+    with pytest.raises(setae.InvalidArgument, match="trace of another picture"):
+        setae.contour("encoded_again.png", anchors=mine)
+    with pytest.raises(setae.InvalidArgument, match="its own options"):
+        setae.contour(picture, pixel="1 nm", anchors=mine)
 
 
 def test_contact(printed):
@@ -226,11 +284,11 @@ def test_contact(printed):
     assert numpy.array_equal(solved.pressures, numpy.load("contact_pressure.npy"))
     assert numpy.array_equal(solved.gaps, numpy.load("contact_gap.npy"))
     assert solved.converged and solved.quantities[0].quantity in solved
-    layer = {"layer": "1 um", "bonded": True, "nu": 0.4}
+    layer = {"layer_thickness": "1 um", "bonded": True, "poisson_ratio": 0.4}
     assert setae.contact("rough.nc", **body, **layer).json() == printed(
         "contact", "solve", "rough.nc", *typed, "--layer", "1 um", "--bonded", "--nu", 0.4
     )
-    attraction = {"W_int": "50 mJ/m2", "range": "200 nm"}
+    attraction = {"W_int": "50 mJ/m2", "interaction_range": "200 nm"}
     attracted = setae.contact("rough.nc", contact_modulus="1 GPa", mean_gap="150 nm", **attraction, law="cubic")
     attracted_typed = ("--contact-modulus", "1 GPa", "--mean-gap", "150 nm", "--w", "50 mJ/m2", "--range", "200 nm", "--law", "cubic")
     assert attracted.json() == printed("contact", "solve", "rough.nc", *attracted_typed)
@@ -252,7 +310,7 @@ def test_contact_of_a_spectrum(printed):
 
 def test_contact_sweep(printed):
     setae.synthesize(**{**SELF_AFFINE, "pixels": "16x16"}).scan.save("coarse.nc")
-    asked = {"contact_modulus": "1 MPa", "W_int": "50 mJ/m2", "range": "400 nm"}
+    asked = {"contact_modulus": "1 MPa", "W_int": "50 mJ/m2", "interaction_range": "400 nm"}
     typed = ("--contact-modulus", "1 MPa", "--w", "50 mJ/m2", "--range", "400 nm")
     swept = setae.contact_sweep("coarse.nc", **asked)
     assert swept.json() == printed("contact", "sweep", "coarse.nc", *typed)
@@ -267,8 +325,13 @@ def test_contact_sweep(printed):
     assert numpy.array_equal(gaps, numpy.load("states_turn_gap.npy")) and pressures.shape == (16, 16)
     assert list(steps) == list(kept.maps)
     assert pressures.mean() == pytest.approx(-kept["tension"][steps["turn"]])
+    unfinished = pathlib.Path("sweep.restart")
+    assert setae.contact_sweep("coarse.nc", **asked, restart=unfinished).json() == swept.json() and not unfinished.exists()
+    unfinished.write_text("other content")
+    with pytest.raises(setae.FormatError, match="checkpoint"):
+        setae.contact_sweep("coarse.nc", **asked, restart=unfinished)
     with pytest.raises(TypeError, match="W_int"):
-        setae.contact_sweep("coarse.nc", contact_modulus="1 MPa", range="400 nm")
+        setae.contact_sweep("coarse.nc", contact_modulus="1 MPa", interaction_range="400 nm")
 
 
 def test_contact_front(printed):
@@ -298,15 +361,15 @@ def test_persson(printed):
     one = setae.persson("rougher/truth.csv", contact_modulus="1 MPa", pressure="10 kPa")
     assert one.json() == printed("contact", "persson", "rougher/truth.csv", "--contact-modulus", "1 MPa", "--pressure", "10 kPa")
     assert list(one.columns)[0] == "wavevector"
-    several = setae.persson(files(), contact_modulus="1 MPa", pressure="1 kPa:100 kPa", W_int="50 mJ/m2", layer="50 um", bonded=True, nu=0.4)
+    several = setae.persson(files(), contact_modulus="1 MPa", pressure="1 kPa:100 kPa", W_int="50 mJ/m2", layer_thickness="50 um", bonded=True, poisson_ratio=0.4)
     typed = ("--contact-modulus", "1 MPa", "--pressure", "1 kPa:100 kPa", "--w", "50 mJ/m2", "--layer", "50 um", "--bonded", "--nu", 0.4)
     assert several.json() == printed("contact", "persson", *files(), *typed)
     assert several["pressure"].max() == 100e3 and several.units["mean_gap"] == "m" and isinstance(several.alerts, tuple)
 
 
 def test_contact_compare(printed):
-    asked = {"contact_modulus": "1 MPa", "pressure": "1 kPa,10 kPa", "pixels": "64", "surfaces": 2, "seed": 5, "cell": "2 um"}
-    found = setae.contact_compare("rougher/truth.csv", **asked, longest="2 um", shortest="250 nm")
+    asked = {"contact_modulus": "1 MPa", "pressure": "1 kPa,10 kPa", "pixels": "64", "realisations": 2, "seed": 5, "cell": "2 um"}
+    found = setae.contact_comparison("rougher/truth.csv", **asked, longest_wavelength="2 um", shortest_wavelength="250 nm")
     typed = ("--contact-modulus", "1 MPa", "--pressure", "1 kPa,10 kPa", "--pixels", "64", "--surfaces", 2, "--seed", 5, "--cell", "2 um")
     waves = ("--longest-wavelength", "2 um", "--shortest-wavelength", "250 nm")
     assert found.json() == printed("contact", "compare", "rougher/truth.csv", *typed, *waves)
@@ -331,7 +394,7 @@ def test_lens_and_camera(printed):
     assert found.json() == printed("jkr", "lens", profile, "--x", "x", "--z", "z", "--from", "-0.4 mm", "--to", "0.4 mm")
     assert abs(float(found.radius) - 1.25e-3) < 2e-6
     side = DATA / "lens_side.png"
-    assert setae.lens(side, pixel="2 um").json() == printed("jkr", "lens", side, "--pixel", "2 um")
+    assert setae.lens(side, pixel_size="2 um").json() == printed("jkr", "lens", side, "--pixel", "2 um")
     pictures = [DATA / name for name in ("ruling_upright.png", "ruling_lying.png")]
     scale = setae.camera(pictures, "20 ± 0.02 um")
     assert scale.json() == printed("jkr", "camera", *pictures, "--pitch", "20 ± 0.02 um")
@@ -340,7 +403,7 @@ def test_lens_and_camera(printed):
 
 def test_recordings(printed):
     frames = DATA / "frames"
-    radii = setae.contact_radii(frames, pixel="2 um", frame_rate=10)
+    radii = setae.contact_radii(frames, pixel_size="2 um", frame_rate=10)
     assert radii.json() == printed("jkr", "radius", frames, "--pixel", "2 um", "--fps", 10, "-o", "theirs.csv")
     radii.save("mine.csv")
     assert pathlib.Path("mine.csv").read_text() == pathlib.Path("theirs.csv").read_text()
@@ -349,7 +412,7 @@ def test_recordings(printed):
 
 def test_contact_line(printed):
     frames = DATA / "frames"
-    mine = setae.contact_line(frames, pixel="2 um", frame_rate=10, angles=64)
+    mine = setae.contact_line(frames, pixel_size="2 um", frame_rate=10, angles=64)
     typed = ("--pixel", "2 um", "--fps", 10, "--angles", 64, "--save-line", "edge.csv")
     assert mine.json() == printed("jkr", "line", frames, *typed)
     mine.save("my_edge.csv")
@@ -376,6 +439,17 @@ def test_force_curves(printed):
     assert one.json() == printed("jkr", "fit", curves, "--radius", "1 mm", "--curve-model", "dmt", "--curve-number", 1)
 
 
+def test_several_force_curves(printed):
+    curves = [setae.loop(DATA / "map.jpk-force-map", curve_number=number).to_pandas() for number in (0, 1)]
+    series = setae.force_curve_series(curves, radius="1 mm")
+    alone = [setae.force_curves(curve, radius="1 mm") for curve in curves]
+    assert [fit.json() for fit in series] == [fit.json() for fit in alone]
+    assert set(series.to_pandas()["quantity"]) >= {"contact_modulus", "energy_loss"} and len(series) == 2
+    files = [DATA / "loop_on_glass.csv", DATA / "loop_on_glass.csv"]
+    listed = setae.force_curve_series(files, radius="1 mm").json()
+    assert listed == printed("jkr", "fit", *files, "--curve", "--radius", "1 mm")
+
+
 def test_replicates(printed):
     fits = DATA / "fits.csv"
     mine = setae.replicates(fits, branch="loading", group_by=["surface", "lens"])
@@ -399,17 +473,17 @@ def test_study(printed, tmp_path):
 
 def test_conform(printed):
     asked = ("--energy-share", "0.05,0.4", "--points", 64, "--shortest-wave", 8, "--seeds", 2)
-    found = setae.conform(energy_shares=[0.05, 0.4], points=[64], points_per_wave=[8], seeds=2)
+    found = setae.patch_survey(energy_shares=[0.05, 0.4], points=[64], points_per_wave=[8], realisations=2)
     assert found.json() == printed("lab", "conform", *asked)
     published = ROOT / "examples/nanodiamond/published.toml"
-    small = {"points": [64], "points_per_wave": [8], "waves_per_side": 2, "squared_ratios": [1], "seeds": 1}
-    of_pairs = setae.study(published).run(output="published").conform(**small)
+    small = {"points": [64], "points_per_wave": [8], "waves_per_side": 2, "squared_ratios": [1], "realisations": 1}
+    of_pairs = setae.study(published).run(output="published").patch_survey(**small)
     typed = ("--points", 64, "--shortest-wave", 8, "--waves", 2, "--squared-ratio", 1, "--seeds", 1)
     assert of_pairs.json() == printed("lab", "conform", published, *typed)
     with pytest.raises(TypeError, match="energy_share"):
-        setae.conform(energy_share=[0.1])
+        setae.patch_survey(energy_share=[0.1])
     with pytest.raises(TypeError, match="energy_shares: float; expected a list of numbers"):
-        setae.conform(energy_shares=0.1)
+        setae.patch_survey(energy_shares=0.1)
 
 
 def test_surface_has_the_numbers_of_params():

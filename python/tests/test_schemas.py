@@ -10,7 +10,7 @@ import pathlib
 import shlex
 import subprocess
 import tomllib
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
@@ -121,6 +121,35 @@ def test_printed_json_matches_the_schema(command: str, printed_json: dict[str, l
         errors = [f"{error.json_path}: {error.message[:200]}" for error in VALIDATORS[command].iter_errors(printed)]
         assert not errors, "\n".join(errors)
         assert not list(wrong_units(printed, schema, schema))
+
+
+def quantities_in(value: Json) -> Iterator[tuple[str, str, str]]:
+    """Name, symbol and unit of each quantity, without parameters of a standard: their names are those of the standard."""
+    if isinstance(value, dict):
+        if isinstance(value.get("quantity"), str) and {"symbol", "unit"} <= value.keys() and "filter" not in value:
+            yield value["quantity"], value["symbol"], value["unit"]
+        for entry in value.values():
+            yield from quantities_in(entry)
+    elif isinstance(value, list):
+        for entry in value:
+            yield from quantities_in(entry)
+
+
+def with_several(pairs: Iterable[tuple[str, str]]) -> dict[str, set[str]]:
+    """Names that have several symbols, or several units."""
+    found: dict[str, set[str]] = {}
+    for name, text in pairs:
+        found.setdefault(name, set()).add(text)
+    return {name: texts for name, texts in found.items() if len(texts) > 1}
+
+
+def test_a_printed_quantity_has_one_symbol_and_one_unit(printed_json: dict[str, list[Json]]) -> None:
+    quantities = {quantity for printed in printed_json.values() for quantity in quantities_in(printed)}
+    assert len(quantities) > 100
+    assert not with_several((name, symbol) for name, symbol, _ in quantities)
+    schemas = [entry for command in COMMANDS for _, entry in names_in(setae.schema(command)) if isinstance(entry, dict)]
+    in_units_of_data = {entry["quantity"] for entry in schemas if isinstance(entry.get("quantity"), str) and "unit" not in entry}
+    assert not with_several((name, unit) for name, _, unit in quantities if name not in in_units_of_data)
 
 
 def names_in(schema: Json) -> Iterator[tuple[str, Json]]:

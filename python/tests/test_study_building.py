@@ -101,7 +101,7 @@ def test_heights_in_memory(printed):
     read = setae.read("study_results/study_data/A_b_1.nc")
     np.testing.assert_array_equal(read.heights, rough)
     assert read.periodic and read.size == pytest.approx(grid.size, rel=1e-15)
-    in_python = setae.surface([grid.stated(instrument="afm"), curve.stated(instrument="afm"), steps.stated(instrument="afm", tip_radius="5 nm")])
+    in_python = setae.surface([grid.assign_metadata(instrument="afm"), curve.assign_metadata(instrument="afm"), steps.assign_metadata(instrument="afm", tip_radius="5 nm")])
     assert result["surfaces"]["A b"]["rms_slope"].value == pytest.approx(float(in_python["rms_slope"]), rel=1e-9)
 
 
@@ -151,7 +151,7 @@ def test_published_values_of_pairs():
         (lambda study: study.pair("A", "soft", approached="41 mJ/m2"), "approached of A and soft; expected loops, or published values of approach"),
         (lambda study: study.pairs({"surface": ["A"], "elastomer": ["soft"], "approach": [41.0]}), "column 'approach' has no unit"),
         (lambda study: study.pairs({"surface": ["A"], "approach [mJ/m2]": [41.0]}), "no column 'elastomer'"),
-        (lambda study: study.pair("A", "soft", setae.loop({"force [mN]": [0.0, 1.0, 0.0], "displacement [um]": [0.0, 1.0, 0.0]}, nu=0.4)), "nu of a loop"),
+        (lambda study: study.pair("A", "soft", setae.loop({"force [mN]": [0.0, 1.0, 0.0], "displacement [um]": [0.0, 1.0, 0.0]}, poisson_ratio=0.4)), "poisson_ratio of a loop"),
         (lambda study: study.surface("B", [{"tip_radius": "3 nm"}]), "surface B: a measurement has no 'file'"),
         (lambda study: study.analysis(windw="hann"), r"written.toml:\d+.*windw.*window"),
         (lambda study: study.analysis(longest_wavelength=100), r"written.toml:\d+.*longest_wavelength"),

@@ -8,7 +8,7 @@
 
 namespace setae::statistics {
 
-/// Replicates with planted variances: 4 between spots, 2.25 between repeats.
+/// Replicates with known variances: 4 between spots, 2.25 between repeats.
 struct SimulatedReplicates {
     int surfaces = 1, lenses = 3, spots = 4, repeats = 2;
     double between_lenses = 3.0;  ///< standard deviation

@@ -76,26 +76,12 @@ void require_not_the_same(const fs::path& output, const std::string& input) {
             fmt::format("{} would be overwritten by a result; choose another name or folder for -o", input));
 }
 
-/// The options of a whole trace from its file, or the options of the command line with the anchors of the file.
-study::ContourOptions with_anchors(const Arguments& a, study::ContourOptions options,
-                                   std::optional<std::string>& digest) {
-    if (a.anchors.empty()) return options;
-    const auto stored = output::read_trace(a.anchors);
-    if (!stored.options) {
-        if (!a.output.empty())
-            require_not_the_same(outputs_of(a, a.pictures.front(), false).stem.string() + ".json", a.anchors);
-        options.trace.anchors = stored.anchors;
-        return options;
-    }
-    const bool plain = a.pixel.empty() && a.scale_bar.empty() && a.calibration.empty() && a.hidden.empty() &&
-                       !a.smoothing && !a.min_length && a.denoise == 0 && a.vacuum == "automatic" &&
-                       a.shape == "envelope" && a.foil_thickness.empty() && !a.whole_picture && a.image.empty();
-    if (!plain)
-        throw InvalidArgument(
-            a.anchors +
-            " is a whole trace with its own options; give no other options, or a file with only anchors: {\"anchors\": [[x, y], …]}");
-    digest = stored.digest;
-    return *stored.options;
+/// The options, with the anchors of a file.
+answers::RepeatedTrace trace_options(const Arguments& a) {
+    auto repeated = a.with_anchors(a.anchors);
+    if (!a.anchors.empty() && !repeated.is_whole && !a.output.empty())
+        require_not_the_same(outputs_of(a, a.pictures.front(), false).stem.string() + ".json", a.anchors);
+    return repeated;
 }
 
 std::vector<std::size_t> chosen_segments(const Arguments& a, std::size_t count) {
@@ -162,16 +148,12 @@ struct Outcome {
     std::string error;
 };
 
-Outcome traced(const Arguments& a, const std::string& path, const study::ContourOptions& options,
-               const std::optional<std::string>& digest, bool batch) {
+Outcome traced(const Arguments& a, const std::string& path, const answers::RepeatedTrace& repeated, bool batch) {
     Outcome outcome;
     try {
-        outcome.picture = study::trace_picture(path, options);
-        if (digest && *digest != outcome.picture->digest)
-            throw InvalidArgument(fmt::format(
-                "{}: {} is the trace of another picture (SHA-256 {}…, this one has {}…); keep only its anchors to use them here",
-                path, a.anchors, digest->substr(0, 8), outcome.picture->digest.substr(0, 8)));
-        if (!a.output.empty()) write_picture(a, *outcome.picture, options, outputs_of(a, path, batch));
+        outcome.picture = study::trace_picture(path, repeated.options);
+        repeated.require_picture(*outcome.picture, a.anchors);
+        if (!a.output.empty()) write_picture(a, *outcome.picture, repeated.options, outputs_of(a, path, batch));
         if (batch) outcome.picture->micrograph.pixels.resize(0, 0);
     } catch (const std::exception& error) {
         outcome.picture.reset();
@@ -202,15 +184,14 @@ ExitCode run(const Arguments& a) {
         throw InvalidArgument("--anchors are for one picture; trace this picture separately");
     if (batch && !a.save_calibration.empty())
         throw InvalidArgument("--save-calibration is for one picture; trace this picture separately first");
-    std::optional<std::string> digest;
-    const auto options = with_anchors(a, a.options(), digest);
+    const auto repeated = trace_options(a);
     if (batch) {
         require_different_stems(pictures);
         if (!a.output.empty()) fs::create_directories(a.output);
     }
     std::vector<Outcome> outcomes(pictures.size());
     parallel::for_each_index(pictures.size(), a.common.workers(),
-                             [&](std::size_t i) { outcomes[i] = traced(a, pictures[i], options, digest, batch); });
+                             [&](std::size_t i) { outcomes[i] = traced(a, pictures[i], repeated, batch); });
 
     auto table = study::contour_table();
     auto json = output::Json::array();
@@ -227,7 +208,7 @@ ExitCode run(const Arguments& a) {
         }
         alerts.insert(alerts.end(), outcome.picture->alerts.begin(), outcome.picture->alerts.end());
         study::add_rows(table, *outcome.picture);
-        if (a.common.json) json.push_back(output::described(output::ContourEntry{&*outcome.picture, &options}));
+        if (a.common.json) json.push_back(output::described(output::ContourEntry{&*outcome.picture, &repeated.options}));
     }
     show(alerts);
     if (!a.save_calibration.empty() && failed == 0)
@@ -241,7 +222,7 @@ ExitCode run(const Arguments& a) {
     else if (failed == 0)
         print(study::profile_text(*outcomes.front().picture,
                                   chosen_segments(a, outcomes.front().picture->profiles.size()).front(),
-                                  options.shape));
+                                  repeated.options.shape));
     if (failed == pictures.size()) return ExitCode::nothing_done;
     return failed > 0 ? ExitCode::some_failed : ExitCode::done;
 }

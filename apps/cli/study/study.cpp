@@ -16,17 +16,18 @@
 #include "program/print_json.hpp"
 #include "program/terminal.hpp"
 #include "setae/answers/run_time.hpp"
+#include "setae/answers/study_plan.hpp"
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 #include "setae/output/budget.hpp"
+#include "setae/output/field_json.hpp"
 #include "setae/output/next_measurement_output.hpp"
 #include "setae/output/result_folder.hpp"
 #include "setae/output/screen.hpp"
 #include "setae/output/study_tables.hpp"
 #include "setae/report/report.hpp"
 #include "setae/study/next_measurement.hpp"
-#include "setae/study/study_gaps.hpp"
 #include "setae/study_figures/write_figures.hpp"
 #include "study/interruption.hpp"
 #include "study/run_arguments.hpp"
@@ -104,6 +105,15 @@ void print_gaps(const std::vector<study::StudyGap>& gaps, const std::string& fil
         print(one_line(fmt::format("  {}:{}: {}: {}", file, gap.line, gap.item, gap.message)) + "\n");
 }
 
+void print_plan(const answers::StudyPlan& plan, const std::string& file) {
+    for (const auto& step : plan.steps)
+        print(fmt::format("{:<6} {:<12} {}\n", answers::state_of(step), step.stage,
+                          step.error.empty() ? step.item : step.error));
+    print(fmt::format("{} steps: {} to do, {} kept from earlier runs, {} will fail; folder of the results: {}\n",
+                      plan.steps.size(), plan.count("to do"), plan.count("kept"), plan.count("fails"), plan.output));
+    print_gaps(plan.missing, file);
+}
+
 /// Prints the steps of a run, the results that the store contains, and missing metadata.
 ExitCode show_plan(const Arguments& arguments) {
     const auto study = study_of(arguments);
@@ -111,36 +121,10 @@ ExitCode show_plan(const Arguments& arguments) {
     study::RunOptions options;
     options.threads = arguments.common.workers();
     options.store = &store;
-    const auto steps = study::planned_steps(study, options);
-    const auto gaps = study::study_gaps(study);
-    const auto state = [](const study::PlannedStep& step) {
-        return !step.error.empty() ? "fails" : step.cached ? "kept" : "to do";
-    };
-    const auto count = [&](const std::string& what) {
-        return std::count_if(steps.begin(), steps.end(), [&](const auto& step) { return state(step) == what; });
-    };
-    if (arguments.common.json) {
-        output::Json json{{"study", study.path},
-                          {"output", study.output},
-                          {"cache", store.folder()},
-                          {"steps", output::Json::array()},
-                          {"missing", output::Json::array()}};
-        for (const auto& step : steps) {
-            json["steps"].push_back({{"stage", step.stage}, {"item", step.item}, {"state", state(step)}});
-            if (!step.error.empty()) json["steps"].back()["error"] = step.error;
-        }
-        for (const auto& gap : gaps)
-            json["missing"].push_back({{"line", gap.line}, {"item", gap.item}, {"message", gap.message}});
-        print_json(json);
-    } else {
-        for (const auto& step : steps)
-            print(
-                fmt::format("{:<6} {:<12} {}\n", state(step), step.stage, step.error.empty() ? step.item : step.error));
-        print(fmt::format("{} steps: {} to do, {} kept from earlier runs, {} will fail; folder of the results: {}\n",
-                          steps.size(), count("to do"), count("kept"), count("fails"), study.output));
-        print_gaps(gaps, arguments.file);
-    }
-    return count("fails") == 0 ? ExitCode::done : ExitCode::some_failed;
+    const auto plan = answers::plan_of(study, options);
+    if (arguments.common.json) print_json(output::described(plan));
+    else print_plan(plan, arguments.file);
+    return plan.count("fails") == 0 ? ExitCode::done : ExitCode::some_failed;
 }
 
 /// Draws every figure of a study; returns how many failed.
@@ -237,9 +221,9 @@ ExitCode run_and_show(const Arguments& arguments, const std::function<void(const
 /// Prints further measurements, sorted by their effect on a standard error.
 ExitCode show_next(const Arguments& arguments) {
     return run_and_show(arguments, [&](const study::StudyResult& result) {
-        const auto list = study::next_measurements(result, arguments.target);
-        if (arguments.common.json) print_json(output::next_json(arguments.target, list));
-        else print(tables::as_text_within(output::next_table(arguments.target, list), output_size().width));
+        const output::NextMeasurements next{arguments.target, study::next_measurements(result, arguments.target)};
+        if (arguments.common.json) print_json(output::described(next));
+        else print(tables::as_text_within(output::next_table(next), output_size().width));
     });
 }
 

@@ -100,7 +100,7 @@ TEST(TrueSurfaceValues, HaveTheSlopeOfLogNormalHeightsInClosedForm) {
 }
 
 TEST(KnownLoops, HaveFullContactBalanceWorkAndTheRequestedLoss) {
-    const Recipe recipe = recipe_of(small_recipe, "planted");
+    const Recipe recipe = recipe_of(small_recipe, "balance");
     const auto loops = known_loops(recipe);
     ASSERT_EQ(loops.size(), 4u);
     const TrueSurfaceValues surface = true_surface_values(recipe.surfaces[0].surface);
@@ -123,17 +123,19 @@ TEST(KnownLoops, HavePartialContactWhereTheRecipeRequestsIt) {
     recipe.loops->opening_work = 0.12;
     const TrueSurfaceValues surface = true_surface_values(recipe.surfaces[0].surface);
     const double r = surface.area_ratio, gain = 0.037 * r - 0.025 * (r - 1.0);
-    const auto planted = [&](double energy_share, KnownContact contact) {
+    const auto known_specimen = [&](double energy_share, KnownContact contact) {
         recipe.loops->contact = contact;
         auto& elastomer = recipe.elastomers[0];
         const double wanted = energy_share * gain / surface.parameters.elastic_energy_per_modulus;
         elastomer.youngs_modulus.value = wanted * (1.0 - std::pow(elastomer.poisson_ratio, 2));
         return known_loops(recipe, {surface})[0].specimen;
     };
-    const auto soft = planted(0.1, KnownContact::full), soft_in_part = planted(0.1, KnownContact::patches);
+    const auto soft = known_specimen(0.1, KnownContact::full),
+               soft_in_part = known_specimen(0.1, KnownContact::patches);
     EXPECT_NEAR(soft_in_part.work_approach / soft.work_approach, 1.0, 1e-6);
     EXPECT_NEAR(soft_in_part.work_retraction / soft.work_retraction, 1.0, 1e-6);
-    const auto stiff = planted(0.7, KnownContact::full), stiff_in_part = planted(0.7, KnownContact::patches);
+    const auto stiff = known_specimen(0.7, KnownContact::full),
+               stiff_in_part = known_specimen(0.7, KnownContact::patches);
     const auto contact = adhesion::unloaded_contact(0.7);
     EXPECT_NEAR(stiff.work_approach / gain, 0.3, 1e-3);
     EXPECT_NEAR(stiff_in_part.work_approach / gain, contact.gain, 1e-3);

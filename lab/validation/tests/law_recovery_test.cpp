@@ -69,11 +69,11 @@ TEST(ModelRecovery, RefusesModelsTheRecipeLacksDataFor) {
 
 TEST(ModelRecovery, CountsOutcomesPerModel) {
     std::vector<ModelRecovery> list(4);
-    for (auto& one : list) one.planted = "pinning";
+    for (auto& one : list) one.true_model = "pinning";
     list[0].found = "pinning";
     list[1].found = list[2].found = "reversible";
     list[1].possible = true;
-    list[3].planted = list[3].found = "reversible";
+    list[3].true_model = list[3].found = "reversible";
     const auto rows = summary(list);
     ASSERT_EQ(rows.size(), 2U);
     EXPECT_EQ(rows[0].runs, 3);

@@ -85,7 +85,7 @@ TEST(SummaryTable, PrintsPerCentAndMillijoules) {
     auto work = comparison(0, 0.0371, 1e-4);
     work.quantity = "work_of_adhesion";
     work.unit = "J/m2";
-    work.planted = 0.037;
+    work.true_value = 0.037;
     work.measure = Deviation::absolute;
     const auto text = summary_table(summary({comparison(0, 2.2e-9, 1e-10), work}));
     EXPECT_NE(text.find("+10.000"), std::string::npos) << text;

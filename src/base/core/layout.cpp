@@ -10,6 +10,12 @@ namespace {
 
 bool combines(char32_t code) { return code >= 0x300 && code < 0x370; }
 
+/// Whether a blank, or a dot that is not in a number, is before this place.
+bool begins_word(std::string_view text, std::size_t at) {
+    const char before = text[at - 1];
+    return before == ' ' || (before == '.' && !(text[at] >= '0' && text[at] <= '9'));
+}
+
 /// Bytes of the next character; 1 for invalid UTF-8.
 std::size_t step_of(std::string_view text) { return std::max<std::size_t>(utf8_length(text), 1); }
 
@@ -63,6 +69,15 @@ std::string shortened(std::string_view text, std::size_t width) {
         text.remove_prefix(length);
     }
     return result + "…";
+}
+
+std::string last_words(std::string_view text, std::size_t width) {
+    if (display_width(text) <= width) return std::string(text);
+    std::size_t begin = 0;
+    while (display_width(text.substr(begin)) >= std::max<std::size_t>(width, 1)) begin += step_of(text.substr(begin));
+    for (std::size_t at = std::max<std::size_t>(begin, 1); at < text.size(); ++at)
+        if (begins_word(text, at)) return "…" + std::string(text.substr(at));
+    return "…" + std::string(text.substr(begin));
 }
 
 }  // namespace setae

@@ -11,7 +11,9 @@ namespace setae::fields {
 
 const Row& row_named(const Description& description, std::string_view name) {
     const auto& rows = description.rows;
-    const auto found = std::find_if(rows.begin(), rows.end(), [name](const Row& row) { return row.name == name; });
+    auto found = std::find_if(rows.begin(), rows.end(), [name](const Row& row) { return row.name == name; });
+    if (found == rows.end())
+        found = std::find_if(rows.begin(), rows.end(), [name](const Row& row) { return row.term == name; });
     if (found == rows.end()) throw InternalError(fmt::format("no field is called {}", name));
     return *found;
 }

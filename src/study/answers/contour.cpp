@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/answers/contour.hpp"
 
+#include <fmt/format.h>
+
 #include "setae/answers/picture_region.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
@@ -36,6 +38,31 @@ study::ContourOptions ContourRequest::options() const {
         options.shared_calibration = imaging::read_calibration(calibration).calibration;
     }
     return options;
+}
+
+void RepeatedTrace::require_picture(const study::TracedPicture& picture, const std::string& stored) const {
+    if (!digest || *digest == picture.digest) return;
+    throw InvalidArgument(fmt::format(
+        "{}: {} is the trace of another picture (SHA-256 {}…, this one has {}…); keep only its anchors to use them here",
+        picture.micrograph.file, stored, digest->substr(0, 8), picture.digest.substr(0, 8)));
+}
+
+RepeatedTrace ContourRequest::with_anchors(const std::string& file) const {
+    RepeatedTrace repeated{.options = options()};
+    if (file.empty()) return repeated;
+    const auto stored = output::read_trace(file);
+    if (!stored.options) {
+        repeated.options.trace.anchors = stored.anchors;
+        return repeated;
+    }
+    const bool is_plain = pixel.empty() && scale_bar.empty() && calibration.empty() && hidden.empty() && !smoothing &&
+                          !min_length && denoise == 0 && vacuum == "automatic" && shape == "envelope" &&
+                          foil_thickness.empty() && !whole_picture && image.empty();
+    if (!is_plain)
+        throw InvalidArgument(
+            file +
+            " is a whole trace with its own options; give no other options, or a file with only anchors: {\"anchors\": [[x, y], …]}");
+    return {.options = *stored.options, .is_whole = true, .digest = stored.digest};
 }
 
 }  // namespace setae::answers

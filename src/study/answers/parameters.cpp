@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "setae/core/constants.hpp"
+#include "setae/core/errors.hpp"
 #include "setae/core/uncertain_text.hpp"
 #include "setae/core/units.hpp"
 #include "setae/output/json.hpp"
@@ -66,19 +67,40 @@ std::string levelling_of(const study::SurfaceResult& surface) {
     return text;
 }
 
-}  // namespace
+/// Whether one pass over the heights gives all wanted parameters. Rq and Rdq are symbols of lines and maps.
+bool is_of_one_pass(const ParametersRequest& request) {
+    constexpr std::array names{"rms_height",    "Sq",    "Rq",  "rms_height_of_lines",
+                               "rms_slope",     "Sdq",   "Rdq", "rms_slope_x",
+                               "rms_curvature", "lap/2", "Rddq"};
+    return !request.only.empty() && !request.surface.power_spectrum &&
+           std::all_of(request.only.begin(), request.only.end(),
+                       [&](const auto& name) { return std::find(names.begin(), names.end(), name) != names.end(); });
+}
 
-Parameters parameters(const ParametersRequest& request, parallel::Threads threads) {
-    const study::Wanted wanted{.previews = false, .every_measurement = request.every_measurement};
-    Parameters result{.surface = study::analyse_surface(request.surface, request.analysis, wanted, threads).surface,
-                      .groups = {},
-                      .headline = {},
-                      .levelling = {}};
+bool is_called(const Quantity& quantity, const std::string& name) {
+    return quantity.quantity == name || quantity.symbol == name;
+}
+
+/// Leaves only the wanted parameters. @throws InvalidArgument for a name that none has.
+void keep_only(std::vector<ParameterGroup>& groups, const std::vector<std::string>& only) {
+    std::string known;
+    for (const auto& group : groups)
+        for (const auto& q : group.quantities) known += (known.empty() ? "" : ", ") + q.quantity;
+    for (const auto& name : only)
+        if (std::none_of(groups.begin(), groups.end(), [&](const auto& group) {
+                return std::any_of(group.quantities.begin(), group.quantities.end(),
+                                   [&](const auto& q) { return is_called(q, name); });
+            }))
+            throw InvalidArgument(fmt::format("no parameter '{}'; expected one of {}", name, known));
+    for (auto& group : groups)
+        std::erase_if(group.quantities, [&](const auto& q) {
+            return std::none_of(only.begin(), only.end(), [&](const auto& name) { return is_called(q, name); });
+        });
+}
+
+/// Parameters of the spectrum of all measurements, by both conversions.
+void add_spectral_parameters(Parameters& result, const ParametersRequest& request) {
     const auto& surface = result.surface;
-    if (surface.failed()) return result;
-    for (const auto& m : surface.measurements)
-        if (!m.failed())
-            result.groups.push_back({m.file, m.name, of_heights, output::measurement_quantities(m), m.channel});
     ParameterGroup spectral{
         .file = "combined",
         .name = {},
@@ -96,6 +118,23 @@ Parameters parameters(const ParametersRequest& request, parallel::Threads thread
     auto other = by_other_conversion(surface, spectral, request.analysis.conversion);
     result.groups.push_back(std::move(spectral));
     if (other) result.groups.push_back(std::move(*other));
+}
+
+}  // namespace
+
+Parameters parameters(const ParametersRequest& request, parallel::Threads threads) {
+    const study::Wanted wanted{
+        .previews = false, .spectrum = !is_of_one_pass(request), .every_measurement = request.every_measurement};
+    Parameters result{.surface = study::analyse_surface(request.surface, request.analysis, wanted, threads).surface,
+                      .groups = {},
+                      .headline = {},
+                      .levelling = {}};
+    if (result.surface.failed()) return result;
+    for (const auto& m : result.surface.measurements)
+        if (!m.failed())
+            result.groups.push_back({m.file, m.name, of_heights, output::measurement_quantities(m), m.channel});
+    if (wanted.spectrum) add_spectral_parameters(result, request);
+    if (!request.only.empty()) keep_only(result.groups, request.only);
     return result;
 }
 

@@ -48,11 +48,11 @@ void tally(Survey& survey, const topography::Measurement& measurement) {
     for (const auto& finding : findings) ++survey.codes[finding.alert.code];
 }
 
-void tally(Survey& survey, const topography::Mask& planted, const topography::Mask& found) {
-    for (Index k = 0; k < planted.size(); ++k) {
-        survey.spikes_planted += planted.data()[k];
-        survey.spikes_found += planted.data()[k] * found.data()[k];
-        survey.points_blamed += (1 - planted.data()[k]) * found.data()[k];
+void tally(Survey& survey, const topography::Mask& added, const topography::Mask& found) {
+    for (Index k = 0; k < added.size(); ++k) {
+        survey.spikes_added += added.data()[k];
+        survey.spikes_found += added.data()[k] * found.data()[k];
+        survey.points_blamed += (1 - added.data()[k]) * found.data()[k];
     }
 }
 
@@ -128,8 +128,8 @@ Survey survey_maps(int surfaces) {
     for (int number = 0; number < surfaces; ++number) {
         const auto map = faultless_map(number);
         tally(survey, map);
-        const auto planted = with_spikes(map, spikes_per_surface, static_cast<std::uint64_t>(number));
-        tally(survey, planted.mask, processing::find_spikes(std::get<topography::HeightMap>(planted.measurement)).mask);
+        const auto added = with_spikes(map, spikes_per_surface, static_cast<std::uint64_t>(number));
+        tally(survey, added.mask, processing::find_spikes(std::get<topography::HeightMap>(added.measurement)).mask);
     }
     return survey;
 }
@@ -139,8 +139,8 @@ Survey survey_lines(int surfaces) {
     for (int number = 0; number < surfaces; ++number) {
         const auto line = faultless_line(number);
         tally(survey, line);
-        const auto planted = with_spikes(line, spikes_per_surface, static_cast<std::uint64_t>(number));
-        tally(survey, planted.mask, processing::find_spikes(std::get<topography::LineScan>(planted.measurement)).mask);
+        const auto added = with_spikes(line, spikes_per_surface, static_cast<std::uint64_t>(number));
+        tally(survey, added.mask, processing::find_spikes(std::get<topography::LineScan>(added.measurement)).mask);
     }
     return survey;
 }

@@ -27,11 +27,11 @@ struct TrueValues {
 /// What a survey of surfaces came to.
 struct Survey {
     int surfaces = 0;
-    int alarmed = 0;                                              ///< surfaces with any finding
-    std::map<std::string, int> codes;                             ///< of those findings
-    int spikes_planted = 0, spikes_found = 0, points_blamed = 0;  ///< blamed: found beside those planted
+    int alarmed = 0;                                            ///< surfaces with any finding
+    std::map<std::string, int> codes;                           ///< of those findings
+    int spikes_added = 0, spikes_found = 0, points_blamed = 0;  ///< blamed: found but not added
     [[nodiscard]] double alarm_share() const { return static_cast<double>(alarmed) / surfaces; }
-    [[nodiscard]] double found_share() const { return static_cast<double>(spikes_found) / spikes_planted; }
+    [[nodiscard]] double found_share() const { return static_cast<double>(spikes_found) / spikes_added; }
 };
 [[nodiscard]] Survey survey_maps(int surfaces);
 [[nodiscard]] Survey survey_lines(int surfaces);

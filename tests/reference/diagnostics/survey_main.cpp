@@ -15,13 +15,13 @@ int main(int argc, char** argv) {
         return 2;
     }
     fmt::print(
-        "| surfaces | alarmed | findings | spikes planted | found | other points blamed |\n|---|---|---|---|---|---|\n");
+        "| surfaces | alarmed | findings | spikes added | found | other points blamed |\n|---|---|---|---|---|---|\n");
     const auto row = [&](const char* kind, const setae::reference::Survey& survey) {
         std::string codes;
         for (const auto& [code, count] : survey.codes)
             codes += fmt::format("{}{} {}", codes.empty() ? "" : ", ", count, code);
         fmt::print("| {} {} | {:.1f} % | {} | {} | {:.2f} % | {} |\n", survey.surfaces, kind,
-                   100.0 * survey.alarm_share(), codes.empty() ? "none" : codes, survey.spikes_planted,
+                   100.0 * survey.alarm_share(), codes.empty() ? "none" : codes, survey.spikes_added,
                    100.0 * survey.found_share(), survey.points_blamed);
     };
     row("maps of 128 x 128 points", setae::reference::survey_maps(surfaces));

@@ -27,5 +27,15 @@ TEST(Shortened, EndsInAnEllipsis) {
     EXPECT_EQ(shortened("µµµµ", 3), "µµ…");
 }
 
+TEST(LastWords, BeginAfterABlankOrADot) {
+    EXPECT_EQ(last_words("scatter between pairs", 21), "scatter between pairs");
+    EXPECT_EQ(last_words("scatter between pairs", 20), "…between pairs");
+    EXPECT_EQ(last_words("scatter between pairs", 14), "…between pairs");
+    EXPECT_EQ(last_words("scatter between pairs", 13), "…pairs");
+    EXPECT_EQ(last_words("elastomers.E1.9.youngs_modulus", 28), "…E1.9.youngs_modulus");
+    EXPECT_EQ(last_words("elastomers.E1.9.youngs_modulus", 18), "…youngs_modulus");
+    EXPECT_EQ(last_words("µµµµ", 3), "…µµ");
+}
+
 }  // namespace
 }  // namespace setae::layout_test

@@ -108,7 +108,7 @@ adhesion::LeftOutPrediction prediction_of(const BothBranches& model, const std::
     prediction.residual = measured.value.value - predicted;
     prediction.standard_error = std::sqrt(std::max(0.0, inputs) + scatter + lines.own_variance[i]);
     constexpr double reach = 1.959963984540054;
-    prediction.held = std::abs(prediction.residual) <= reach * prediction.standard_error;
+    prediction.within_interval = std::abs(prediction.residual) <= reach * prediction.standard_error;
     return prediction;
 }
 

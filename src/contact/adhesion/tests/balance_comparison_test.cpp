@@ -19,7 +19,7 @@ struct TrueValues {
 };
 
 /// Four surfaces × four elastomers, as [D19] has them.
-std::vector<PairPoint> pairs(const TrueValues& planted, std::uint64_t seed = 1) {
+std::vector<PairPoint> pairs(const TrueValues& known, std::uint64_t seed = 1) {
     std::vector<PairPoint> all;
     std::uint64_t counter = 0;
     const double ratios[] = {1.08, 1.25, 1.45, 1.7}, energies[] = {1e-9, 2e-9, 3e-9, 5e-9};
@@ -32,8 +32,8 @@ std::vector<PairPoint> pairs(const TrueValues& planted, std::uint64_t seed = 1) 
             pair.elastomer = std::to_string(modulus);
             pair.slope = r;
             pair.offset = gamma1 * (r - 1.0) + modulus * energies[s];
-            pair.measured.value = std::max(0.0, work * r - pair.offset - planted.change * r * (r - 1.0) +
-                                                    planted.scatter * numerics::normal_number({seed, 0}, counter++));
+            pair.measured.value = std::max(0.0, work * r - pair.offset - known.change * r * (r - 1.0) +
+                                                    known.scatter * numerics::normal_number({seed, 0}, counter++));
             all.push_back(pair);
         }
     return all;
@@ -79,8 +79,8 @@ TEST(StrainedInterfaceFit, RefusesOneAreaRatio) {
 }
 
 TEST(BalanceScore, PrefersTheTrueBalance) {
-    const auto planted = pairs({.change = 0.02, .scatter = 0.0005});
-    const auto modified = score_balance(planted), strained = score_strained_interface(planted);
+    const auto simulated = pairs({.change = 0.02, .scatter = 0.0005});
+    const auto modified = score_balance(simulated), strained = score_strained_interface(simulated);
     EXPECT_GT(strained.log_likelihood - modified.log_likelihood, 10.0);
     EXPECT_LT(strained.left_out_deviation, 0.5 * modified.left_out_deviation);
     EXPECT_EQ(strained.parameters, 2);

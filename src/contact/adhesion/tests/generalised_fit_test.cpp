@@ -141,7 +141,7 @@ Coverage coverage_of(bool correlated, double surface_effect) {
         for (const auto& prediction : predict_left_out(list)) {
             if (!prediction.surface_left_out) continue;
             ++result.left_out;
-            result.left_out_held += prediction.held ? 1 : 0;
+            result.left_out_held += prediction.within_interval ? 1 : 0;
         }
     }
     return result;

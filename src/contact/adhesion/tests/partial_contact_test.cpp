@@ -58,7 +58,7 @@ TEST(PartialBalance, EqualsTheFullContactBalanceAndStaysPositive) {
     EXPECT_EQ(partial_balance(-0.01, 0.05), 0.0);
 }
 
-std::vector<PartialContactPoint> planted(double work) {
+std::vector<PartialContactPoint> simulated_points(double work) {
     std::vector<PartialContactPoint> pairs;
     for (const double r : {1.1, 1.4, 1.7})
         for (const double stored : {0.004, 0.02, 0.05}) {
@@ -76,7 +76,7 @@ std::vector<PartialContactPoint> planted(double work) {
 
 TEST(ScorePartialContact, RecoversTheTrueWork) {
     for (const double work : {0.03, 0.05}) {
-        const auto score = score_partial_contact(planted(work));
+        const auto score = score_partial_contact(simulated_points(work));
         EXPECT_NEAR(score.work_of_adhesion, work, 1e-7);
         EXPECT_NEAR(score.r_squared, 1.0, 1e-9);
         EXPECT_NEAR(score.left_out_deviation, 0.0, 1e-8);

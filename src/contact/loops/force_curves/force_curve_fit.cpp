@@ -248,7 +248,8 @@ ForceCurveFit fit_force_curve(const CurveSegment& segment, const LensAndCounterB
                       .shape = options.shape,
                       .model = options.model,
                       .force_offset = {.value = 0.0, .standard_error = 0.0, .method = "given"},
-                      .n = static_cast<Index>(samples.size())};
+                      .n = static_cast<Index>(samples.size()),
+                      .samples = samples};
     if (options.model == ContactModel::hertz && options.errors == FitErrors::force_only)
         fit_dry(fit, displacement, force, law, options, held);
     else fit_adhesive(fit, segment, displacement, force, bodies, options, held);

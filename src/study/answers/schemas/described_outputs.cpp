@@ -29,12 +29,15 @@
 #include "setae/answers/replicates.hpp"
 #include "setae/answers/scale_fields.hpp"
 #include "setae/answers/solve_fields.hpp"
+#include "setae/answers/study_plan.hpp"
 #include "setae/answers/sweep_fields.hpp"
 #include "setae/answers/synthesis_fields.hpp"
 #include "setae/answers/texture.hpp"
 #include "setae/fields/describe.hpp"
 #include "setae/output/contour_fields.hpp"
 #include "setae/output/hysteresis_fields.hpp"
+#include "setae/output/next_measurement_output.hpp"
+#include "setae/output/study_description.hpp"
 #include "setae/study_figures/figure_fields.hpp"
 
 namespace setae::answers::schemas {
@@ -93,6 +96,9 @@ constexpr DescribedOutput outputs[]{
     one<ProfileEntry>("profile"),
     one<PowerSpectrum>("psd"),
     {.command = "sdrp", .description = &sdrp_description},
+    {.command = "study", .description = &output::study_description},
+    one<StudyPlan>("study"),
+    one<output::NextMeasurements>("study"),
     one<DraftEntry>("study init"),
     {.command = "synthesize", .description = &synthetic_surface_description},
     {.command = "synthesize", .description = &synthetic_line_description},

@@ -9,10 +9,8 @@
 #include <nlohmann/json.hpp>
 
 #include "schemas/described_outputs.hpp"
-#include "schemas/schema_texts.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/output/field_json.hpp"
-#include "setae/output/study_schemas.hpp"
 
 namespace setae::answers {
 namespace {
@@ -20,19 +18,6 @@ namespace {
 using output::Json;
 
 constexpr std::string_view place_of_shared = "#/$defs/";
-
-std::string command_of(std::string_view file) {
-    std::string command(file);
-    std::replace(command.begin(), command.end(), '_', ' ');
-    return command;
-}
-
-/// A schema of this folder.
-Json parsed(std::string_view file) {
-    for (const auto& [name, text] : schemas::texts)
-        if (name == file) return Json::parse(text);
-    throw InternalError(fmt::format("no schema is called {}", file));
-}
 
 /// The schema of rows; a result that has a name is one of the shared parts.
 Json schema_of(const DescribedOutput& output) {
@@ -89,7 +74,6 @@ JsonSchemas::JsonSchemas(std::span<const DescribedOutput> further) {
 
 std::vector<std::string> JsonSchemas::commands() const {
     std::set<std::string> names;
-    for (const auto& [name, text] : schemas::texts) names.insert(command_of(name));
     for (const auto& output : outputs_) names.emplace(output.command);
     return {names.begin(), names.end()};
 }
@@ -100,16 +84,12 @@ Json JsonSchemas::own_schema(const std::string& command) const {
     for (const auto& output : outputs_)
         if (output.command == command) described.push_back(output);
     if (!described.empty()) return schema_of(described);
-    const auto known = commands();
-    if (std::find(known.begin(), known.end(), command) == known.end())
-        throw InvalidArgument(fmt::format("'{}' has no schema; expected {}", command, fmt::join(known, ", ")));
-    return parsed(file_of(command));
+    throw InvalidArgument(fmt::format("'{}' has no schema; expected {}", command, fmt::join(commands(), ", ")));
 }
 
 Json JsonSchemas::shared_parts() const {
     std::map<std::string, Json> parts;
     output::add_schemas_of_numbers(parts);
-    output::add_study_schemas(parts);
     for (const auto& output : outputs_) output::add_named_schemas(*output.description, parts);
     return parts;
 }

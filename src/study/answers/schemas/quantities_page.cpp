@@ -17,19 +17,33 @@ using output::Json;
 /// Quantities by name, symbol and unit.
 using Quantities = std::map<std::tuple<std::string, std::string, std::string>, QuantityInJson>;
 
+/// The text of a key, or the texts of a list.
+std::vector<std::string> texts_of(const Json& property, const char* key) {
+    if (!property.contains(key)) return {""};
+    if (property[key].is_array()) return property[key];
+    return {property[key]};
+}
+
+/// Adds the quantity of a property, or the quantities that different results have under the same name.
+void add_quantity(const Json& property, const std::string& place, Quantities& found) {
+    const auto names = texts_of(property, "quantity"), symbols = texts_of(property, "symbol");
+    const auto unit = property.value("unit", std::string{});
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        auto& quantity = found[{names[i], symbols[i], unit}];
+        quantity.name = names[i];
+        quantity.symbol = symbols[i];
+        quantity.unit = unit;
+        if (quantity.meaning.empty()) quantity.meaning = property.value("description", std::string{});
+        quantity.places.push_back(place);
+    }
+}
+
 void add_quantities(const Json& schema, const std::string& place, Quantities& found) {
     if (schema.contains("properties"))
         for (const auto& [name, property] : schema["properties"].items()) {
             const auto here = place + name;
             add_quantities(property, here + ".", found);
-            if (!property.contains("quantity")) continue;
-            const auto text = [&](const char* key) { return property.value(key, std::string{}); };
-            auto& quantity = found[{text("quantity"), text("symbol"), text("unit")}];
-            quantity.name = text("quantity");
-            quantity.symbol = text("symbol");
-            quantity.unit = text("unit");
-            if (quantity.meaning.empty()) quantity.meaning = text("description");
-            quantity.places.push_back(here);
+            if (property.contains("quantity")) add_quantity(property, here, found);
         }
     if (schema.contains("items")) add_quantities(schema["items"], place + "[].", found);
     if (schema.contains("additionalProperties")) add_quantities(schema["additionalProperties"], place + "NAME.", found);

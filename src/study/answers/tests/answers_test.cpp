@@ -7,6 +7,7 @@
 #include "setae/answers/adhesion.hpp"
 #include "setae/answers/comparison_fields.hpp"
 #include "setae/answers/diagnosis.hpp"
+#include "setae/answers/parameters.hpp"
 #include "setae/answers/power_spectrum_fields.hpp"
 #include "setae/answers/surface_request.hpp"
 #include "setae/core/constants.hpp"
@@ -53,6 +54,31 @@ TEST(PowerSpectrum, SkipsAFailedMeasurementOrThrows) {
     EXPECT_EQ(output::described(answer)["measurements"].size(), 1U);
     request.every_measurement = true;
     EXPECT_THROW((void)power_spectrum(request), FormatError);
+}
+
+TEST(Parameters, OnlyAHeightNeedsNoSpectrum) {
+    ParametersRequest request{surface_of({wave("wave")}), AnalysisRequest{}.analysis(), true, {"Rq"}};
+    const auto only = parameters(request);
+    EXPECT_EQ(only.surface.measurements[0].spectrum.independent_lines.size(), 0);
+    const auto entries = parameter_entries(only);
+    ASSERT_EQ(entries.size(), 1U);
+    EXPECT_NEAR(entries[0].quantity.estimate.value, amplitude / std::sqrt(2.0), 1e-12 * amplitude);
+    request.only = {};
+    const auto all = parameter_entries(parameters(request));
+    EXPECT_EQ(output::described(entries)[0], output::described(all)[0]);
+    request.only = {"rms_slope_from_spectrum", "rms_height"};
+    EXPECT_EQ(parameter_entries(parameters(request)).size(), 2U);
+    request.only = {"Sq"};
+    EXPECT_THROW((void)parameters(request), InvalidArgument);
+}
+
+TEST(Parameters, OnlyAHeightOfAFailedMeasurementIsAFailure) {
+    auto bad = wave("bad");
+    bad.in_memory.read = []() -> topography::Measurement { throw FormatError("bad", {}, "torn"); };
+    ParametersRequest request{surface_of({bad}), AnalysisRequest{}.analysis(), false, {"Rq"}};
+    EXPECT_TRUE(parameters(request).surface.failed());
+    request.surface = surface_of({wave("wave"), bad});
+    EXPECT_EQ(parameter_entries(parameters(request)).size(), 1U);
 }
 
 TEST(AnalysisRequest, RefusesUnknownValues) {

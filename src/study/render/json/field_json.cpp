@@ -133,6 +133,15 @@ Json property_of(const Row& row) {
     return property;
 }
 
+/// Adds a property, or the term and symbol of a quantity that other results have under the same name.
+void add_property(Json& property, const Row& row) {
+    auto added = property_of(row);
+    if (property.contains("quantity") && added.contains("quantity") && property["quantity"] != added["quantity"])
+        for (const char* key : {"quantity", "symbol"})
+            added[key] = Json::array({property.value(key, ""), added.value(key, "")});
+    property = std::move(added);
+}
+
 Json object_of(const fields::Description& description) {
     Json required = Json::array(), properties = Json::object();
     for (const auto& row : description.rows) {
@@ -145,7 +154,7 @@ Json object_of(const fields::Description& description) {
         if (row.name.empty()) continue;
         const std::string name(row.name);
         if (is_required(row)) required.push_back(name);
-        properties[name] = property_of(row);
+        add_property(properties[name], row);
         if (has_reason(row)) properties[name + "_reason"] = {{"description", "why it is missing"}, {"type", "string"}};
     }
     return {{"type", "object"}, {"required", std::move(required)}, {"properties", std::move(properties)}};

@@ -286,7 +286,7 @@ struct Described<output::PredictedPair> {
                     return output::BalanceOfPair{&*pair.modified, pair.modified->estimate, "[D19], Eq. 7",
                                                  output::drawn_work(pair.drawn, *of.draws), *pair.budget};
                 }),
-        made<T>("predicted_energy_loss", "W_int A_true", "J", "loss by the true-area balance (Eq. 10)",
+        made<T>("predicted_energy_loss", "E_loss (10)", "J", "loss by the true-area balance (Eq. 10)",
                 [](const T& of) { return of.pair->predicted_loss; })
             .from("[D19], Eq. 10 at W_int of the predictions and the contact area at maximum preload")
             .or_null(),

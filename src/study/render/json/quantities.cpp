@@ -15,20 +15,21 @@ std::vector<Quantity> measurement_quantities(const study::MeasurementResult& m) 
     const auto& r = m.real_space;
     const bool map = !std::isnan(r.rms_slope_y);
     std::vector<Quantity> list;
+    const auto term = [map](const char* name) { return std::string(map ? "areal_" : "profile_") + name; };
     const auto add = [&](Quantity q, const char* source) {
         q.source = source;
         q.n = static_cast<int>(r.defined);
         if (!std::isnan(q.estimate.value)) list.push_back(std::move(q));
     };
-    add(quantity("rms_height", map ? "Sq" : "Rq", r.rms_height, "m"),
+    add(quantity(term("rms_height"), map ? "Sq" : "Rq", r.rms_height, "m"),
         "heights, unfiltered, at the resolution of the data");
     if (map)
         add(quantity("rms_height_of_lines", "Rq", r.rms_height_of_lines, "m"),
             "lines along x, each about its own mean");
-    add(quantity("arithmetic_height", map ? "Sa" : "Ra", m.arithmetic_height, "m"), "heights, unfiltered");
+    add(quantity(term("arithmetic_height"), map ? "Sa" : "Ra", m.arithmetic_height, "m"), "heights, unfiltered");
     if (map) add(quantity("rms_slope_x", "Rdq", r.rms_slope_x, "1"), "forward differences along x");
-    add(quantity("rms_slope", map ? "Sdq" : "Rdq", r.rms_slope, "1"), "forward differences");
-    add(quantity("rms_curvature", map ? "lap/2" : "Rddq", r.rms_curvature, "1/m"), "second differences");
+    add(quantity(term("rms_slope"), map ? "Sdq" : "Rdq", r.rms_slope, "1"), "forward differences");
+    add(quantity(term("rms_curvature"), map ? "lap/2" : "Rddq", r.rms_curvature, "1/m"), "second differences");
     if (m.triangulated)
         add(quantity("triangulated_area_ratio", "A_true/A_app", m.triangulated->area_ratio, "1"),
             "triangles through the heights; [D19], Eq. S3");

@@ -107,7 +107,7 @@ struct ReportedEntry {
 
     [[nodiscard]] bool is_work() const { return reported->quantity == "work_of_adhesion"; }
     [[nodiscard]] Quantity in_its_unit(const Estimate& value) const {
-        return {.quantity = reported->quantity,
+        return {.quantity = is_work() ? "intrinsic_work_of_adhesion" : reported->quantity,
                 .symbol = is_work() ? "W_int" : "R2",
                 .estimate = value,
                 .unit = is_work() ? "J/m2" : "1"};
@@ -225,7 +225,7 @@ struct Described<adhesion::LeftOutPrediction> {
                     return Estimate{.value = of.residual, .standard_error = of.standard_error, .method = "delta"};
                 })
             .as("residual_work_of_adhesion"),
-        field<&T::held>("held", "whether the 95 % interval of the residual covers 0"),
+        field<&T::within_interval>("held", "whether the 95 % interval of the residual covers 0"),
         inner<&T::surface_left_out>(),
         inner<&T::residual>(),
         inner<&T::standard_error>(),

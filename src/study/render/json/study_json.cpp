@@ -11,7 +11,7 @@
 #include "json_writer.hpp"
 #include "setae/output/field_json.hpp"
 #include "setae/output/json.hpp"
-#include "setae/output/study_schemas.hpp"
+#include "setae/output/study_description.hpp"
 #include "setae/output/study_tables.hpp"
 #include "setae/parallel/for_each.hpp"
 #include "study_fields.hpp"
@@ -164,8 +164,6 @@ void write_json(const study::StudyResult& result, const std::function<void(std::
     writer.end_object();
 }
 
-void add_study_schemas(std::map<std::string, Json>& schemas) {
-    add_named_schemas(fields::Described<StudyEntry>::description, schemas);
-}
+constinit const fields::Description study_description = fields::Described<StudyEntry>::description;
 
 }  // namespace setae::output

@@ -112,14 +112,20 @@ template <>
 struct Described<output::AnalysedMeasurement> {
     using T = output::AnalysedMeasurement;
     static constexpr std::array possible_rows{
-        possible("rms_height", "Sq, Rq", "m", "rms height: Sq of a map, Rq of a line").as("rms_height_real_space"),
+        possible("rms_height", "Sq", "m", "rms height: Sq of a map, Rq of a line").as("areal_rms_height"),
+        possible("rms_height", "Rq", "m", "rms height: Sq of a map, Rq of a line").as("profile_rms_height"),
         possible("rms_height_of_lines", "Rq", "m", "rms height of the lines of a map, each about its own mean"),
-        possible("arithmetic_height", "Sa, Ra", "m", "mean absolute height: Sa of a map, Ra of a line"),
+        possible("arithmetic_height", "Sa", "m", "mean absolute height: Sa of a map, Ra of a line")
+            .as("areal_arithmetic_height"),
+        possible("arithmetic_height", "Ra", "m", "mean absolute height: Sa of a map, Ra of a line")
+            .as("profile_arithmetic_height"),
         possible("rms_slope_x", "Rdq", "1", "rms slope of a map along x"),
-        possible("rms_slope", "Sdq, Rdq", "1", "rms slope: Sdq of a map, Rdq of a line").as("rms_slope_real_space"),
-        possible("rms_curvature", "lap/2, Rddq", "1/m",
-                 "rms curvature: half the rms Laplacian of a map, Rddq of a line")
-            .as("rms_curvature_real_space"),
+        possible("rms_slope", "Sdq", "1", "rms slope: Sdq of a map, Rdq of a line").as("areal_rms_slope"),
+        possible("rms_slope", "Rdq", "1", "rms slope: Sdq of a map, Rdq of a line").as("profile_rms_slope"),
+        possible("rms_curvature", "lap/2", "1/m", "rms curvature: half the rms Laplacian of a map, Rddq of a line")
+            .as("areal_rms_curvature"),
+        possible("rms_curvature", "Rddq", "1/m", "rms curvature: half the rms Laplacian of a map, Rddq of a line")
+            .as("profile_rms_curvature"),
         possible("triangulated_area_ratio", "A_true/A_app", "1", "true area over nominal area from triangles"),
         possible("elastic_energy_per_modulus_of_waves", "U_el/(A_app E*)", "m",
                  "elastic energy from the waves of a map in all directions"),

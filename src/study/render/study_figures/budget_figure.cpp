@@ -7,7 +7,6 @@
 #include "arrangement.hpp"
 #include "drawing.hpp"
 #include "setae/core/layout.hpp"
-#include "setae/core/text.hpp"
 #include "setae/core/units.hpp"
 #include "setae/figures/notes.hpp"
 #include "setae/output/budget.hpp"
@@ -19,10 +18,7 @@ using figures::Mark;
 
 /// The end of a long name is more specific than the beginning: "…E07.surface_energy".
 std::string shortened_name(std::string_view name, FigureWidth width) {
-    const std::size_t longest = width == FigureWidth::single_column ? 28 : 44;
-    if (display_width(name) <= longest) return std::string(name);
-    while (display_width(name) >= longest) name.remove_prefix(std::max<std::size_t>(1, utf8_length(name)));
-    return "…" + std::string(name);
+    return last_words(name, width == FigureWidth::single_column ? 28 : 44);
 }
 
 /// A bar from 0 to `length` [%] at a height.
@@ -41,7 +37,7 @@ figures::Series bar(double length, double height) {
 void budget_of_work(const FigureRequest& request, StudyFigure& drawn) {
     const auto budgets = output::budgets_of(request.result);
     const auto found = std::find_if(budgets.begin(), budgets.end(),
-                                    [](const auto& budget) { return budget.quantity == "work_of_adhesion"; });
+                                    [](const auto& budget) { return budget.quantity == "intrinsic_work_of_adhesion"; });
     if (found == budgets.end()) {
         drawn.reason = "no W_int with a standard error";
         return;

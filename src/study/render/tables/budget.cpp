@@ -41,7 +41,7 @@ std::vector<QuotedBudget> budgets_of(const study::Conclusions& conclusions) {
                         value.standard_error(), std::move(rows)});
     };
     if (conclusions.work_of_adhesion)
-        add("work_of_adhesion", "W_int", "J/m2", nullptr, conclusions.traced_work_of_adhesion);
+        add("intrinsic_work_of_adhesion", "W_int", "J/m2", nullptr, conclusions.traced_work_of_adhesion);
     for (const auto& pair : conclusions.pairs) {
         if (!pair.modified) continue;
         add("predicted_work_of_adhesion", "W_app (7)", "J/m2", &pair, pair.modified->traced);
@@ -98,14 +98,14 @@ tables::TidyTable left_out_table(const study::StudyResult& result) {
         "",
         {"left_out", "surface", "elastomer", "method", "W_app measured [J/m2]", "W_app measured standard_error [J/m2]",
          "W_app (7) by the others [J/m2]", "W_app (7) by the others standard_error [J/m2]", "residual [J/m2]",
-         "residual standard_error [J/m2]", "held by the 95 % interval"},
+         "residual standard_error [J/m2]", "within the 95 % interval"},
         {}};
     for (const auto* conclusions : by_method(result))
         for (const auto& p : conclusions->left_out)
             table.rows.push_back({p.surface_left_out ? std::string("surface") : std::string("elastomer"), p.surface,
                                   p.elastomer, method_name(result, *conclusions), p.measured.value,
                                   p.measured.standard_error, p.predicted.value, p.predicted.standard_error, p.residual,
-                                  p.standard_error, p.held ? std::string("yes") : std::string("no")});
+                                  p.standard_error, p.within_interval ? std::string("yes") : std::string("no")});
     return table;
 }
 

@@ -2,13 +2,19 @@
 #include "setae/output/next_measurement_output.hpp"
 
 #include <cmath>
-#include <optional>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 namespace setae::output {
 namespace {
+
+/// Percent with one digit; a gain that rounds to 0 has no sign.
+std::string gain_text(double gain) {
+    const double tenths = std::round(1000.0 * gain);
+    return fmt::format("{:.1f}", tenths == 0.0 ? 0.0 : tenths / 10.0);
+}
+
+}  // namespace
 
 std::string words_of(const adhesion::Candidate& candidate) {
     using Kind = adhesion::Candidate::Kind;
@@ -20,35 +26,16 @@ std::string words_of(const adhesion::Candidate& candidate) {
     return "";
 }
 
-/// Percent with one digit; a gain that rounds to 0 has no sign.
-std::string gain_text(double gain) {
-    const double tenths = std::round(1000.0 * gain);
-    return fmt::format("{:.1f}", tenths == 0.0 ? 0.0 : tenths / 10.0);
-}
-
-}  // namespace
-
-tables::TidyTable next_table(const std::string& target, const std::vector<adhesion::NextMeasurement>& measurements) {
-    tables::TidyTable table{fmt::format("± of {} with one further measurement", target),
+tables::TidyTable next_table(const NextMeasurements& next) {
+    tables::TidyTable table{fmt::format("± of {} with one further measurement", next.target),
                             {"measurement", "± [mJ/m²]", "smaller by [%]", "hours", "% per hour"},
                             {}};
-    for (const auto& [candidate, error, gain] : measurements)
+    for (const auto& [candidate, error, gain] : next.measurements)
         table.rows.push_back(
             {words_of(candidate), fmt::format("{:.4g}", 1e3 * error), gain_text(gain),
              candidate.hours ? fmt::format("{:.3g}", *candidate.hours) : std::string("–"),
              candidate.hours ? fmt::format("{:.2g}", 100.0 * gain / *candidate.hours) : std::string("–")});
     return table;
-}
-
-Json next_json(const std::string& target, const std::vector<adhesion::NextMeasurement>& measurements) {
-    Json list = Json::array();
-    for (const auto& [candidate, error, gain] : measurements) {
-        list.push_back({{"measurement", words_of(candidate)},
-                        {"standard_error", {{"value", error}, {"unit", "J/m2"}}},
-                        {"gain", gain}});
-        if (candidate.hours) list.back()["hours"] = *candidate.hours;
-    }
-    return {{"target", target}, {"measurements", std::move(list)}};
 }
 
 }  // namespace setae::output

@@ -133,7 +133,7 @@ std::vector<std::string> sentences_of_approach(const StudyResult& result) {
     add(sentence_of_energies(result));
     add(sentence_of_references(result));
     if (const auto budgets = budgets_of(result);
-        fitted && !budgets.empty() && budgets.front().quantity == "work_of_adhesion")
+        fitted && !budgets.empty() && budgets.front().quantity == "intrinsic_work_of_adhesion")
         add(budget_sentence(budgets.front()) + ".");
     return sentences;
 }

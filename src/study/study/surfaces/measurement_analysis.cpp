@@ -196,6 +196,14 @@ MeasurementResult analyse_measurement(const PreparedMeasurement& prepared, const
     if (wanted.previews) result.preview = height_preview(measurement);
     if (wanted.parameters) {
         result.real_space = roughness::real_space_parameters(measurement, threads);
+        look_at_heights(result, topography::metadata(measurement), length_along_x(measurement),
+                        std::holds_alternative<topography::Profile>(measurement));
+    }
+    if (!wanted.spectrum) {
+        result.arithmetic_height = undefined;
+        return result;
+    }
+    if (wanted.parameters) {
         result.arithmetic_height = roughness::arithmetic_height(measurement, result.real_space.mean_height, threads);
         if (const auto* map = std::get_if<topography::HeightMap>(&measurement)) {
             result.triangulated = roughness::triangulated_area(*map, threads);
@@ -204,9 +212,6 @@ MeasurementResult analyse_measurement(const PreparedMeasurement& prepared, const
                                       map->size[0] * map->size[1]};
         }
     }
-    if (wanted.parameters)
-        look_at_heights(result, topography::metadata(measurement), length_along_x(measurement),
-                        std::holds_alternative<topography::Profile>(measurement));
     if (const auto* profile = std::get_if<topography::Profile>(&measurement)) look_for_gaps(result, *profile);
     const auto [nx, ny] = topography::shape(measurement);
     if (nx * ny > 64) {
@@ -257,6 +262,7 @@ MeasurementResult analyse_tiled_map(const TiledMeasurement& large, const Surface
     if (wanted.parameters) result.real_space = roughness::real_space_parameters(levelled, lines_together, threads);
     if (wanted.parameters) look_at_heights(result, metadata, large.map.size[0], false);
     result.arithmetic_height = undefined;
+    if (!wanted.spectrum) return result;
     const auto spectrum = spectrum_options(options, threads);
     result.spectrum = spectra::power_spectrum(levelled, lines_together, spectrum);
     auto moved = levelled;

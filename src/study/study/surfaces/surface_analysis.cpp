@@ -66,7 +66,8 @@ std::vector<PreparedMeasurement> analyse_measurements(SurfaceResult& surface, co
                                                       parallel::Threads threads, const Wanted& wanted) {
     const auto tasks = tasks_of(input, options, run, wanted);
     run.expect(tasks.size() - std::min(tasks.size(), input.measurements.size()), measurement_work);
-    const bool joint = wants_likelihood(options, std::ssize(tasks)), keep = joint || (wanted.map && tasks.size() == 1);
+    const bool joint = wanted.spectrum && wants_likelihood(options, std::ssize(tasks)),
+               keep = joint || (wanted.map && tasks.size() == 1);
     std::vector<PreparedMeasurement> kept(keep ? tasks.size() : 0);
     surface.measurements.resize(tasks.size());
     const parallel::Threads inside = tasks.size() == 1 ? threads : parallel::Threads{1};
@@ -145,6 +146,13 @@ std::string more(const Estimate& with, double within) {
     if (value >= 2.0) return fmt::format("a factor of {:.2g} ({:.2g} to {:.2g})", value, lower, upper);
     return fmt::format("{:.2g} % ({:.2g} to {:.2g})", 100.0 * (value - 1.0), 100.0 * (lower - 1.0),
                        100.0 * (upper - 1.0));
+}
+
+/// @throws UndefinedDataError where every measurement failed.
+void require_measurements(const SurfaceResult& surface) {
+    if (std::all_of(surface.measurements.begin(), surface.measurements.end(),
+                    [](const auto& measurement) { return measurement.failed(); }))
+        throw UndefinedDataError("no measurement was analysed");
 }
 
 /// The spectrum extrapolated to a wavevector; empty where too few nodes determine its end.
@@ -281,6 +289,10 @@ SurfaceWithMap analyse_surface(const SurfaceInput& input, const SurfaceAnalysisO
             look_at_longer_waves(surface, options);
         } else {
             auto prepared = analyse_measurements(surface, input, options, run, threads, wanted);
+            if (!wanted.spectrum) {
+                require_measurements(surface);
+                return {std::move(surface), {}};
+            }
             run.step_begins("surface", input.name);
             estimate_by_average(surface, options, threads);
             add_failure_alert(surface, options);

@@ -252,8 +252,7 @@ Processed apply(const Despike& step, topography::Measurement measurement, parall
     else treat(std::get<LineScan>(measurement));
     for (const auto& [when, rms] :
          {std::pair{"_before", before}, std::pair{"_after", rms_height(measurement, threads)}})
-        if (rms)
-            record.numbers.push_back(recorded("rms_height" + std::string(when), rms->symbol, rms->estimate.value, "m"));
+        if (rms) record.numbers.push_back(recorded(rms->quantity + when, rms->symbol, rms->estimate.value, "m"));
     return {std::move(measurement), std::move(record)};
 }
 

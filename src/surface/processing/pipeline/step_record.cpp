@@ -106,7 +106,8 @@ std::optional<Quantity> rms_height(const topography::Measurement& measurement, p
     const auto spread = std::visit([threads](const auto& m) { return spread_of(m, threads); }, measurement);
     if (!(spread.points > 0.0)) return std::nullopt;
     const bool map = std::holds_alternative<topography::HeightMap>(measurement);
-    return recorded("rms_height", map ? "Sq" : "Rq", std::sqrt(spread.squares / spread.points), "m");
+    return recorded(map ? "areal_rms_height" : "profile_rms_height", map ? "Sq" : "Rq",
+                    std::sqrt(spread.squares / spread.points), "m");
 }
 
 void refuse_line(std::string_view step, const topography::Measurement& measurement, std::string_view remedy) {

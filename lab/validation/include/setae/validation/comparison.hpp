@@ -26,7 +26,7 @@ struct Comparison {
     std::string method;    ///< "likelihood", "average", "paper", "loops", "pairs", "elastomers"
     std::string unit;      ///< "m"
     Deviation measure = Deviation::relative;
-    double planted = 0.0;
+    double true_value = 0.0;
     Estimate found;
 
     [[nodiscard]] double deviation() const;
@@ -53,12 +53,13 @@ struct TrueValues {
 /// without its surface (elastomer). Elastomers: contact_modulus. Study: work_of_adhesion (clustered fit),
 /// work_of_predictions (W_int of the predictions) and work_of_adhesion_from_loss. Predictions and W_int by the spectrum
 /// used and by the average. Failed or missing values are left out. Surfaces and loops are matched by name.
-[[nodiscard]] std::vector<Comparison> comparisons(int run, const simulation::Recipe& recipe, const TrueValues& planted,
-                                                  const study::StudyResult& study);
+[[nodiscard]] std::vector<Comparison> comparisons(int run, const simulation::Recipe& recipe,
+                                                  const TrueValues& true_values, const study::StudyResult& study);
 
 /// The spectra of [D19]: Eq. 11 and straight segments between contour points; intervals between percentiles of the
 /// bootstrap over measurements. Method "paper".
 [[nodiscard]] std::vector<Comparison> comparisons_by_paper(int run, const simulation::Recipe& recipe,
-                                                           const TrueValues& planted, const study::StudyResult& study);
+                                                           const TrueValues& true_values,
+                                                           const study::StudyResult& study);
 
 }  // namespace setae::validation

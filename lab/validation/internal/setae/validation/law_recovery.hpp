@@ -30,7 +30,7 @@ struct ModelRecoveryOptions {
 
 /// One data set with a known retraction model, and the result of its study.
 struct ModelRecovery {
-    std::string planted, found;  ///< names of models; `found` is the model that is ranked best
+    std::string true_model, found;  ///< names of models; `found` is the model that is ranked best
     std::uint64_t seed = 0;
     bool possible = false;  ///< another model is ranked best, and the true one is not excluded
     /// W_x [J/m²], for models with this parameter
@@ -39,7 +39,7 @@ struct ModelRecovery {
     double parameter_standard_error = std::numeric_limits<double>::quiet_NaN();
     double surface_left_out = 0.0;  ///< leave-one-surface-out error (rms) of the model that is ranked best [J/m²]
 
-    [[nodiscard]] bool is_found() const { return found == planted; }
+    [[nodiscard]] bool is_found() const { return found == true_model; }
 };
 
 struct ModelRecoveries {
@@ -68,7 +68,7 @@ struct ModelRecoveries {
 
 /// Summary of one model over its runs.
 struct ModelSummary {
-    std::string planted;
+    std::string true_model;
     int runs = 0, found = 0, possible = 0, excluded = 0;
     double true_parameter = 0.0, parameter = 0.0, parameter_standard_error = 0.0;  ///< means [J/m²]; NaN without one
     double surface_left_out = 0.0;                                                 ///< mean [J/m²]
@@ -100,7 +100,7 @@ template <>
 struct setae::fields::Described<setae::validation::ModelSummary> {
     using T = validation::ModelSummary;
     static constexpr std::array rows{
-        field<&T::planted>("planted", "retraction model of the simulated loops"),
+        field<&T::true_model>("planted", "retraction model of the simulated loops"),
         field<&T::runs>("runs", "number of data sets"),
         field<&T::found>("found", "number of data sets in which the true model was ranked best"),
         field<&T::possible>(

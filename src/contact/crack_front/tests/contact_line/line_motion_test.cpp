@@ -58,7 +58,7 @@ TEST(Passage, RefusesInvalidOptions) {
 }
 
 /// 64 angles, 20 rings of 0.1 from 10 inwards at speed 1, but 100 in one field of cells and 0.01 in another.
-Passage planted() {
+Passage known_passage() {
     Passage p;
     p.width = 0.1;
     p.ring = 10.0 - 0.1 * Array1D::LinSpaced(20, 0.5, 19.5);
@@ -72,7 +72,7 @@ Passage planted() {
 }
 
 TEST(Clusters, RecoverTrueClusters) {
-    const auto jumps = clusters(planted(), ClusterKind::jumps);
+    const auto jumps = clusters(known_passage(), ClusterKind::jumps);
     ASSERT_EQ(jumps.size(), 3u);
     const double step = 2.0 * pi / 64.0;
     EXPECT_EQ(jumps[0].cells, 20);
@@ -82,16 +82,16 @@ TEST(Clusters, RecoverTrueClusters) {
     EXPECT_NEAR(jumps[0].angle, 0.0, 1e-12);
     EXPECT_NEAR(jumps[0].radius, 9.4, 0.01);
     EXPECT_EQ(jumps[1].cells, 1);
-    const auto arrests = clusters(planted(), ClusterKind::arrests);
+    const auto arrests = clusters(known_passage(), ClusterKind::arrests);
     ASSERT_EQ(arrests.size(), 1u);
     EXPECT_EQ(arrests[0].cells, 10);
     EXPECT_NEAR(arrests[0].angle, std::remainder(34.5 * step, 2.0 * pi), 1e-12);
-    EXPECT_TRUE(clusters(planted(), ClusterKind::jumps, 200.0).empty());
-    EXPECT_THROW((void)clusters(planted(), ClusterKind::jumps, 1.0), InvalidArgument);
+    EXPECT_TRUE(clusters(known_passage(), ClusterKind::jumps, 200.0).empty());
+    EXPECT_THROW((void)clusters(known_passage(), ClusterKind::jumps, 1.0), InvalidArgument);
 }
 
 TEST(Clusters, AroundTheWholeLineAreOneCluster) {
-    auto p = planted();
+    auto p = known_passage();
     p.speed.setConstant(1.0);
     p.speed.col(5).setConstant(50.0);
     const auto jumps = clusters(p, ClusterKind::jumps);

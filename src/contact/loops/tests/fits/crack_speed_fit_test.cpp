@@ -18,7 +18,7 @@ namespace {
 constexpr double sphere_radius = 1.25e-3;
 
 /// The laws of the audit that found the fit with E* of its own branch to be circular.
-std::vector<tests::RetractingLoop> planted_laws() {
+std::vector<tests::RetractingLoop> known_loops() {
     std::vector<tests::RetractingLoop> loops(3);
     loops[0].reference_speed = 50e-9;
     loops[1].reference_speed = 1e-6;
@@ -59,19 +59,19 @@ std::string reason(const RetractingEdge& edge, const Estimate& modulus = {.value
 }
 
 TEST(CrackSpeedFit, RecoversTrueLawsWithoutNoise) {
-    for (const auto& planted : planted_laws()) {
-        const Loop loop = planted.make();
+    for (const auto& known : known_loops()) {
+        const Loop loop = known.make();
         const CrackSpeedFit fit = fitted(loop);
         EXPECT_TRUE(fit.converged);
         // the trapezoid's steps and forces taken straight between samples
-        EXPECT_NEAR(fit.threshold.value / planted.threshold, 1.0, 1e-3) << planted.reference_speed;
-        EXPECT_NEAR(fit.reference_speed.value / planted.reference_speed, 1.0, 5e-3) << planted.reference_speed;
+        EXPECT_NEAR(fit.threshold.value / known.threshold, 1.0, 1e-3) << known.reference_speed;
+        EXPECT_NEAR(fit.reference_speed.value / known.reference_speed, 1.0, 5e-3) << known.reference_speed;
         // what the method itself misses is within its ±
         EXPECT_GT(fit.reference_speed.standard_error / fit.reference_speed.value, 0.0149);
-        EXPECT_NEAR(fit.exponent.value, planted.exponent, 1e-3) << planted.reference_speed;
+        EXPECT_NEAR(fit.exponent.value, known.exponent, 1e-3) << known.reference_speed;
         EXPECT_NEAR(fit.contact_modulus.value / 0.92e6, 1.0, 1e-4);
-        const CrackSpeedFit held = fitted(loop, {.exponent = planted.exponent});
-        EXPECT_NEAR(held.threshold.value / planted.threshold, 1.0, 1e-3);
+        const CrackSpeedFit held = fitted(loop, {.exponent = known.exponent});
+        EXPECT_NEAR(held.threshold.value / known.threshold, 1.0, 1e-3);
         EXPECT_EQ(held.exponent.standard_error, 0.0);
         EXPECT_EQ(held.covariance(2, 2), 0.0);
     }
@@ -79,26 +79,26 @@ TEST(CrackSpeedFit, RecoversTrueLawsWithoutNoise) {
 
 TEST(CrackSpeedFit, RecoversTrueLawsWithNoise) {
     constexpr int seeds = 12;
-    for (const auto& planted : planted_laws()) {
+    for (const auto& known : known_loops()) {
         double threshold = 0.0, speed = 0.0, exponent = 0.0, threshold_error = 0.0;
         int covered = 0;
         setae::tests::Pulls pulls;
         for (unsigned seed = 0; seed < seeds; ++seed) {
-            const CrackSpeedFit fit = fitted(with_noise(planted).make(seed));
-            threshold += fit.threshold.value / planted.threshold / seeds;
-            speed += fit.reference_speed.value / planted.reference_speed / seeds;
+            const CrackSpeedFit fit = fitted(with_noise(known).make(seed));
+            threshold += fit.threshold.value / known.threshold / seeds;
+            speed += fit.reference_speed.value / known.reference_speed / seeds;
             exponent += fit.exponent.value / seeds;
-            threshold_error += fit.threshold.standard_error / planted.threshold / seeds;
-            covered += std::abs(fit.threshold.value - planted.threshold) < 2.0 * fit.threshold.standard_error;
-            pulls.add(fit.threshold, planted.threshold);
-            EXPECT_NEAR(fit.threshold.value / planted.threshold, 1.0, 0.06);
-            EXPECT_NEAR(fit.exponent.value, planted.exponent, 0.15);
+            threshold_error += fit.threshold.standard_error / known.threshold / seeds;
+            covered += std::abs(fit.threshold.value - known.threshold) < 2.0 * fit.threshold.standard_error;
+            pulls.add(fit.threshold, known.threshold);
+            EXPECT_NEAR(fit.threshold.value / known.threshold, 1.0, 0.06);
+            EXPECT_NEAR(fit.exponent.value, known.exponent, 0.15);
             EXPECT_NEAR(fit.chi2_reduced, 1.0, 0.4);
             EXPECT_LT(std::abs(fit.modulus_deviation), 4.5);
         }
-        EXPECT_NEAR(threshold, 1.0, 0.02) << planted.reference_speed;
-        EXPECT_NEAR(speed, 1.0, 0.2) << planted.reference_speed;
-        EXPECT_NEAR(exponent, planted.exponent, 0.05) << planted.reference_speed;
+        EXPECT_NEAR(threshold, 1.0, 0.02) << known.reference_speed;
+        EXPECT_NEAR(speed, 1.0, 0.2) << known.reference_speed;
+        EXPECT_NEAR(exponent, known.exponent, 0.05) << known.reference_speed;
         EXPECT_LT(threshold_error, 0.025);
         EXPECT_GE(covered, seeds - 3);
         expect_honest(pulls);
@@ -107,12 +107,12 @@ TEST(CrackSpeedFit, RecoversTrueLawsWithNoise) {
 
 TEST(CrackSpeedFit, FailsWithTheModulusOfTheSameBranch) {
     // with a constant W the unloading branch reads E* 1.56 MPa for 0.92: at that E* no law fits the radii
-    const auto planted = planted_laws().front();
-    const Loop loop = with_noise(planted).make(1);
+    const auto known = known_loops().front();
+    const Loop loop = with_noise(known).make(1);
     const LoopAnalysis analysis = analyse(loop, tests::rubber_on_diamond());
     ASSERT_TRUE(analysis.unloading);
     const Estimate own = analysis.unloading->primary().contact_modulus;
-    EXPECT_GT(own.value, 1.2 * planted.loading.contact_modulus);
+    EXPECT_GT(own.value, 1.2 * known.loading.contact_modulus);
     const RetractingEdge edge = retracting_edge(analysis, {});
     const CrackSpeedFit right = fit_crack_speed(edge, sphere_radius, analysis.loading.primary().contact_modulus);
     EXPECT_NEAR(right.chi2_reduced, 1.0, 0.3);
@@ -124,7 +124,7 @@ TEST(CrackSpeedFit, FailsWithTheModulusOfTheSameBranch) {
     // free within a wide error, E* is found in the branch itself, beside the law
     const CrackSpeedFit wide =
         fit_crack_speed(edge, sphere_radius, {.value = own.value, .standard_error = 0.9 * own.value});
-    EXPECT_NEAR(wide.contact_modulus.value / planted.loading.contact_modulus, 1.0, 0.1);
+    EXPECT_NEAR(wide.contact_modulus.value / known.loading.contact_modulus, 1.0, 0.1);
 }
 
 TEST(CrackSpeedFit, OfAConstantWorkOfAdhesionIsRefused) {

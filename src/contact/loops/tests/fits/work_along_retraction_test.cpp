@@ -96,25 +96,25 @@ TEST(WorkAlongRetraction, OfAConstantWorkHasNoSlope) {
 }
 
 TEST(WorkAlongRetraction, RecoversTheTrueSlopeWithinItsError) {
-    const VaryingLoop planted;
-    const auto exact = course_of(analyse(planted.make(), tests::rubber_on_diamond()));
-    EXPECT_NEAR(exact.slope.value / planted.slope, 1.0, 0.01);
-    EXPECT_NEAR(exact.at_largest_contact.value, planted.at_largest, 2e-4);
+    const VaryingLoop known;
+    const auto exact = course_of(analyse(known.make(), tests::rubber_on_diamond()));
+    EXPECT_NEAR(exact.slope.value / known.slope, 1.0, 0.01);
+    EXPECT_NEAR(exact.at_largest_contact.value, known.at_largest, 2e-4);
     double squares = 0.0;
     constexpr int loops = 12;
     for (unsigned seed = 1; seed <= loops; ++seed) {
-        const auto found = course_of(analyse(noisy(planted.make(), seed), tests::rubber_on_diamond()));
+        const auto found = course_of(analyse(noisy(known.make(), seed), tests::rubber_on_diamond()));
         EXPECT_GT(found.slope.value, 5.0 * found.slope.standard_error);
-        squares += std::pow((found.slope.value - planted.slope) / found.slope.standard_error, 2);
+        squares += std::pow((found.slope.value - known.slope) / found.slope.standard_error, 2);
     }
     EXPECT_LT(squares, 26.2);
 }
 
 TEST(WorkAlongRetraction, LossMatchesTheLoop) {
     for (const double slope : {-200.0, 0.0, 400.0}) {
-        VaryingLoop planted{.slope = slope};
-        if (slope < 0.0) planted.at_largest = 0.070;
-        const auto loop = planted.make();
+        VaryingLoop known{.slope = slope};
+        if (slope < 0.0) known.at_largest = 0.070;
+        const auto loop = known.make();
         const auto analysis = analyse(loop, tests::rubber_on_diamond());
         const auto& found = course_of(analysis);
         const double integral = trapezoid(loop);
@@ -124,9 +124,9 @@ TEST(WorkAlongRetraction, LossMatchesTheLoop) {
         const double at_pull_off = found.at_pull_off.value,
                      approach = analysis.loading.primary().work_of_adhesion.value,
                      modulus = analysis.loading.primary().contact_modulus.value, k = analysis.budget->machine_stiffness;
-        const double constant = spring_jumps({planted.radius, modulus, approach}, k).jump_in_loss +
+        const double constant = spring_jumps({known.radius, modulus, approach}, k).jump_in_loss +
                                 (at_pull_off - approach) * pi * std::pow(found.largest_radius, 2) +
-                                spring_jumps({planted.radius, modulus, at_pull_off}, k).jump_out_loss;
+                                spring_jumps({known.radius, modulus, at_pull_off}, k).jump_out_loss;
         EXPECT_NEAR(found.energy_loss_constant.value / constant, 1.0, 1e-5) << slope;
         if (slope != 0.0) {
             EXPECT_GT(std::abs(constant / integral - 1.0), 0.01) << slope;

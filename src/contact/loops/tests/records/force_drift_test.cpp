@@ -43,8 +43,8 @@ TEST(ForceDrift, IsMeasuredInFreeFlightWithItsError) {
         Loop loop = drifting();
         loop.force = tests::with_noise(loop.force, 1e-7, generator);
         const Estimate change = analyse(loop, rubber_on_diamond()).force_zero.drift.change;
-        const double planted = rate * (loop.time[loop.time.size() - 1] - loop.time[0]);
-        pulls += std::pow((change.value - planted) / change.standard_error, 2) / seeds;
+        const double true_change = rate * (loop.time[loop.time.size() - 1] - loop.time[0]);
+        pulls += std::pow((change.value - true_change) / change.standard_error, 2) / seeds;
     }
     // the mean square of 100 pulls is 1 ± 0.14
     EXPECT_NEAR(std::sqrt(pulls), 1.0, 0.25);

@@ -37,10 +37,10 @@ protected:
 TEST_F(FittedForceMap, GivesModulusOrReasonForEachCurve) {
     const auto map = fit_force_map(file(), {}, sphere(), {}, {1});
     ASSERT_EQ(map.curves.size(), 4U);
-    const double planted[] = {20.0, 25.0, 30.0};
+    const double true_moduli[] = {20.0, 25.0, 30.0};
     for (std::size_t k = 0; k < 3; ++k) {
         ASSERT_TRUE(map.curves[k].summary) << map.curves[k].summary.reason;
-        EXPECT_NEAR(map.curves[k].summary->contact_modulus->value / planted[k], 1.0, 0.01);
+        EXPECT_NEAR(map.curves[k].summary->contact_modulus->value / true_moduli[k], 1.0, 0.01);
         EXPECT_NEAR(map.curves[k].summary->pull_off_force->value, -1.5e-8, 2e-11);
         EXPECT_GT(map.curves[k].summary->energy_loss->value, 0.0);
     }

@@ -39,7 +39,7 @@ Study study_of_nine_pairs() {
 }
 
 /// The study with values measured on true inputs, which differ from the stated inputs by their standard errors.
-Study planted(const Study& nominal, std::mt19937_64& random, double measured_error) {
+Study simulated_study(const Study& nominal, std::mt19937_64& random, double measured_error) {
     std::normal_distribution<double> normal;
     const auto drawn = [&](Estimate& estimate) { estimate.value += estimate.standard_error * normal(random); };
     auto truth = nominal;
@@ -68,7 +68,7 @@ TEST(PredictionTest, OfTrueModelsHasTheExpectedChiSquared) {
     constexpr int seeds = 30;
     double given = 0.0, fitted = 0.0;
     for (int seed = 0; seed < seeds; ++seed) {
-        auto study = planted(nominal, random, 0.002);
+        auto study = simulated_study(nominal, random, 0.002);
         const auto result = run_study(study, {1});
         ASSERT_TRUE(result.prediction_test) << result.prediction_test.reason;
         ASSERT_GT(result.pairs.back().modified->work.raw, 0.0);  // the floor is not met

@@ -101,8 +101,8 @@ TEST(SurfaceOfMaps, WhenAnisotropicHasTheAreaOfItsSlopes) {
     const auto& found = surface.fitted->stretch.front().ratio;
     EXPECT_NEAR(found.value, 1.8, 3.0 * found.standard_error);
     const auto& parameters = surface.used().parameters;
-    const double planted = area_shape(parameters.rms_slope, 1.8);
-    EXPECT_NEAR(parameters.area_shape - 1.0, planted - 1.0, 0.25 * (1.0 - planted));  // of three maps
+    const double true_shape = area_shape(parameters.rms_slope, 1.8);
+    EXPECT_NEAR(parameters.area_shape - 1.0, true_shape - 1.0, 0.25 * (1.0 - true_shape));  // of three maps
     StudyResult result;
     result.surfaces.push_back(surface);
     EXPECT_EQ(output::stretch_table(result).rows.size(), surface.fitted->stretch.size());

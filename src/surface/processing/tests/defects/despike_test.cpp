@@ -210,8 +210,8 @@ TEST(Despike, ReplacesSpikesByTheLocalMedian) {
     map.heights(60, 60) += 1e-7, map.heights(60, 61) += 1e-7;  // next to each other
     const auto done = apply(Despike{}, map);
     EXPECT_EQ(number_of(done.record, "spikes"), 22.0);
-    EXPECT_NEAR(number_of(done.record, "rms_height_before"), rms_of(map.heights), 1e-18);
-    EXPECT_NEAR(number_of(done.record, "rms_height_after"), rms_of(clean.heights), 1e-3 * rms_of(clean.heights));
+    EXPECT_NEAR(number_of(done.record, "areal_rms_height_before"), rms_of(map.heights), 1e-18);
+    EXPECT_NEAR(number_of(done.record, "areal_rms_height_after"), rms_of(clean.heights), 1e-3 * rms_of(clean.heights));
     EXPECT_LT(rms_of(map_of(done).heights - clean.heights), 0.02 * rms_of(clean.heights));
     for (const Index k : added) EXPECT_NE(map_of(done).heights.data()[k], map.heights.data()[k]);
 }

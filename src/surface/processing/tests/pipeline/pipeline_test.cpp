@@ -47,8 +47,8 @@ TEST(Pipeline, OfTiltedStripedSpikyDataRecoversSqWithinOnePercent) {
         processing::apply(pipeline_of({"align_rows method=polynomial degree=1", "despike", "level_plane"}), measured);
     EXPECT_NEAR(rms_of(std::get<HeightMap>(result.measurement).heights) / rms_of(truth.heights), 1.0, 0.01);
     ASSERT_EQ(result.records.size(), 3u);
-    EXPECT_NEAR(number_of(result.records[2], "rms_height"), rms_of(std::get<HeightMap>(result.measurement).heights),
-                1e-20);
+    EXPECT_NEAR(number_of(result.records[2], "areal_rms_height"),
+                rms_of(std::get<HeightMap>(result.measurement).heights), 1e-20);
     EXPECT_EQ(topography::metadata(result.measurement).attributes.at("pipeline"),
               "align_rows method=polynomial | despike | level_plane");
 }

@@ -20,4 +20,8 @@ namespace setae {
 /// The beginning of a text, at most so many characters wide, with "…" if text is left out.
 [[nodiscard]] std::string shortened(std::string_view text, std::size_t width);
 
+/// The end of a text, at most so many characters wide, after "…" if text is left out. It begins after a blank or a dot,
+/// other than the dot of a number, where there is one.
+[[nodiscard]] std::string last_words(std::string_view text, std::size_t width);
+
 }  // namespace setae

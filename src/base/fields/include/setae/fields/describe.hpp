@@ -487,7 +487,8 @@ consteval Row possible(std::string_view name, std::string_view symbol, std::stri
             .if_missing = Missing::left_out};
 }
 
-/// Quantities that `from` has from a result, each a field under its own name, which is one of `possible`.
+/// Quantities that `from` has from a result, each a field of `possible` that has its name or its term. Fields may share
+/// a name, such as Sq of a map and Rq of a line; a result has one of them.
 template <class T, class From>
 consteval Row quantities_among(const Description& possible, From) {
     return {.kind = Kind::object,

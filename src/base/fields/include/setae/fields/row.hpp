@@ -138,7 +138,7 @@ struct Row {
     }
 };
 
-/// The row of this name. @throws InternalError where there is none.
+/// The row of this name, otherwise of the quantity with this term. @throws InternalError where there is none.
 [[nodiscard]] const Row& row_named(const Description& description, std::string_view name);
 
 /// Puts every field of a result, in order.

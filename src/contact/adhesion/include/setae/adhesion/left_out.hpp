@@ -15,10 +15,10 @@ struct LeftOutPrediction {
     std::string surface, elastomer;
     /// max(0, balance) at W of the others; the standard error includes all inputs and the scatter of the model
     Estimate predicted;
-    Estimate measured;            ///< measured value with its own noise
-    double residual = 0.0;        ///< measured − predicted
-    double standard_error = 0.0;  ///< standard error of the residual
-    bool held = false;            ///< whether 0 lies in the 95 % interval of the residual
+    Estimate measured;             ///< measured value with its own noise
+    double residual = 0.0;         ///< measured − predicted
+    double standard_error = 0.0;   ///< standard error of the residual
+    bool within_interval = false;  ///< whether 0 lies in the 95 % interval of the residual
 };
 
 /// Predicts every pair without the pairs of its surface, then without those of its elastomer: expected accuracy for a

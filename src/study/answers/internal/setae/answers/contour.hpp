@@ -18,6 +18,16 @@ namespace setae::answers {
 /// Size of a pixel, "0.05 nm" or "0.05 nm x 0.1 nm". @throws InvalidArgument.
 [[nodiscard]] imaging::PixelSize pixel_size_of(const std::string& text);
 
+/// Options of a trace, and the picture that they belong to.
+struct RepeatedTrace {
+    study::ContourOptions options;
+    bool is_whole = false;              ///< whether a stored trace is repeated with its own options
+    std::optional<std::string> digest;  ///< of the picture of that trace
+
+    /// @throws InvalidArgument where a whole trace is repeated on another picture.
+    void require_picture(const study::TracedPicture& picture, const std::string& stored) const;
+};
+
 /// Request of `setae contour`: tracing of the contour in a micrograph.
 struct ContourRequest {
     std::string vacuum = "automatic", shape = "envelope";
@@ -30,6 +40,9 @@ struct ContourRequest {
 
     /// @throws InvalidArgument for malformed texts and a calibration given twice.
     [[nodiscard]] study::ContourOptions options() const;
+    /// The options with the anchors of a file, or those of a whole trace in this file; without a file the options.
+    /// @throws as options(); as output::read_trace(); InvalidArgument for a whole trace and options.
+    [[nodiscard]] RepeatedTrace with_anchors(const std::string& file) const;
 };
 
 }  // namespace setae::answers

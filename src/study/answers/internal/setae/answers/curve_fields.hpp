@@ -81,6 +81,7 @@ struct Described<loops::ForceCurveFit> {
         inner<&T::shape>(),
         inner<&T::model>(),
         inner<&T::parameters>(),
+        inner<&T::samples>(),
     };
     static constexpr Description description{"", "fit to a segment of a force curve", rows};
 };

@@ -17,6 +17,9 @@ struct ParametersRequest {
     study::SurfaceInput surface;
     study::SurfaceAnalysisOptions analysis;
     bool every_measurement = false;  ///< the first failure of one is thrown, in place of parameters without it
+    /// Names or symbols of the wanted parameters; empty: all. No spectrum is computed for those of one pass over
+    /// heights.
+    std::vector<std::string> only = {};
 };
 
 /// Parameters that belong together: of one measurement's heights, or of the surface's spectrum.
@@ -40,7 +43,7 @@ struct Parameters {
 /// The headline in words: the numbers with their standard errors, their waves, the removed trend and the measurements.
 [[nodiscard]] std::string headline_text(const Parameters& parameters);
 
-/// @throws what reading throws where every measurement is requested.
+/// @throws InvalidArgument for a name that no parameter has; what reading throws where every measurement is requested.
 [[nodiscard]] Parameters parameters(const ParametersRequest& request, parallel::Threads threads = {});
 
 /// A parameter with its origin.

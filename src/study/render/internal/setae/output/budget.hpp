@@ -11,8 +11,8 @@ namespace setae::output {
 
 /// A reported number, with the contributions to its standard error.
 struct QuotedBudget {
-    std::string quantity;            ///< "work_of_adhesion", "predicted_work_of_adhesion", "predicted_energy_loss"
-    std::string symbol;              ///< "W_int", "W_app (7)", "E_loss (10)"
+    std::string quantity;  ///< "intrinsic_work_of_adhesion", "predicted_work_of_adhesion", "predicted_energy_loss"
+    std::string symbol;    ///< "W_int", "W_app (7)", "E_loss (10)"
     std::string surface, elastomer;  ///< empty where it is of the whole study
     std::string unit;                ///< SI
     double standard_error = 0.0;

@@ -171,6 +171,7 @@ struct MeasurementSource {
 struct Wanted {
     bool previews = true;    ///< previews of heights
     bool parameters = true;  ///< parameters from heights
+    bool spectrum = true;    ///< spectrum; without it the only parameters are those of one pass over the heights
     bool map = false;  ///< the heights themselves, where the surface is one map in memory: then by the average only
     /// whether the first failure of a measurement is thrown, instead of a result without that measurement
     bool every_measurement = false;
