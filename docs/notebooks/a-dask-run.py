@@ -21,7 +21,7 @@ import setae
 moduli = ("0.3 MPa", "1 MPa", "3 MPa", "10 MPa")
 slopes = (0.05, 0.1, 0.2, 0.4, 0.8)
 surfaces = [
-    setae.synthesize(hurst=0.8, rolloff="2 um", short_cutoff="80 nm", rms_slope=slope, size="10 um", pixels=256, seed=seed).scan
+    setae.synthesize(hurst_exponent=0.8, rolloff="2 um", short_cutoff="80 nm", rms_slope=slope, size="10 um", pixels=256, seed=seed).scan
     for seed, slope in enumerate(slopes)
 ]
 
@@ -32,7 +32,7 @@ surfaces = [
 # %%
 def pair(scan: setae.Scan, modulus: str) -> setae.WorkOfAdhesion:
     setae.limit_threads(1)
-    return setae.work_of_adhesion(scan, E=modulus, W_int="50 mJ/m2", gamma="25 mJ/m2")
+    return setae.work_of_adhesion(scan, youngs_modulus=modulus, W_int="50 mJ/m2", surface_energy="25 mJ/m2")
 
 
 # %% [markdown]

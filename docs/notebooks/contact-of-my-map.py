@@ -15,7 +15,7 @@ import matplotlib.pyplot as plt
 
 import setae
 
-scan = setae.synthesize(hurst=0.8, rolloff="2 um", short_cutoff="250 nm", rms_height="50 nm", size="8 um", pixels=256).scan
+scan = setae.synthesize(hurst_exponent=0.8, rolloff="2 um", short_cutoff="250 nm", rms_height="50 nm", size="8 um", pixels=256).scan
 solved = setae.contact(scan, contact_modulus="4 MPa", pressure="50 kPa", tolerance=1e-6)
 print("in contact:", solved["area_fraction_corrected"], "mean gap:", solved["mean_gap"])
 

@@ -22,7 +22,7 @@ import setae
 
 subprocess.run([sys.executable, "-m", "setae", "lab", "make", "examples/tutorial/recipe.toml", "-o", "mine"], check=True)
 files = sorted(pathlib.Path("mine/rougher").glob("afm_*.txt"))
-scans = [setae.read(file).stated(instrument="afm", tip_radius="10 ± 0.5 nm").level() for file in files]
+scans = [setae.read(file).assign_metadata(instrument="afm", tip_radius="10 ± 0.5 nm").level() for file in files]
 
 # %% [markdown]
 # Problems of the measurements come first: spikes, scars, noise, or a blunt tip.

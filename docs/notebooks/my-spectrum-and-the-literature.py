@@ -15,7 +15,7 @@ import matplotlib.pyplot as plt
 
 import setae
 
-scan = setae.synthesize(hurst=0.8, rolloff="1 um", short_cutoff="20 nm", rms_height="20 nm", size="5 um", pixels=512).scan
+scan = setae.synthesize(hurst_exponent=0.8, rolloff="1 um", short_cutoff="20 nm", rms_height="20 nm", size="5 um", pixels=512).scan
 published = setae.study("examples/nanodiamond/published.toml").run(output="published")
 published.write()
 

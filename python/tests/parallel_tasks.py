@@ -28,7 +28,7 @@ def file_task(file: pathlib.Path) -> str:
 def pair_task(pair: tuple[setae.Surface | setae.Scan, setae.Quantity | str]) -> setae.WorkOfAdhesion:
     """A pair of surface and elastomer."""
     surface, modulus = pair
-    return setae.work_of_adhesion(surface, E=modulus, **SOLIDS)
+    return setae.work_of_adhesion(surface, youngs_modulus=modulus, **SOLIDS)
 
 
 def loop_task(loop: setae.Loop) -> setae.LoopFit:

@@ -157,7 +157,7 @@ def tasks(data, tmp_path_factory) -> list[tuple[Callable[[Any], Any], list[Any]]
     folder = tmp_path_factory.mktemp("maps")
     files = []
     for seed in range(4):
-        made = setae.synthesize(hurst=0.8, rolloff="1 um", short_cutoff="126 nm", rms_height="10 nm", size="2 um", pixels=32, seed=seed)
+        made = setae.synthesize(hurst_exponent=0.8, rolloff="1 um", short_cutoff="126 nm", rms_height="10 nm", size="2 um", pixels=32, seed=seed)
         files.append(folder / f"map_{seed}.npy")
         made.scan.save(files[-1])
     surfaces = [setae.surface([rough_map(), rough_map().level()], spectrum="average"), rough_map()]
@@ -230,15 +230,15 @@ LONG_CALLS = {
     "contact": "setae.contact(rough, contact_modulus='1 MPa', pressure='1 kPa', tolerance=1e-14)",
     "contact_front": "setae.contact_front(rough, radius='1 um', contact_modulus='1 MPa', W_int='50 mJ/m2', to_displacement='50 nm',"
                      " shortest_wavelength='1 um', steps=5000)",
-    "synthesize": "setae.synthesize(hurst=0.8, rolloff='1 um', short_cutoff='20 nm', rms_height='30 nm', size='5 um', pixels=6000)",
-    "conform": "setae.conform(energy_shares=[0.3], points=[256], points_per_wave=[8], seeds=20, loops=True)",
+    "synthesize": "setae.synthesize(hurst_exponent=0.8, rolloff='1 um', short_cutoff='20 nm', rms_height='30 nm', size='5 um', pixels=6000)",
+    "patch_survey": "setae.patch_survey(energy_shares=[0.3], points=[256], points_per_wave=[8], realisations=20, loops=True)",
 }
 
 INTERRUPTED = """
 import os, signal, threading, time
 import numpy as np, setae
 large = setae.scan(1e-9 * np.random.default_rng(1).standard_normal((3000, 3000)), size="10 um x 10 um", unit="m")
-rough = setae.synthesize(hurst=0.8, rolloff="1 um", short_cutoff="20 nm", rms_height="30 nm", size="5 um", pixels=512).scan
+rough = setae.synthesize(hurst_exponent=0.8, rolloff="1 um", short_cutoff="20 nm", rms_height="30 nm", size="5 um", pixels=512).scan
 for name, call in CALLS.items():
     def interrupt():
         global sent
@@ -322,7 +322,7 @@ def test_a_counter_advances_during_calls():
     thread.start()
     try:
         for call in (lambda: setae.power_spectrum(scan), lambda: setae.parameters(scan), lambda: scan.level("polynomial", degree=4).heights,
-                     lambda: setae.conform(energy_shares=[0.05], points=[128], points_per_wave=[8], seeds=2)):
+                     lambda: setae.patch_survey(energy_shares=[0.05], points=[128], points_per_wave=[8], realisations=2)):
             began, before = time.monotonic(), counted[0]
             call()
             seconds = time.monotonic() - began
