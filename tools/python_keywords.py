@@ -144,7 +144,7 @@ READABLE = {
     "Text": "str or Quantity", "PintQuantity": "quantity of pint", "UncertainNumber": "number of uncertainties", "Path": "str or path",
     "Paths": "str or path or Sequence[str or path]", "Size": "str or Quantity or tuple", "Source": "str or path or table",
     "Sources": "str or path or table or a list of them", "Stated": "str or int or Mapping",
-    "Measured": "scan, str, path, array, table or a list of them", "Any": "object",
+    "Measured": "scan, str, path, array, table or a list of them", "Any": "object", "Anchors": "sequence of (x, y), Contour or path",
 }
 
 
@@ -229,6 +229,8 @@ OWN = {
     "*files": "containers: folders or ZIP archives",
     "*paths": "files or folders",
     "abel": "C_iso by the inverse Abel transform, too",
+    "anchors": "points (x, y) in pixels that the trace passes, or a file of them; or an earlier trace, or its JSON file, which is repeated with "
+               "its own options",
     "binned": "a spectrum of one measurement in the bins of combined measurements",
     "calibration": "file of a calibration that was saved from another picture",
     "channel": "channel by its number, counted from 0, or by its name; default: the preferred channel of heights",
@@ -248,6 +250,11 @@ OWN = {
     "study.file": "path of a study file, or a dictionary with the keys of a study file",
     "replicates.files": "tables with one row per fit",
     "contour.foil_thickness": "thickness of the sample along the beam, such as '20 nm'",
+    "folders": "folders, or files; the files of one folder are measurements of one surface",
+    "draft_study.file": "study file; paths in the draft are relative to its folder",
+    "loops": "two loops or more",
+    "curves": "paths of files, loops, or tables in memory",
+    "fit_together.model": "contact model, such as 'dmt'; default: jkr",
     "frames": "TIFF stack, AVI, folder of pictures, or pictures",
     "contact_line.frames": "recording as for `contact_radii`, a table of the edge, or a result with an edge",
     "fit": "fit of a self-affine spectrum",

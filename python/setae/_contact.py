@@ -311,7 +311,7 @@ def contact_sweep(
         largest change of any gap per step, in ranges: 2 takes two thirds of the time, works change by up to 1 %
     maps : bool, default False
         states are kept point by point: at first load, at the turn, at zero load on retraction, at the greatest tension
-    restart : str or path
+    restart : str or path, optional
         file written every 20 steps; where it exists the sweep continues from it, to the same bytes; removed at the end
     layer_thickness : str or Quantity, optional
         thickness of an elastic layer on a rigid base, such as "1 um"; default: a half-space

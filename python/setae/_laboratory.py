@@ -518,8 +518,8 @@ def contour(
     ignore_stated_pixel_size : bool, default False
         pixel size or scale bar given hold even where the file contradicts them
     anchors : sequence of (x, y), Contour or path, optional
-        points in pixels that the trace passes, or a file of them; or an earlier trace, or its JSON file, which is repeated with its
-        own options
+        points (x, y) in pixels that the trace passes, or a file of them; or an earlier trace, or its JSON file, which is repeated with
+        its own options
 
     Returns
     -------

@@ -6,7 +6,6 @@ from __future__ import annotations
 import os
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Union
 
 from . import _setae
 from ._errors import InvalidArgument
@@ -37,12 +36,12 @@ class StudyDraft(Answer):
         return f"StudyDraft({', '.join(f'{count} {name}' for name, count in counts.items())}, {len(self._data['left_out'])} files left out)"
 
 
-def draft_study(folders: Union[Path, Sequence[Path]], *, file: Path = "study.toml") -> StudyDraft:
+def draft_study(folders: Path | Sequence[Path], *, file: Path = "study.toml") -> StudyDraft:
     """A draft of a study from folders of measurements, micrographs and loops, as ``setae study init``. :meth:`StudyDraft.save` writes it.
 
     Parameters
     ----------
-    folders : path or list of paths
+    folders : str or path or Sequence[str or path]
         folders, or files; the files of one folder are measurements of one surface
     file : str or path, default 'study.toml'
         study file; paths in the draft are relative to its folder

@@ -69,16 +69,16 @@ def fit_together(
     loops : Sequence[Loop]
         two loops or more
     share : Sequence[str] or str, default 'modulus'
-        quantity that all loops have in common: "modulus", "work", or a list of both
-    model : str
-        contact model, such as "dmt"; default: jkr
+        quantity that all loops have in common in one fit; modulus, work or both; one of modulus, work
+    model : str, optional
+        contact model, such as 'dmt'; default: jkr
     branch : str, default 'loading'
-        fitted branch; one of loading, unloading
+        branch of additional models, profile likelihood and common fits; one of loading, unloading
     errors : str, default 'orthogonal_distance'
-        treatment of measurement errors; one of effective_variance, orthogonal_distance, force_only
-    model_contact_point : str or Quantity
-        contact point that is held fixed, such as "1.2 um"; default: fitted
-    cohesive_stress : str or Quantity
+        treatment of measurement errors in additional models and common fits; one of effective_variance, orthogonal_distance, force_only
+    model_contact_point : str or Quantity, optional
+        contact point that is held fixed in additional models, such as "1.2 um"; default: fitted
+    cohesive_stress : str or Quantity, optional
         cohesive stress that is held fixed in the model maugis_dugdale, such as "5 MPa"; default: fitted
 
     Returns
@@ -141,7 +141,7 @@ def force_curve_series(curves: Sequence[Any], **arguments: Any) -> ForceCurveSer
 
     Parameters
     ----------
-    curves : Sequence of str, path, table or Loop
+    curves : Sequence[object]
         paths of files, loops, or tables in memory
 
     Returns
