@@ -265,7 +265,7 @@ class Loop:
         return MachineStiffness(_setae.machine_stiffness(self._opened))
 
     def save(self, file: Path, **metadata: Text) -> None:
-        """Writes a loop file in SI, as ``setae jkr import -o``, with metadata such as ``sphere_radius="1.25 mm"`` or ``surface="UNCD"``."""
+        """Writes a loop file in SI, its columns in their order, with metadata such as ``sphere_radius="1.25 mm"`` or ``surface="UNCD"``."""
         self._opened.save(path(file), {name: text(value, name) for name, value in metadata.items()})
 
     def to_pandas(self) -> Any:

@@ -95,13 +95,14 @@ def fit_together(
     --------
     >>> import numpy as np
     >>> import setae
-    >>> rng, radius = np.random.default_rng(1), np.linspace(2e-5, 1e-4, 40)
-    >>> def made(work):
-    ...     force, displacement = setae.models.jkr(radius, 1e-3, 1e6, work)
-    ...     return setae.loop({"force [N]": force + 1e-7 * rng.standard_normal(40), "displacement [m]": displacement}, radius="1 mm")
-    >>> together = setae.fit_together([made(0.04), made(0.05)])
-    >>> f"{together.quantities[0].value:.2g} {together.quantities[0].unit}"
-    '1e+06 Pa'
+    >>> random, depth = np.random.default_rng(1), np.linspace(-10e-6, 20e-6, 200)
+    >>> def tested(work_of_adhesion):
+    ...     retraction = setae.models.jkr(depth[::-1], 1e-3, 1e6, work_of_adhesion, zero_outside=True)
+    ...     force = np.append(np.where(depth < 0.0, 0.0, retraction[::-1]), retraction) + 1e-7 * random.standard_normal(400)
+    ...     return setae.loop({"force [N]": force, "displacement [m]": np.append(depth, depth[::-1])}, radius="1 mm")
+    >>> together = setae.fit_together([tested(0.04), tested(0.05)])
+    >>> together.quantities[0].symbol
+    'E*'
     """
     if isinstance(loops, Loop) or len(loops) < 2:
         raise InvalidArgument("loops: one loop; expected a list of two or more, or loop.fit() for one")

@@ -84,7 +84,7 @@ def test_force_curves():
     depth = np.maximum(points["displacement"] - point, 0.0)
     near(fit.best_fit, 4.0 / 3.0 * modulus * np.sqrt(1e-3) * depth**1.5)
     assert fit.points("retract").n > 0
-    with pytest.raises(setae.InvalidArgument, match="segment: 'pause'; expected one of approach, retract"):
+    with pytest.raises(setae.InvalidArgument, match="segment: 'pause'; expected one of extend, retract"):
         fit.points("pause")
     with pytest.raises(setae.InvalidArgument, match="curve_number"):
         setae.force_curves(CURVES, radius="1 mm").best_fit

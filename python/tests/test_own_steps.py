@@ -38,7 +38,7 @@ def test_steps_are_recorded_in_their_order():
     scan = rough().process(["fill_undefined", functools.partial(median, size=3), "level_plane"]).process(np.fliplr)
     names = [step.step for step in scan.processing.steps]
     assert names == ["fill_undefined", "median(size=3)", "level_plane", "fliplr()"] == scan.processing.data["pipeline"]
-    assert {q.quantity for q in scan.processing.steps[2].numbers} >= {"removed_slope_x", "rms_height"}
+    assert {q.quantity for q in scan.processing.steps[2].numbers} >= {"removed_slope_x", "areal_rms_height"}
     assert "median(size=3)" in repr(scan.processing) and "fliplr()" in scan._repr_html_()
     assert float(setae.parameters(scan)["Sq"]) == pytest.approx(float(setae.parameters(setae.scan(scan.heights, scan.size, "m"))["Sq"]), rel=1e-12)
 

@@ -12,7 +12,7 @@ import subprocess
 import sys
 import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
 import numpy as np
@@ -76,15 +76,16 @@ def content(value: Any, folder: pathlib.Path) -> list[Any]:
     return [repr(value), getattr(value, "unit", None), str(getattr(value, "standard_error", None))]
 
 
-def arrays(value: setae.Result) -> Iterator[np.ndarray]:
-    """Arrays in the attributes of a result, and in scans and dictionaries among these."""
-    for entry in vars(value).values():
-        if isinstance(entry, np.ndarray):
-            yield entry
-        elif isinstance(entry, setae.Scan):
-            yield entry.heights
-        elif isinstance(entry, dict):
-            yield from (array for part in entry.values() for array in (part if isinstance(part, tuple) else (part,)) if isinstance(array, np.ndarray))
+def arrays(value: Any) -> Iterator[np.ndarray]:
+    """Arrays in the attributes of a result, and in scans, mappings and tuples among these."""
+    if isinstance(value, np.ndarray):
+        yield value
+    elif isinstance(value, (setae.Result, setae.Scan)):
+        for entry in (value.heights,) if isinstance(value, setae.Scan) else vars(value).values():
+            yield from arrays(entry) if not isinstance(entry, setae.Result) else ()
+    elif isinstance(value, (Mapping, tuple)):
+        for entry in value.values() if isinstance(value, Mapping) else value:
+            yield from arrays(entry)
 
 
 def written(value: setae.Result, folder: pathlib.Path) -> list[bytes]:

@@ -77,8 +77,10 @@ bool is_of_one_pass(const ParametersRequest& request) {
                        [&](const auto& name) { return std::find(names.begin(), names.end(), name) != names.end(); });
 }
 
+/// By its symbol or its name, "areal_rms_height" also by "rms_height".
 bool is_called(const Quantity& quantity, const std::string& name) {
-    return quantity.quantity == name || quantity.symbol == name;
+    return quantity.symbol == name || quantity.quantity == name || quantity.quantity == "areal_" + name ||
+           quantity.quantity == "profile_" + name;
 }
 
 /// Leaves only the wanted parameters. @throws InvalidArgument for a name that none has.
