@@ -262,17 +262,17 @@ def test_contour(printed):
 
 def test_contour_with_anchors(printed):
     picture, anchors = DATA / "wave.png", DATA / "anchors.json"
-    mine = setae.contour(picture, pixel="1 nm", shape="parametric", anchors=anchors)
+    mine = setae.contour(picture, pixel_size="1 nm", shape="parametric", anchors=anchors)
     assert mine.json() == printed("contour", picture, "--pixel", "1 nm", "--shape", "parametric", "--anchors", anchors, "-o", "curve.csv")
     points = json.loads(anchors.read_text())["anchors"]
-    assert setae.contour(picture, pixel="1 nm", shape="parametric", anchors=points).profiles == mine.profiles
+    assert setae.contour(picture, pixel_size="1 nm", shape="parametric", anchors=points).profiles == mine.profiles
     again = setae.contour(picture, anchors=mine)
     assert again.profiles == mine.profiles and again.json() == printed("contour", picture, "--anchors", "curve.json", "-o", "again.csv")
     PIL.Image.open(picture).save("encoded_again.png", compress_level=1)
     with pytest.raises(setae.InvalidArgument, match="trace of another picture"):
         setae.contour("encoded_again.png", anchors=mine)
     with pytest.raises(setae.InvalidArgument, match="its own options"):
-        setae.contour(picture, pixel="1 nm", anchors=mine)
+        setae.contour(picture, pixel_size="1 nm", anchors=mine)
 
 
 def test_contact(printed):
