@@ -95,7 +95,7 @@ def reader(name):
         return "docs", pages
     if name.startswith("docs/notebooks/") and name.endswith(".py"):
         return "docs", notebook
-    if name.startswith(("src/", "apps/")) and name.endswith((".cpp", ".hpp")):
+    if name.startswith(("src/", "apps/", "lab/")) and name.endswith((".cpp", ".hpp")):
         return "program", program
     if name.startswith("python/") and name.endswith(".py"):
         return "python", python

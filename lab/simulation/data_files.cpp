@@ -207,7 +207,7 @@ std::string true_values_text(const Recipe& recipe, const std::vector<TrueSurface
 std::string study_text(const Recipe& recipe, const std::vector<std::vector<MeasurementFile>>& measurements,
                        const std::vector<KnownLoop>& loops) {
     StudyLines lines;
-    lines.add("# Written by `setae lab make`; truth.json says what it should find.");
+    lines.add("# Written by `setae lab make`; truth.json contains the true values.");
     lines.add("title = {}", bytes::toml_quoted(recipe.title));
     if (!recipe.description.empty()) lines.add("description = {}", bytes::toml_quoted(recipe.description));
     add_inputs(lines, recipe);

@@ -24,7 +24,8 @@ StatedQuantity read_modulus(TomlReader& reader, const std::string& table, bool s
     }
     auto modulus = stated.required(reader, table, key, positive(dimension::pressure));
     if (modulus.stated_value.uncertain() && !stated_value)
-        reader.fail(key, "a ± of a modulus that the study is not told; add tell_modulus = true, or leave the ± out");
+        reader.fail(key,
+                    "a ± of a modulus that the study does not contain; add tell_modulus = true, or leave the ± out");
     return modulus;
 }
 

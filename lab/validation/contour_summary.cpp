@@ -82,7 +82,7 @@ void judge(std::vector<ContourVerdict>& verdicts, const ContourRow& row) {
     };
     add("every picture traced", row.refused == 0, fmt::format("{} of {} refused", row.refused, row.runs));
     if (row.refused == row.runs) return;
-    add("vacuum told from the sample", row.vacuum_mistaken == 0,
+    add("vacuum distinguished from the sample", row.vacuum_mistaken == 0,
         fmt::format("mistaken in {} of {}", row.vacuum_mistaken, row.runs));
     add(fmt::format("rms error below {} px in every run", largest_rms_error), row.rms_error.worst < largest_rms_error,
         fmt::format("{:.3f} px on average, {:.3f} px in run {}", row.rms_error.mean, row.rms_error.worst,

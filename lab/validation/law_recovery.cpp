@@ -206,7 +206,7 @@ TidyTable model_summary_table(const std::vector<ModelSummary>& rows) {
 
 TidyTable model_recovery_table(const std::vector<ModelRecovery>& recoveries) {
     TidyTable table{"",
-                    {"planted", "seed", "found", "possible", "parameter planted [J/m2]", "parameter [J/m2]",
+                    {"true model", "seed", "found", "possible", "true parameter [J/m2]", "parameter [J/m2]",
                      "standard_error [J/m2]", "next surface off [J/m2]"},
                     {}};
     for (const auto& one : recoveries)

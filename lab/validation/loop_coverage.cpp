@@ -192,7 +192,8 @@ std::vector<Comparison> record_coverage(const LoopCoverageOptions& options) {
                 to.add("record", "W unloading", "analysis", "J/m2", s.work_retraction,
                        found.unloading->primary().work_of_adhesion);
             if (found.retraction)
-                to.add("record", "W (S2)", "analysis", "J/m2", s.work_retraction, found.retraction->work_of_adhesion);
+                to.add("record", "W (Eq. S2)", "analysis", "J/m2", s.work_retraction,
+                       found.retraction->work_of_adhesion);
             if (found.loop) to.add("record", "E_loss", "analysis", "J", truth.energy_loss(), found.loop->estimate());
         } catch (const UndefinedDataError&) {
             // refused; visible in the number of comparisons

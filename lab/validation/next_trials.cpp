@@ -173,7 +173,7 @@ Recipe recipe_with(Recipe recipe, const Candidate& candidate) {
     const auto quantities = named(recipe, candidate.name);
     if (quantities.empty())
         throw InvalidArgument(
-            fmt::format("the recipe tells no '{}' with a ±, so it cannot be known better", candidate.name));
+            fmt::format("the recipe gives no '{}' with a ±, so it cannot be known better", candidate.name));
     for (auto* quantity : quantities) halve(*quantity);
     for (auto& rough : recipe.surfaces) {
         if (rough.stylus && recipe.stylus_tip) rough.stylus->shared_tip_radius = recipe.stylus_tip->value;

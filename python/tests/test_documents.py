@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import doctest
 import importlib
+import inspect
 import os
 import pathlib
 import pkgutil
@@ -20,6 +21,7 @@ from conftest import ROOT
 
 MODULES = [module.name for module in pkgutil.iter_modules(setae.__path__) if module.name not in ("_setae", "__main__")]
 GUIDES = ["python", "python-arrays", "study-from-python"]
+TYPED_USE = ROOT / "python/tests/typed_use.py"
 NOTEBOOKS = sorted((ROOT / "docs/notebooks").glob("*.py"))
 
 
@@ -67,15 +69,20 @@ def test_the_guide_runs(guide, data, tmp_path):
 
 
 def test_types(tmp_path):
-    """mypy --strict for the package, the notebooks and the guide."""
+    """mypy --strict for the package, the notebooks, the guides, and a use of all functions."""
     pytest.importorskip("mypy")
     guides = [tmp_path / f"{guide.replace('-', '_')}.py" for guide in GUIDES]
     for guide, written in zip(GUIDES, guides):
         written.write_text(blocks(ROOT / f"docs/guides/{guide}.md"))
     package = pathlib.Path(setae.__file__).parent
     command = [sys.executable, "-m", "mypy", "--strict", "--ignore-missing-imports", "--cache-dir", tmp_path / "cache", package]
-    done = subprocess.run([*command, *guides, *NOTEBOOKS], capture_output=True, text=True, cwd=ROOT)
+    done = subprocess.run([*command, *guides, *NOTEBOOKS, TYPED_USE], capture_output=True, text=True, cwd=ROOT)
     assert done.returncode == 0, done.stdout
+
+
+def test_every_public_function_is_used_with_its_types():
+    used = set(re.findall(r"setae\.(\w+)", TYPED_USE.read_text()))
+    assert {name for name in setae.__all__ if inspect.isroutine(getattr(setae, name))} <= used
 
 
 def test_the_module_is_the_program(tmp_path):

@@ -188,7 +188,7 @@ std::vector<Alert> projection_alerts(const ProjectionBias& bias, const std::stri
         {"FOIL_PROJECTION", subject,
          fmt::format(
              "a contour is the silhouette of a foil {:.3g} nm thick, not a line scan: on a Gaussian surface of this spectrum it reads "
-             "{:.3g} of the rms height, {:.3g} of the slope, and C1D {:.3g} … {:.3g} of the truth",
+             "{:.3g} of the rms height, {:.3g} of the slope, and C1D {:.3g} … {:.3g} of the true value",
              bias.thickness * 1e9, bias.rms_height.value, bias.rms_slope.value, bias.C1D.minCoeff(),
              bias.C1D.maxCoeff()),
          "divide C1D by the factor of each wavevector, use thinner foils, or leave out wavelengths shorter than the foil is thick"}};

@@ -28,7 +28,7 @@ void check(const FoilContourOptions& options) {
     if (!(options.step_spread >= 0.0) || !(options.step_spread <= widest))
         throw InvalidArgument(
             fmt::format("spread {} of the contour's steps; expected 0 … {}", options.step_spread, widest));
-    require_not_negative(options.blur, "blur [m] of the side view");
+    require_not_negative(options.blur, "blur [m] of the projection");
     require_not_negative(options.trace_noise_rms, "rms deviation [m] of the trace");
     if (options.trace_noise_rms > 0.0 && !(options.trace_noise_length > 0.0))
         throw InvalidArgument(fmt::format("the trace's deviation is correlated over {} m; expected a positive length",

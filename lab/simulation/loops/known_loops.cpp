@@ -35,7 +35,7 @@ void lose(RoughPair& pair, const LoopRecipe& loops, double loss_per_area) {
     const double loss = loss_per_area * least.largest_contact_area();
     if (loss < least.energy_loss())
         pair.refusal = fmt::format(
-            "the jumps alone lose {:.4g} J, more than the loop's {:.4g} J; press harder, or ask for a larger "
+            "only the jumps lose {:.4g} J, more than the loop's {:.4g} J; press harder, or ask for a larger "
             "loss_factor",
             least.energy_loss(), loss);
     else
@@ -51,7 +51,7 @@ hysteresis::Law law_of(RetractionChoice law) {
         case RetractionChoice::reversible: return hysteresis::Law::reversible;
         case RetractionChoice::loss: break;
     }
-    throw InternalError("E_loss = f W_int A_true is no law of W_ret alone");
+    throw InternalError("E_loss = f W_int A_true is no model of W_ret only");
 }
 
 /// Deviation of W_app of a pair from its balance, from only the seed and the names.
@@ -119,9 +119,10 @@ RoughPair rough_pair(const Recipe& recipe, const std::string& name, const TrueSu
     const double work = state.work_approach - pinned + departure(recipe, name, elastomer.name);
     if (!(work > 0.0)) {
         pair.refusal = fmt::format(
-            "{} gives W_app = {:.3g} mJ/m2, so the bodies would not conform; take a softer elastomer, a smoother "
+            "{} gives W_app = {:.3g} mJ/m2, so the bodies would not be in full contact; take a softer elastomer, a smoother "
             "surface or a larger work of adhesion",
-            loops.contact == KnownContact::full ? "(7)" : "contact by patches", 1e3 * work);
+            loops.contact == KnownContact::full ? "the full-contact balance (Eq. 7)" : "contact by patches",
+            1e3 * work);
         return pair;
     }
     specimen.work_approach = specimen.work_retraction = work;
@@ -168,7 +169,7 @@ std::vector<KnownLoop> known_loops(const Recipe& recipe) {
 std::vector<KnownLoop> known_loops(const Recipe& recipe, const std::vector<TrueSurfaceValues>& truths) {
     if (truths.size() != recipe.surfaces.size())
         throw InvalidArgument(
-            fmt::format("truth of {} surfaces for a recipe of {}", truths.size(), recipe.surfaces.size()));
+            fmt::format("true values of {} surfaces for a recipe of {}", truths.size(), recipe.surfaces.size()));
     std::vector<KnownLoop> loops;
     if (!recipe.loops) return loops;
     const auto add = [&](KnownLoop loop) {

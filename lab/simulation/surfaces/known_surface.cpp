@@ -136,8 +136,8 @@ spectra::Spectrum profile_curve(const KnownSurface& surface) {
 
 TrueSurfaceValues true_values_of_gaussian(const KnownSurface& surface, const Band& band) {
     TrueSurfaceValues truth{.source = surface.isotropic()
-                                          ? "moments of C_iso; (9)"
-                                          : "moments of the angle-averaged C_iso; mean of (9) over directions"};
+                                          ? "moments of C_iso; Eq. 9"
+                                          : "moments of the angle-averaged C_iso; mean of Eq. 9 over directions"};
     auto& parameters = truth.parameters;
     parameters.rms_height = std::sqrt(moment(surface, 0.0, band) / (2.0 * pi));
     parameters.rms_slope = std::sqrt(moment(surface, 2.0, band) / (2.0 * pi));
@@ -182,14 +182,14 @@ TrueSurfaceValues true_surface_values(const KnownSurface& surface) {
 
 TrueSurfaceValues true_surface_values(const KnownSurface& surface, const Band& band) {
     if (!(band.lower >= 0.0) || !(band.upper > band.lower))
-        throw InvalidArgument(
-            fmt::format("truth over a band from {} to {} 1/m; expected 0 <= lower < upper", band.lower, band.upper));
+        throw InvalidArgument(fmt::format("true values over a band from {} to {} 1/m; expected 0 <= lower < upper",
+                                          band.lower, band.upper));
     if (surface.gaussian())
         return true_values_of_gaussian(surface, {band.lower, std::min(band.upper, surface.band().upper)});
     // where the spectrum is flat, transformed heights keep it flat to the square of the skewness
     if (band.upper < surface.band().upper || band.lower > surface.band().lower)
         throw InvalidArgument(fmt::format(
-            "truth of transformed heights over a band from {} to {} 1/m; expected all waves shorter than the "
+            "true values of transformed heights over a band from {} to {} 1/m; expected all waves shorter than the "
             "roll-off at {} 1/m",
             band.lower, band.upper, surface.band().lower));
     TrueSurfaceValues truth = true_values_of_transformed(surface);

@@ -318,7 +318,7 @@ TEST(RecipesWithoutStatedInputs, GiveUnchangedFiles) {
     const fs::path before = scratch("before"), ones = scratch("ones");
     const auto files = make(recipe_of(plain), before.string(), {2});
     EXPECT_EQ(bytes::read_file((before / "study.toml").string()),
-              "# Written by `setae lab make`; truth.json says what it should find.\n"
+              "# Written by `setae lab make`; truth.json contains the true values.\n"
               "title = \"\"\n"
               "\n[analysis]\nshortest_wavelength = \"1e-09 m\"\n"
               "\n[rough_solid]\nyoungs_modulus = \"1100000000000 Pa\"\npoisson_ratio = 0\n"
