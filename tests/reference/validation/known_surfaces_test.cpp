@@ -68,8 +68,8 @@ TEST(KnownSurfaces, AreCoveredByIntervalsOfEveryQuantityAndDecade) {
     EXPECT_GE(held, static_cast<int>(0.85 * static_cast<double>(rows.size())));
 }
 
-// The cutoff of tip-based data and the simulated tip are what makes the decades right: without both they are many
-// standard deviations off. What a tip adds is part of the model: with the tip, data beyond the cutoff do not mislead.
+// The cutoff of tip-based data and the simulated tip are what makes the decades right: without either they are many
+// standard deviations off.
 TEST(KnownSurfaces, AreNotRecoveredWithoutCutoffAndTip) {
     const auto with = misfit(only(complete(), "likelihood"));
     const auto without_both = misfit(
@@ -80,8 +80,8 @@ TEST(KnownSurfaces, AreNotRecoveredWithoutCutoffAndTip) {
         only(validation_with({.tip_band = false, .threads = {2}}, "without_cutoff"), "likelihood"), where_tips_end);
     EXPECT_LT(with.chi_squared, 2.5 * with.count);
     EXPECT_GT(without_both.chi_squared, 20.0 * without_both.count);
-    EXPECT_EQ(without_cutoff.count, with_cutoff.count);
-    EXPECT_NEAR(without_cutoff.chi_squared, with_cutoff.chi_squared, 0.2 * with_cutoff.chi_squared);
+    // what a tip adds is part of the model: beyond the cutoff it misleads less than a factor T did, which tripled this
+    EXPECT_GT(without_cutoff.chi_squared, 1.5 * with_cutoff.chi_squared);
 }
 
 // THEORY §4.2: the paper's route reads slope and curvature low, segments between contour points doing most of it.

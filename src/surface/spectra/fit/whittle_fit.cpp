@@ -218,7 +218,7 @@ private:
         Array1D expected;                 // E
         Eigen::MatrixXd derivative;       // ∂ ln E/∂x at fixed tip
         Eigen::MatrixXd total;            // including the response of the tip
-        Eigen::VectorXd amplitude_slope;  // ∂ ln A/∂theta; empty if the tip does not respond
+        Eigen::VectorXd amplitude_slope;  // ∂ ln A/∂theta; empty if no tip responds
     };
 
     [[nodiscard]] Expectation expectation(std::size_t index, const Eigen::VectorXd& x) const {
@@ -228,11 +228,9 @@ private:
         const Array1D f = factors_[index] * (designs_[index] * theta).array().exp();
         double change = 0.0;  // of ln A
         if (c.reference_amplitude > 0.0) {
-            constexpr double simulated = 0.7;  // beyond, the response to the amplitude is unknown: constant
             const auto amplitude = spline_moment(spline_, theta, c.amplitude_order, c.amplitude_end);
-            const double log_ratio = std::log(amplitude.value / c.reference_amplitude);
-            change = std::clamp(log_ratio, -simulated, simulated);
-            if (change == log_ratio) e.amplitude_slope = amplitude.gradient / amplitude.value;
+            change = std::clamp(std::log(amplitude.value / c.reference_amplitude), -0.7, 0.7);
+            e.amplitude_slope = amplitude.gradient / amplitude.value;
         }
         e.followed = f;
         if (c.log_followed.size() > 0) e.followed *= (c.log_followed + c.followed_response * change).exp();
@@ -318,22 +316,6 @@ private:
     Eigen::MatrixXd precision_;
 };
 
-/// A step of Newton for the root of the score, with the exact matrix, shortened until the state is better; false where
-/// no length is. Far from the root the score can grow along every damped step of Fisher scoring; along this one it
-/// decreases at first.
-bool newton_step(const Problem& problem, Eigen::VectorXd& x, Problem::State& state) {
-    constexpr double shortest = 1e-6;
-    const Eigen::VectorXd step = numerics::solved(problem.observed(x), state.score);
-    for (double length = 1.0; length > shortest; length *= 0.5) {
-        auto next = problem.state(x + length * step);
-        if (!std::isfinite(next.objective) || !problem.better(next, state)) continue;
-        x += length * step;
-        state = std::move(next);
-        return true;
-    }
-    return false;
-}
-
 }  // namespace
 
 Array1D surface_wavevectors(const PeriodogramClass& c) {
@@ -353,13 +335,13 @@ Array1D surface_factors(const PeriodogramClass& c) {
 WhittleFit fit_whittle(const std::vector<PeriodogramClass>& classes, const LogSpline& spline,
                        const Smoothness& smoothness, const Eigen::VectorXd& start) {
     constexpr int max_iterations = 60;
-    constexpr double longest_step = 3.0, small_decrement = 1e-4, first_damping = 1e-3, max_damping = 1e8;
+    constexpr double longest_step = 3.0, small_decrement = 1e-4;
     const Problem problem(classes, spline, smoothness);
     Eigen::VectorXd x = problem.start();
     if (start.size() > 0) x.head(spline.coefficients()) = start;
     WhittleFit fit;
     auto state = problem.state(x);
-    double damping = first_damping;
+    double damping = 1e-3;
     while (fit.iterations < max_iterations && !fit.converged) {
         ++fit.iterations;
         Eigen::MatrixXd matrix = state.with_response + problem.precision();
@@ -373,9 +355,9 @@ WhittleFit fit_whittle(const std::vector<PeriodogramClass>& classes, const LogSp
             x += step;
             state = std::move(next);
             damping = std::max(damping / 10.0, 1e-9);
-        } else if (damping *= 10.0; damping > max_damping) {
-            if (!newton_step(problem, x, state)) break;
-            damping = first_damping;
+        } else {
+            damping *= 10.0;
+            if (damping > 1e8) break;
         }
     }
     const Eigen::MatrixXd gain = numerics::inverse(state.with_response + problem.precision());
