@@ -71,7 +71,7 @@ def work_of_retraction(work, modulus, loss, area):
     return low
 
 
-def predicted(youngs_modulus=E[0], surface_energy=GAMMA[0], w_int=W_INT[0]):
+def predicted(youngs_modulus=E[0], gamma=GAMMA[0], w_int=W_INT[0]):
     """Everything the command is asked for, by JSON key."""
     modulus, work = contact_modulus(youngs_modulus), work_of_approach(youngs_modulus, gamma, w_int)
     radius = radius_under_preload(work, modulus)
