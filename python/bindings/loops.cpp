@@ -89,8 +89,8 @@ void bind_force_curves(nb::module_& module) {
            const answers::CurveRequest& request) {
             return unlocked([&](const auto&) {
                 if (request.concerns_map(file, files))
-                    return CurveAnswer{.json =
-                                           output::as_text(output::described(answers::fit_map(file, files, bodies, request)))};
+                    return CurveAnswer{
+                        .json = output::as_text(output::described(answers::fit_map(file, files, bodies, request)))};
                 return answer_of(file, answers::fit_curve(file, files, bodies, request));
             });
         },

@@ -208,7 +208,8 @@ ExitCode run(const Arguments& a) {
         }
         alerts.insert(alerts.end(), outcome.picture->alerts.begin(), outcome.picture->alerts.end());
         study::add_rows(table, *outcome.picture);
-        if (a.common.json) json.push_back(output::described(output::ContourEntry{&*outcome.picture, &repeated.options}));
+        if (a.common.json)
+            json.push_back(output::described(output::ContourEntry{&*outcome.picture, &repeated.options}));
     }
     show(alerts);
     if (!a.save_calibration.empty() && failed == 0)

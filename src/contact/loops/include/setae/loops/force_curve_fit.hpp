@@ -88,7 +88,7 @@ struct ForceCurveFit {
     Eigen::MatrixXd covariance;
     bool converged = false;
     Index n = 0;
-    std::vector<Index> samples;  ///< fitted samples of the segment
+    std::vector<Index> samples;                           ///< fitted samples of the segment
     double indentation_from = 0.0, indentation_to = 0.0;  ///< range of the fitted samples [m]
     Array1D residuals;                                    ///< F − fitted [N]
     double rms_residual = 0.0;                            ///< [N]

@@ -71,8 +71,7 @@ struct Described<loops::ForceCurveFit> {
         quantity<&T::indentation_to>("indentation_to", "delta", "m", "largest indentation of the fitted points"),
         field<&T::n>("n", "number of fitted points"),
         field<&T::covariance>("covariance", "covariance of the parameters"),
-        quantity<&T::rms_residual>("rms_residual", "rms", "N", "root mean square residual")
-            .as("rms_residual_of_force"),
+        quantity<&T::rms_residual>("rms_residual", "rms", "N", "root mean square residual").as("rms_residual_of_force"),
         field<&T::relative_residual>("relative_residual", "rms residual divided by the range of the fitted force"),
         field<&T::residuals>("residuals", "measured minus fitted force of each point").in_unit("N"),
         field<&T::model_fit>("fit",
