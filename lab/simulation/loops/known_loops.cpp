@@ -35,7 +35,7 @@ void lose(RoughPair& pair, const LoopRecipe& loops, double loss_per_area) {
     const double loss = loss_per_area * least.largest_contact_area();
     if (loss < least.energy_loss())
         pair.refusal = fmt::format(
-            "only the jumps lose {:.4g} J, more than the loop's {:.4g} J; press harder, or ask for a larger "
+            "the jumps by themselves lose {:.4g} J, more than the loop's {:.4g} J; press harder, or ask for a larger "
             "loss_factor",
             least.energy_loss(), loss);
     else
@@ -51,7 +51,7 @@ hysteresis::Law law_of(RetractionChoice law) {
         case RetractionChoice::reversible: return hysteresis::Law::reversible;
         case RetractionChoice::loss: break;
     }
-    throw InternalError("E_loss = f W_int A_true is no model of W_ret only");
+    throw InternalError("E_loss = f W_int A_true is not a retraction model");
 }
 
 /// Deviation of W_app of a pair from its balance, from only the seed and the names.
